@@ -267,7 +267,7 @@ impl Builder {
     pub(crate) fn programs(&self) -> io::Result<HashMap<String, Program>> {
         let mut programs = self.programs.clone();
         for folder in &self.folders {
-            programs::load_folder(folder, &mut programs)?;
+            programs::load_folder(folder, "", &mut programs)?;
         }
         Ok(programs)
     }

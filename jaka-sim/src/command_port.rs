@@ -6,6 +6,7 @@ mod request_reader;
 use std::io;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode, write_refusal};
@@ -30,7 +31,7 @@ pub(crate) fn run(shared: &Arc<Shared>) {
 
 /// Makes a client the active one, or closes its connection.
 fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shared>) -> io::Result<()> {
-    if shared.options.takeover == Takeover::Refuse && shared.active_client.is_connected() {
+    if shared.options.takeover == Takeover::Refuse && shared.active_client.connection().is_some() {
         log::trace!(target: "jaka_sim", "command client refused");
         Wire::new(socket, Port::Command, &shared.links)?.close();
         return Ok(());
@@ -38,7 +39,7 @@ fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shar
     close_active(serving, shared);
     log::trace!(target: "jaka_sim", "command client connected");
     let connection = Arc::new(CommandConnection::new(socket, &shared.links)?);
-    shared.active_client.set(Arc::clone(&connection));
+    shared.active_client.replace(Some(Arc::clone(&connection)));
     let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
     let (theirs, host) = (Arc::clone(&connection), Arc::clone(shared));
     let place = shared.time().servant();
@@ -76,7 +77,7 @@ fn serve_to_end(connection: &Arc<CommandConnection>, shared: &Shared) {
     // The port is free before the client sees the end.
     shared.active_client.clear(connection);
     if end == NextStep::Reset {
-        connection.reset_on_drop();
+        connection.wire().reset_on_drop();
     } else {
         connection.close();
     }
@@ -92,7 +93,7 @@ fn take_over(shared: &Shared) {
 /// controller that has been started again.
 fn shut_down(shared: &Shared) {
     // If the system has no socket left to wait with, only what has been accepted so far is closed.
-    shared.status_listener.wait_until_accepted().ok();
+    shared.status_listener.wait_until_accepted();
     shared.readers.close();
 }
 
@@ -138,7 +139,7 @@ fn receive(
 fn ignore(requests: &mut RequestReader, connection: &CommandConnection) -> NextStep {
     log::trace!(target: "jaka_sim", "command client ignored");
     if matches!(requests.ignore(), Ok(false)) {
-        connection.wait_until_closed();
+        connection.closes_within(Duration::MAX);
     }
     NextStep::Close
 }

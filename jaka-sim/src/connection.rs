@@ -3,7 +3,6 @@
 mod active;
 mod next_step;
 mod reply_writer;
-mod takeover;
 
 use std::io;
 use std::sync::{Arc, Mutex};
@@ -13,7 +12,6 @@ pub(crate) use self::active::ActiveClient;
 pub(crate) use self::next_step::NextStep;
 use self::reply_writer::PendingReplies;
 pub(crate) use self::reply_writer::ReplyWriter;
-pub(crate) use self::takeover::TakeoverClient;
 use crate::Port;
 use crate::link::{Links, Wire};
 use crate::lock::lock;
@@ -37,7 +35,7 @@ impl CommandConnection {
         Ok(Self { wire, pending: Mutex::default(), closed: Mutex::default(), changed: Signal::new(links.time()) })
     }
 
-    pub(crate) fn wire(&self) -> &Wire {
+    pub(crate) fn wire(&self) -> &Arc<Wire> {
         &self.wire
     }
 
@@ -53,17 +51,8 @@ impl CommandConnection {
         self.changed.notify_all();
     }
 
-    pub(crate) fn wait_until_closed(&self) {
-        self.closes_within(Duration::MAX);
-    }
-
     /// Waits for the time, and says whether the connection was closed by then.
     pub(crate) fn closes_within(&self, time: Duration) -> bool {
         *self.changed.wait(&self.closed, time, |closed| *closed)
-    }
-
-    /// Has the connection reset when it is dropped. It must not be closed before.
-    pub(crate) fn reset_on_drop(&self) {
-        self.wire.reset_on_drop();
     }
 }

@@ -86,7 +86,7 @@ impl Controller {
         if self.is_lent {
             return;
         }
-        wait_until_accepted(&self.shared.status_listener);
+        self.shared.status_listener.wait_until_accepted();
         self.shared.step(time);
     }
 
@@ -214,7 +214,7 @@ impl Controller {
     /// # Errors
     /// [`ErrorKind::NotConnected`] if there is no client, or what the socket reports.
     pub fn send(&self, bytes: &[u8]) -> io::Result<()> {
-        wait_until_accepted(&self.shared.command_listener);
+        self.shared.command_listener.wait_until_accepted();
         let connection = self.shared.active_client.connection().ok_or(ErrorKind::NotConnected)?;
         connection.writer().write(bytes)
     }
@@ -224,21 +224,21 @@ impl Controller {
     /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay, which has its
     /// own packets, this does nothing.
     pub fn publish(&self) {
-        wait_until_accepted(&self.shared.status_listener);
+        self.shared.status_listener.wait_until_accepted();
         self.shared.publish();
     }
 
     /// Sends bytes to all status readers, between two packets.
     pub fn send_status(&self, bytes: &[u8]) {
-        wait_until_accepted(&self.shared.status_listener);
+        self.shared.status_listener.wait_until_accepted();
         self.shared.readers.send(bytes);
     }
 
     /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
     /// accepted.
     pub fn disconnect(&self) {
-        wait_until_accepted(&self.shared.command_listener);
-        wait_until_accepted(&self.shared.status_listener);
+        self.shared.command_listener.wait_until_accepted();
+        self.shared.status_listener.wait_until_accepted();
         self.shared.active_client.close();
         self.shared.readers.close();
         self.shared.links.abort();
@@ -276,12 +276,6 @@ impl Drop for Controller {
         close(&self.shared.status_listener, self.status.take());
         self.shared.links.abort();
     }
-}
-
-/// Waits for connections that have been made, and that the thread has not accepted yet.
-fn wait_until_accepted(listener: &Listener) {
-    // If the system has no socket left to wait with, only what has been accepted so far counts.
-    listener.wait_until_accepted().ok();
 }
 
 /// Closes a listener and waits for its thread.

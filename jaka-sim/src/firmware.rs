@@ -10,7 +10,7 @@ use std::time::Duration;
 
 pub use self::reply_style::{CodeStyle, EventStyle, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
 pub(crate) use self::restyle::restyle;
-pub(crate) use self::shape::{Fieldbus, Keys, Shape};
+pub(crate) use self::shape::{Fieldbus, Shape};
 pub(crate) use self::values::Values;
 use crate::json_text::Separators;
 use crate::{Habit, Habits};
@@ -81,7 +81,8 @@ firmwares! {
             .numbers(NumberStyle::Decimals(6))
             .event(EventStyle::Number),
         habits: &[Habit::LatePower, Habit::ServoAtRest, Habit::Events],
-        keys: &[Keys::Common],
+        extio: false,
+        newer_keys: false,
         digital: 135,
         analog: 64,
         tool_digital: 8,
@@ -111,7 +112,8 @@ firmwares! {
             .truth_values(TruthStyle::Packet)
             .event(EventStyle::Number),
         habits: &[Habit::ServoAtRest, Habit::Events],
-        keys: &[Keys::Common, Keys::Extio, Keys::Newer],
+        extio: true,
+        newer_keys: true,
         digital: 199,
         analog: 128,
         tool_digital: 8,
@@ -138,7 +140,8 @@ firmwares! {
         packet_numbers: NumberStyle::Plain,
         reply_style: ReplyStyle::DOCUMENT,
         habits: &[],
-        keys: &[Keys::Common, Keys::Extio],
+        extio: true,
+        newer_keys: false,
         digital: 144,
         analog: 66,
         tool_digital: 8,

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::path::Path;
-use std::{fs, io};
+use std::{fs, io, vec};
 
 use jaka_proto::Request;
 use jaka_proto::messages::motion::JointMove;
@@ -12,25 +12,8 @@ use crate::motion::Joints;
 /// The commands of a program, in order.
 pub(crate) type Program = Vec<Request>;
 
-/// The program that runs, and how far it is.
-#[derive(Debug)]
-pub(crate) struct Runner {
-    program: Program,
-    next: usize,
-}
-
-impl Runner {
-    pub(crate) fn new(program: Program) -> Self {
-        Self { program, next: 0 }
-    }
-
-    /// Takes the next command; `None` at the end of the program.
-    pub(crate) fn next_command(&mut self) -> Option<Request> {
-        let command = self.program.get(self.next).cloned();
-        self.next += usize::from(command.is_some());
-        command
-    }
-}
+/// What is left of the program that runs.
+pub(crate) type Runner = vec::IntoIter<Request>;
 
 /// The programs that every controller has: the document's example, which moves joint 1 there and back.
 pub(crate) fn built_in() -> HashMap<String, Program> {
@@ -50,16 +33,12 @@ pub(crate) fn replay(points: &[Joints]) -> Program {
 
 /// The programs of a folder: files with one request per line, as sent on the wire. Their names are those of the files,
 /// with the folders below `root` before them.
-pub(crate) fn load_folder(root: &Path, programs: &mut HashMap<String, Program>) -> io::Result<()> {
-    load_below(root, "", programs)
-}
-
-fn load_below(folder: &Path, prefix: &str, programs: &mut HashMap<String, Program>) -> io::Result<()> {
+pub(crate) fn load_folder(folder: &Path, prefix: &str, programs: &mut HashMap<String, Program>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
         if entry.file_type()?.is_dir() {
-            load_below(&entry.path(), &format!("{name}/"), programs)?;
+            load_folder(&entry.path(), &format!("{name}/"), programs)?;
         } else {
             let text = fs::read_to_string(entry.path())?;
             programs.insert(name.clone(), parse(&text).map_err(|error| invalid(&name, &error))?);

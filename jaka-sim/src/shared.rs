@@ -8,7 +8,7 @@ use std::time::Duration;
 use serde_json::{Map, Value};
 
 use crate::clock::{CYCLE, Clock};
-use crate::connection::{ActiveClient, TakeoverClient};
+use crate::connection::ActiveClient;
 use crate::link::Links;
 use crate::listener::Listener;
 use crate::lock::lock;
@@ -30,7 +30,6 @@ pub(crate) struct Shared {
     pub(crate) command_listener: Listener,
     pub(crate) status_listener: Listener,
     pub(crate) active_client: ActiveClient,
-    pub(crate) takeover_client: TakeoverClient,
     pub(crate) readers: Readers,
     pub(crate) request_log: RequestLog,
     pub(crate) links: Arc<Links>,
@@ -61,7 +60,6 @@ impl Shared {
             command_listener: Listener::bind(options.address, options.command_port, time)?,
             status_listener: Listener::bind(options.address, options.status_port, time)?,
             active_client: ActiveClient::new(time),
-            takeover_client: TakeoverClient::default(),
             readers: Readers::new(options.faults.status_fault().clone()),
             request_log: RequestLog::new(time),
             triggers: Triggers::default(),
@@ -111,7 +109,7 @@ impl Shared {
 
     /// Has another client take the command port: the connection of the active one is closed.
     pub(crate) fn take_over(&self) -> io::Result<()> {
-        self.takeover_client.take_over(&self.active_client, self.command_listener.address())
+        self.active_client.take_over(self.command_listener.address())
     }
 
     /// Lets a stepped clock go on, and sends the status packets that fall due on the way.

@@ -16,8 +16,6 @@ pub(crate) struct SpecIndex {
     entries: HashMap<String, CommandEntry>,
     /// All of it.
     pub(crate) spec: Spec,
-    /// The names of the keys of status packets that packs add.
-    pub(crate) added_status_keys: Vec<String>,
     /// True if a pack changes what status packets have without it.
     changed_status: bool,
     /// The controller's message for something that is not a command.
@@ -84,11 +82,7 @@ impl SpecIndex {
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
         let changed_status = base.is_some_and(|base| changes_status(&base.spec, &spec));
-        let is_new =
-            |name: &str| base.is_some_and(|base| base.spec.status_fields().iter().all(|field| field.name != name));
-        let names = spec.status_fields().iter().map(|field| field.name.clone());
-        let added_status_keys = names.filter(|name| is_new(name)).collect();
-        Self { entries, spec, added_status_keys, changed_status, unknown }
+        Self { entries, spec, changed_status, unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {

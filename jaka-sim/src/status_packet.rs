@@ -17,9 +17,7 @@ use crate::{Firmware, ReplyStyle, State};
 pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> String {
     let shape = firmware.shape();
     let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
-    let added = spec_index.added_status_keys.iter().map(String::as_str);
-    let named = |name: &str| spec_index.spec.status_fields().iter().find(|field| field.name == name);
-    let mut fields = keys::keys(shape).chain(added).filter_map(named);
+    let mut fields = keys::fields(&spec_index.spec, shape);
     let Some(length) = fields.next() else { return String::new() };
     let mut out = Writer::new();
     for field in fields {

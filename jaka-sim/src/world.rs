@@ -190,10 +190,10 @@ impl World {
         self.run_program();
         self.busy = if self.is_moving() { self.busy + CYCLE } else { Duration::ZERO };
         let rate = self.rate();
-        let before = self.tool_at(self.drives.actual());
-        let commanded = self.engine.cycle(self.drives.commanded(), rate, &self.model);
+        let before = self.tool_at(self.drives.actual);
+        let commanded = self.engine.cycle(self.drives.commanded, rate, &self.model);
         self.drives.follow(commanded);
-        let after = self.drives.actual();
+        let after = self.drives.actual;
         self.state.joint_position = JointPosition(after);
         let moved = self.tool_at(after).distance_mm(&before);
         self.state.tcp_speed = moved / CYCLE.as_secs_f64();
@@ -253,7 +253,7 @@ impl World {
     /// Ends what cannot be in this state. Follows each change.
     pub(crate) fn make_consistent(&mut self) {
         self.state.make_consistent();
-        if self.state.joint_position != JointPosition(self.drives.actual()) {
+        if self.state.joint_position != JointPosition(self.drives.actual) {
             self.drives.place(self.state.joint_position.0);
             self.engine.servo = None;
         }
@@ -286,7 +286,7 @@ impl World {
 
     /// Where the arm is commanded to be: where it will be, where it is a habit to say so.
     fn update_commanded(&mut self) {
-        let joints = self.drives.commanded();
+        let joints = self.drives.commanded;
         let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
         let ahead = self.engine.ahead(joints, lead, self.rate(), &self.model);
         self.state.joint_commanded_position = ahead.into();
@@ -300,7 +300,7 @@ impl World {
 
     /// Brakes, and forgets all motions that wait.
     pub(crate) fn stop(&mut self) {
-        self.engine.stop(self.drives.commanded(), &self.model);
+        self.engine.stop(self.drives.commanded, &self.model);
     }
 
     fn tool_at(&self, joints: Joints) -> Transform {

@@ -93,5 +93,5 @@ fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl F
         _ => <[f64; 6]>::from(Pose::from(flange * tool))[index],
     };
     let end = reference.moved(flange, small(index, to(now) - now));
-    world.plan(Path::line(flange * tool, end * tool, tool), speed, JOG_ACCELERATION)
+    world.plan(Path::Line { from: flange * tool, to: end * tool, tool }, speed, JOG_ACCELERATION)
 }

@@ -4,7 +4,6 @@ use jaka_proto::Request;
 use jaka_proto::messages::program::ProgramState;
 
 use super::{Draft, Outcome, reply};
-use crate::programs::Runner;
 use crate::world::World;
 
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
@@ -32,7 +31,7 @@ fn run(request: &Request, world: &mut World) -> Outcome {
         }
         Request::PlayProgram(_) => match world.programs.get(&world.state.loaded_program) {
             Some(program) if world.runner.is_none() => {
-                world.runner = Some(Runner::new(program.clone()));
+                world.runner = Some(program.clone().into_iter());
                 world.state.program_state = ProgramState::Running;
             }
             _ => return Outcome::Refused,

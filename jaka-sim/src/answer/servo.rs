@@ -48,7 +48,7 @@ fn set_point(world: &mut World, target: Joints, space: Space, step_count: Option
 
 /// Where the set-points so far lead to.
 fn tail(world: &World) -> Joints {
-    world.engine.servo.as_ref().map_or_else(|| world.drives.commanded(), Servo::tail)
+    world.engine.servo.as_ref().map_or(world.drives.commanded, Servo::tail)
 }
 
 fn joint_target(world: &World, mode: MoveMode, position: JointPosition) -> Joints {

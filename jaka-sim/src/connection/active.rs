@@ -1,5 +1,7 @@
-//! The active client of the command port: there is at most one.
+//! The active client of the command port, of which there is at most one, and another client, which takes the port and then does nothing.
 
+use std::io;
+use std::net::{SocketAddr, TcpStream};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
@@ -7,33 +9,30 @@ use super::CommandConnection;
 use crate::lock::lock;
 use crate::time::{Signal, Time};
 
+/// How long the kernel may take for a connection.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(2);
+
 /// The connection of the active client, if one is connected.
 #[derive(Debug)]
 pub(crate) struct ActiveClient {
     connection: Mutex<Option<Arc<CommandConnection>>>,
     changed: Signal,
+    /// The connection of the other client, from its end.
+    other: Mutex<Option<TcpStream>>,
 }
 
 impl ActiveClient {
     pub(crate) fn new(time: &Time) -> Self {
-        Self { connection: Mutex::default(), changed: Signal::new(time) }
+        Self { connection: Mutex::default(), changed: Signal::new(time), other: Mutex::default() }
     }
 
     pub(crate) fn connection(&self) -> Option<Arc<CommandConnection>> {
         lock(&self.connection).clone()
     }
 
-    pub(crate) fn is_connected(&self) -> bool {
-        lock(&self.connection).is_some()
-    }
-
     /// Waits until no client is active; false if one still is after the timeout.
     pub(crate) fn wait_until_none(&self, timeout: Duration) -> bool {
         self.changed.wait(&self.connection, timeout, Option::is_none).is_none()
-    }
-
-    pub(crate) fn set(&self, connection: Arc<CommandConnection>) {
-        self.replace(Some(connection));
     }
 
     /// Makes no client active, if this one still is.
@@ -53,9 +52,27 @@ impl ActiveClient {
     }
 
     /// Sets the active client, and gives the connection of the one before.
-    pub(super) fn replace(&self, connection: Option<Arc<CommandConnection>>) -> Option<Arc<CommandConnection>> {
+    pub(crate) fn replace(&self, connection: Option<Arc<CommandConnection>>) -> Option<Arc<CommandConnection>> {
         let before = std::mem::replace(&mut *lock(&self.connection), connection);
         self.changed.notify_all();
         before
+    }
+
+    /// Connects the other client to the command port in place of the active one.
+    ///
+    /// It is connected before the active one sees its end, so a client that reconnects comes after it.
+    pub(crate) fn take_over(&self, port: SocketAddr) -> io::Result<()> {
+        let before = self.replace(None);
+        let stream = TcpStream::connect_timeout(&port, CONNECT_TIMEOUT);
+        if let Some(connection) = before {
+            connection.close();
+        }
+        *lock(&self.other) = Some(stream?);
+        Ok(())
+    }
+
+    /// Ends the connection of the other client, if there is one.
+    pub(crate) fn disconnect_other(&self) {
+        lock(&self.other).take();
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::{Controller, wait_until_accepted};
+use super::Controller;
 use crate::{Fault, StatusFault};
 
 impl Controller {
@@ -42,7 +42,7 @@ impl Controller {
     /// # Ok::<(), std::io::Error>(())
     /// ```
     pub fn status_fault(&self, fault: StatusFault) {
-        wait_until_accepted(&self.shared.status_listener);
+        self.shared.status_listener.wait_until_accepted();
         self.shared.readers.set_fault(fault);
     }
 
@@ -53,7 +53,7 @@ impl Controller {
             // A connection that is lost takes its replies with it.
             connection.writer().release().ok();
         }
-        self.shared.takeover_client.disconnect();
+        self.shared.active_client.disconnect_other();
     }
 
     /// Has another client take the command port: the connection of the present one is closed.
@@ -64,9 +64,9 @@ impl Controller {
     /// # Errors
     /// The other client cannot connect.
     pub fn take_over(&self) -> io::Result<()> {
-        wait_until_accepted(&self.shared.command_listener);
+        self.shared.command_listener.wait_until_accepted();
         self.shared.take_over()?;
-        wait_until_accepted(&self.shared.command_listener);
+        self.shared.command_listener.wait_until_accepted();
         Ok(())
     }
 }

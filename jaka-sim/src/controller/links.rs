@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Controller, wait_until_accepted};
+use super::Controller;
 use crate::link_selector::LinkSelector;
 use crate::{Direction, LinkFault, Port};
 
@@ -60,8 +60,8 @@ impl Link<'_> {
 
     /// Sets what is wrong from now on.
     pub fn set(self, fault: LinkFault) {
-        wait_until_accepted(&self.controller.shared.command_listener);
-        wait_until_accepted(&self.controller.shared.status_listener);
+        self.controller.shared.command_listener.wait_until_accepted();
+        self.controller.shared.status_listener.wait_until_accepted();
         self.controller.shared.links.set(self.selector, fault);
     }
 

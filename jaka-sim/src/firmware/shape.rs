@@ -19,8 +19,10 @@ pub(crate) struct Shape {
     pub(crate) packet_numbers: NumberStyle,
     pub(crate) reply_style: ReplyStyle,
     pub(crate) habits: &'static [Habit],
-    /// The keys of status packets.
-    pub(crate) keys: &'static [Keys],
+    /// Whether status packets show the extension I/O modules.
+    pub(crate) extio: bool,
+    /// Whether status packets have the keys that the document does not have.
+    pub(crate) newer_keys: bool,
     /// Digital inputs, and as many outputs.
     pub(crate) digital: usize,
     /// Analog inputs, and as many outputs.
@@ -42,17 +44,6 @@ pub(crate) struct Shape {
     pub(crate) torque_readings: usize,
     /// What ends the setup of an extension I/O module; its connection then has the Modbus slave's id.
     pub(crate) extio_module_id: Option<&'static str>,
-}
-
-/// Some of the keys of status packets: see `status_packet/keys.rs`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Keys {
-    /// Those that all firmware sends.
-    Common,
-    /// The extension I/O modules.
-    Extio,
-    /// Those that the document does not have.
-    Newer,
 }
 
 /// The inputs of a fieldbus, and as many outputs.

@@ -13,11 +13,13 @@ const NEAR: f64 = 1e-6;
 pub(crate) struct Drives {
     /// The time constant, in seconds.
     lag: f64,
-    commanded: Joints,
-    actual: Joints,
-    /// Of the last cycle, in deg/s.
+    /// Where the joints are to be.
+    pub(crate) commanded: Joints,
+    /// Where the joints are.
+    pub(crate) actual: Joints,
     commanded_speed: Joints,
-    speed: Joints,
+    /// How fast the joints were in the last cycle, in deg/s.
+    pub(crate) speed: Joints,
 }
 
 impl Drives {
@@ -25,21 +27,6 @@ impl Drives {
     pub(crate) fn new(lag: Duration, at: Joints) -> Self {
         let rest = [0.0; 6];
         Self { lag: lag.as_secs_f64(), commanded: at, actual: at, commanded_speed: rest, speed: rest }
-    }
-
-    /// Where the joints are to be.
-    pub(crate) fn commanded(&self) -> Joints {
-        self.commanded
-    }
-
-    /// Where the joints are.
-    pub(crate) fn actual(&self) -> Joints {
-        self.actual
-    }
-
-    /// How fast the joints were in the last cycle, in deg/s.
-    pub(crate) fn speed(&self) -> Joints {
-        self.speed
     }
 
     /// How far the joints are from where they are to be, in degrees.
@@ -105,21 +92,21 @@ mod tests {
         }
         // 100 deg/s times 20 ms.
         assert!((drives.deviation()[0] - 2.0).abs() < 1e-6, "{drives:?}");
-        assert!((drives.speed()[0] - 100.0).abs() < 1e-4 && drives.speed_deviation()[0].abs() < 1e-4, "{drives:?}");
-        let mut before = drives.actual()[0];
+        assert!((drives.speed[0] - 100.0).abs() < 1e-4 && drives.speed_deviation()[0].abs() < 1e-4, "{drives:?}");
+        let mut before = drives.actual[0];
         while !drives.is_settled() {
             drives.follow(at(to));
-            assert!((before..=to).contains(&drives.actual()[0]), "{drives:?}");
-            before = drives.actual()[0];
+            assert!((before..=to).contains(&drives.actual[0]), "{drives:?}");
+            before = drives.actual[0];
         }
         drives.follow(at(to));
-        assert_eq!(drives.actual().to_vec(), at(to).to_vec());
+        assert_eq!(drives.actual.to_vec(), at(to).to_vec());
     }
 
     #[test]
     fn without_a_lag_the_joints_are_where_they_are_to_be() {
         let mut drives = Drives::new(Duration::ZERO, at(0.0));
         drives.follow(at(1.0));
-        assert_eq!((drives.actual().to_vec(), drives.is_settled()), (at(1.0).to_vec(), true));
+        assert_eq!((drives.actual.to_vec(), drives.is_settled()), (at(1.0).to_vec(), true));
     }
 }

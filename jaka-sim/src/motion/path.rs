@@ -17,11 +17,6 @@ pub(crate) enum Path {
 }
 
 impl Path {
-    /// The straight line of the tool centre point from one pose to another, both those of the tool.
-    pub(crate) fn line(from: Transform, to: Transform, tool: Transform) -> Self {
-        Self::Line { from, to, tool }
-    }
-
     /// The arc of the tool centre point through three poses; `None` where they lie on a line.
     pub(crate) fn arc(from: Transform, middle: Transform, to: Transform, tool: Transform) -> Option<Self> {
         Arc::through(from, middle, to).map(|arc| Self::Arc { arc: Box::new(arc), tool })

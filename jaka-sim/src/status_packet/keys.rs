@@ -1,23 +1,19 @@
 //! The keys of status packets.
 
-use crate::firmware::{Keys, Shape};
+use std::iter::once;
 
-/// All keys by their names in the spec, in the order in which controllers send them. Firmware leaves some out; none that is known
-/// has another order.
-const ORDER: &[(Keys, &[&str])] = &[
-    (Keys::Common, &["length", "drag_status"]),
-    (Keys::Extio, &["extio"]),
-    (Keys::Common, &["error_code", "error_message", "monitor_data", "torque_sensor"]),
-    (Keys::Newer, &["joint_velocities"]),
-    (Keys::Common, &["joint_actual_position"]),
-    (Keys::Newer, &["joint_commanded_position"]),
-    (Keys::Common, &["actual_position"]),
-    (Keys::Newer, &["commanded_position"]),
-    (Keys::Common, &["digital_inputs", "digital_outputs", "analog_inputs", "analog_outputs"]),
-    (Keys::Newer, &["tool_keys"]),
-    (Keys::Common, &["tool_digital_inputs", "tool_digital_outputs", "tool_analog_inputs"]),
+use jaka_spec::{Field, Spec};
+
+use crate::firmware::Shape;
+
+/// The keys that newer firmware sends among the others, by their names in the spec, after the one that is before them.
+const NEWER: &[(&str, &[&str])] = &[
+    ("torque_sensor", &["joint_velocities"]),
+    ("joint_actual_position", &["joint_commanded_position"]),
+    ("actual_position", &["commanded_position"]),
+    ("analog_outputs", &["tool_keys"]),
     (
-        Keys::Newer,
+        "tool_analog_inputs",
         &[
             "relay_outputs",
             "modbus_slave_digital_inputs",
@@ -34,37 +30,20 @@ const ORDER: &[(Keys, &[&str])] = &[
             "ethernet_ip_adapter_analog_outputs",
         ],
     ),
-    (
-        Keys::Common,
-        &[
-            "task_state",
-            "homed",
-            "task_mode",
-            "interpreter_state",
-            "enabled",
-            "paused",
-            "rapid_rate",
-            "current_tool_id",
-            "current_user_frame_id",
-            "on_soft_limit",
-            "emergency_stop",
-            "drag_near_limit",
-            "function_inputs",
-            "powered_on",
-            "in_position",
-            "motion_mode",
-            "tcp_speed",
-            "protective_stop",
-            "point_key",
-        ],
-    ),
-    (Keys::Newer, &["motion_line", "error_add_line", "tool_rs_signals"]),
-    (Keys::Common, &["network_state"]),
+    ("point_key", &["motion_line", "error_add_line", "tool_rs_signals"]),
 ];
 
-/// The keys of a firmware's packets, by their names in the spec.
-pub(super) fn keys(shape: &Shape) -> impl Iterator<Item = &str> {
-    ORDER.iter().filter(|(keys, _)| shape.keys.contains(keys)).flat_map(|(_, names)| *names).map(|name| &**name)
+/// The keys that a firmware sends, in the order in which controllers send them, and those that packs add last. Firmware leaves some out;
+/// none that is known has another order.
+pub(super) fn fields<'s>(spec: &'s Spec, shape: &Shape) -> impl Iterator<Item = &'s Field> {
+    let fields = spec.status_fields();
+    let is_newer = |field: &Field| NEWER.iter().any(|(_, names)| names.contains(&&*field.name));
+    let common = fields.iter().filter(move |field| !is_newer(field) && (shape.extio || field.name != "extio"));
+    common.flat_map(|field| {
+        let more = NEWER.iter().filter(|(before, _)| shape.newer_keys && *before == field.name);
+        let named = |name: &&str| fields.iter().find(|field| field.name == *name);
+        once(field).chain(more.flat_map(|(_, names)| *names).filter_map(named))
+    })
 }
 
 #[cfg(test)]
@@ -72,13 +51,17 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
+    use crate::Firmware;
 
     #[test]
     fn all_keys_of_the_spec_have_a_place() {
         let spec = jaka_spec::builtin().expect("the spec is correct");
         let named: BTreeSet<_> = spec.status_fields().iter().map(|field| &*field.name).collect();
-        let placed: Vec<_> = ORDER.iter().flat_map(|(_, names)| *names).copied().collect();
+        let placed: Vec<_> = fields(&spec, Firmware::Newer.shape()).map(|field| &*field.name).collect();
         assert_eq!(placed.iter().copied().collect::<BTreeSet<_>>(), named);
         assert_eq!(placed.len(), named.len());
+        assert_eq!(fields(&spec, Firmware::V1_5_14.shape()).count(), named.len() - 1 - NEWER_COUNT);
     }
+
+    const NEWER_COUNT: usize = 20;
 }

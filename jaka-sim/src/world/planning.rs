@@ -30,7 +30,7 @@ impl World {
 
     /// Where the next motion starts.
     pub(crate) fn tail(&self) -> Joints {
-        self.engine.tail(self.drives.commanded())
+        self.engine.tail(self.drives.commanded)
     }
 
     /// The way of all joints to a target.
@@ -96,7 +96,7 @@ fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
         _ => tool_at(world, MoveMode::Absolute, command.pose),
     };
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
-    let planned = world.plan(Path::line(from, to, tool), command.speed, acceleration)?;
+    let planned = world.plan(Path::Line { from, to, tool }, command.speed, acceleration)?;
     Some(world.rounded(planned, command.tolerance))
 }
 

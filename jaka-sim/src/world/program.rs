@@ -13,7 +13,7 @@ impl World {
         let Some(runner) = &mut self.runner else {
             return;
         };
-        let Some(command) = runner.next_command() else {
+        let Some(command) = runner.next() else {
             return self.end_program();
         };
         if !self.start_motion(&command) {

@@ -9,7 +9,7 @@ impl World {
     pub(super) fn servo(&self) -> Servo {
         let filter = &self.state.servo_filter;
         let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
-        Servo::new(self.drives.commanded(), options, &self.model)
+        Servo::new(self.drives.commanded, options, &self.model)
     }
 
     /// What has gone wrong with the motion in this cycle.
@@ -17,7 +17,7 @@ impl World {
         let drives = &self.drives;
         let observed = Observed {
             deviation: drives.deviation(),
-            speed: drives.speed(),
+            speed: drives.speed,
             speed_deviation: drives.speed_deviation(),
             ..Observed::default()
         };
