@@ -25,8 +25,7 @@ use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, RequestError, Visit, read_payload, write_refusal, write_reply};
 use jaka_spec::Effect;
 
-use serde_json::{Map, Value};
-
+pub(crate) use self::pack::put;
 use crate::spec_index::{CommandEntry, SpecIndex, usual_refusal};
 use crate::world::{Change, Wait, World};
 
@@ -89,48 +88,38 @@ const TOPICS: [Topic; 14] = [
 
 /// Carries out a request, and writes the reply.
 pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) -> Sequel {
-    match Request::read(text) {
-        Ok(request) => {
-            carry_out(text, &request, spec_index, world, out);
-            return sequel(&request, spec_index, world);
-        }
-        Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => {
-            match spec_index.entry(&command) {
-                Some(entry) if !entry.is_in_firmware(&world.state.version) => refuse_unknown(spec_index, out),
-                Some(entry) if entry.packed => {
-                    carry_out_packed(text, entry, spec_index, world, out);
-                    return usual_sequel(entry, world);
-                }
-                Some(_) => refuse(&command, &usual_refusal(&command), out),
-                None => refuse_unknown(spec_index, out),
-            }
-        }
-        Err(_) => refuse_unknown(spec_index, out),
+    let request = Request::read(text);
+    let command = match &request {
+        Ok(request) => request.info().name,
+        Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => command,
+        Err(_) => "",
+    };
+    let known = spec_index.entry(command).filter(|entry| entry.is_in_firmware(&world.state.version));
+    let Some(entry) = known else {
+        refuse_unknown(spec_index, out);
+        return Sequel::Nothing;
+    };
+    if request.is_err() && !entry.packed {
+        refuse(command, &usual_refusal(command), out);
+        return Sequel::Nothing;
     }
-    Sequel::Nothing
-}
-
-/// Puts the user's own fields into the reply to an accepted command.
-pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
-    pack::put(fields, out);
+    let request = request.ok();
+    carry_out(text, request.as_ref(), (entry, spec_index), world, out);
+    sequel(request.as_ref(), entry, world)
 }
 
 /// The commands that have one are never refused.
-fn sequel(request: &Request, spec_index: &SpecIndex, world: &World) -> Sequel {
-    match request {
-        Request::WaitComplete(_) => after(Wait::Rest(None), world),
-        Request::PowerOn(_) if world.habits.late_power => after(Wait::Change(Change::PoweredOn), world),
-        Request::EnableRobot(_) if world.habits.late_power => after(Wait::Change(Change::Enabled), world),
-        Request::Quit(_) => Sequel::SessionEnd,
-        Request::Shutdown(_) => Sequel::Shutdown,
-        _ => spec_index.entry(request.info().name).map_or(Sequel::Nothing, |entry| usual_sequel(entry, world)),
-    }
-}
-
-/// Queries may be answered late while the arm moves.
-fn usual_sequel(entry: &CommandEntry, world: &World) -> Sequel {
-    match world.habits.late_queries {
-        Some(time) if entry.command.effect == Effect::Query => after(Wait::Rest(world.now().checked_add(time)), world),
+fn sequel(request: Option<&Request>, entry: &CommandEntry, world: &World) -> Sequel {
+    match (request, world.habits.late_queries) {
+        (Some(Request::WaitComplete(_)), _) => after(Wait::Rest(None), world),
+        (Some(Request::PowerOn(_)), _) if world.habits.late_power => after(Wait::Change(Change::PoweredOn), world),
+        (Some(Request::EnableRobot(_)), _) if world.habits.late_power => after(Wait::Change(Change::Enabled), world),
+        (Some(Request::Quit(_)), _) => Sequel::SessionEnd,
+        (Some(Request::Shutdown(_)), _) => Sequel::Shutdown,
+        // Queries may be answered late while the arm moves.
+        (_, Some(time)) if entry.command.effect == Effect::Query => {
+            after(Wait::Rest(world.now().checked_add(time)), world)
+        }
         _ => Sequel::Nothing,
     }
 }
@@ -145,38 +134,38 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-fn carry_out(text: &str, request: &Request, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) {
-    let name = request.info().name;
-    let known = spec_index.entry(name).filter(|entry| entry.is_in_firmware(&world.state.version));
-    let Some(entry) = known else { return refuse_unknown(spec_index, out) };
+/// Carries out a command; `request` is missing where only a pack has it, or allows it.
+fn carry_out(
+    text: &str,
+    request: Option<&Request>,
+    (entry, spec_index): (&CommandEntry, &SpecIndex),
+    world: &mut World,
+    out: &mut Writer,
+) {
+    let CommandEntry { command, packed, .. } = entry;
     if let Some(refusal) = refusal(entry, world) {
-        return refuse(name, &refusal, out);
+        return refuse(&command.wire, &refusal, out);
     }
-    let is_allowed = if entry.packed {
-        pack::allows(&spec_index.spec, &entry.command, text)
-    } else {
-        request.check(AdvisoryRanges::Ignored).is_ok()
+    let is_allowed = match request {
+        Some(request) if !packed => request.check(AdvisoryRanges::Ignored).is_ok(),
+        _ => pack::allows(&spec_index.spec, command, text),
     };
     let mut draft = Draft { sample: &entry.typed_sample, out };
-    let outcome = if is_allowed { ask_topics(request, world, &mut draft) } else { Outcome::Refused };
-    let outcome = if outcome == Outcome::Accepted { request.visit(Accept(&mut draft)) } else { outcome };
+    let outcome = match request {
+        _ if !is_allowed => Outcome::Refused,
+        Some(request) => match ask_topics(request, world, &mut draft) {
+            Outcome::Accepted => request.visit(Accept(&mut draft)),
+            outcome => outcome,
+        },
+        None => Outcome::Unhandled,
+    };
     match outcome {
-        Outcome::Replied if entry.packed => pack::complete(&spec_index.spec, &entry.command, out),
+        Outcome::Replied if *packed => pack::complete(&spec_index.spec, command, out),
         Outcome::Replied | Outcome::Accepted => {}
-        Outcome::Refused => refuse(name, &usual_refusal(name), out),
+        Outcome::Refused => refuse(&command.wire, &usual_refusal(&command.wire), out),
         Outcome::Unhandled => out.raw(&entry.sample),
     }
     world.make_consistent();
-}
-
-/// Answers a command that only a pack has, or a request that only a pack allows.
-fn carry_out_packed(text: &str, entry: &CommandEntry, spec_index: &SpecIndex, world: &World, out: &mut Writer) {
-    let CommandEntry { command, .. } = entry;
-    match refusal(entry, world) {
-        Some(refusal) => refuse(&command.wire, &refusal, out),
-        None if pack::allows(&spec_index.spec, command, text) => out.raw(&entry.sample),
-        None => refuse(&command.wire, &usual_refusal(&command.wire), out),
-    }
 }
 
 /// The refusal of a command in a state in which it cannot be carried out.

@@ -10,6 +10,7 @@ mod path;
 mod profile;
 mod running;
 mod servo;
+mod vector;
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -25,6 +26,7 @@ pub(crate) use self::profile::Profile;
 pub(crate) use self::running::Planned;
 use self::running::Running;
 pub(crate) use self::servo::{Servo, ServoOptions, SetPoint, Space, can_follow};
+use self::vector::plus;
 use crate::clock::CYCLE;
 
 /// How many cycles ahead of the arm its commanded position can be.
@@ -181,8 +183,4 @@ impl Engine {
             self.resting = self.pause;
         }
     }
-}
-
-fn plus(joints: Joints, offset: Joints) -> Joints {
-    std::array::from_fn(|i| joints[i] + offset[i])
 }

@@ -44,7 +44,7 @@ pub(crate) struct World {
     busy: Duration,
     pub(crate) programs: HashMap<String, Program>,
     pub(crate) runner: Option<Runner>,
-    pub(crate) recorder: TrajectoryRecorder,
+    pub(crate) recorder: Option<(String, Vec<Joints>)>,
     /// The trajectory files, by name; the document's own, which stand in the list from the start, are empty.
     pub(crate) recordings: HashMap<String, Vec<Joints>>,
     /// True while the arm moves to identify the payload.
@@ -74,13 +74,6 @@ pub(crate) enum Wait {
     Change(Change),
 }
 
-/// Where the arm has been while trajectory recording was on.
-#[derive(Debug, Default)]
-pub(crate) struct TrajectoryRecorder {
-    pub(crate) file_name: Option<String>,
-    pub(crate) points: Vec<Joints>,
-}
-
 impl World {
     pub(crate) fn new(options: &Builder, spec_index: &SpecIndex) -> io::Result<Self> {
         let model = options.model.clone();
@@ -98,7 +91,7 @@ impl World {
             engine: Engine::new(options.usual_habits().pause.unwrap_or_default()),
             programs: options.programs()?,
             runner: None,
-            recorder: TrajectoryRecorder::default(),
+            recorder: None,
             recordings: HashMap::new(),
             identifying: false,
             delays: options.delays,
@@ -340,12 +333,10 @@ impl World {
 
     fn record(&mut self, joints: Joints) {
         const MOST: usize = 100_000;
-        if self.recorder.file_name.is_none() || self.recorder.points.len() >= MOST {
-            return;
-        }
+        let Some((_, points)) = self.recorder.as_mut().filter(|(_, points)| points.len() < MOST) else { return };
         let far = |last: &Joints| last.iter().zip(&joints).any(|(last, now)| (last - now).abs() > 0.05);
-        if self.recorder.points.last().is_none_or(far) {
-            self.recorder.points.push(joints);
+        if points.last().is_none_or(far) {
+            points.push(joints);
         }
     }
 }

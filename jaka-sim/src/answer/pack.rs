@@ -22,7 +22,7 @@ pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
 }
 
 /// Writes the user's fields into the reply to an accepted command.
-pub(super) fn put(fields: &Map<String, Value>, out: &mut Writer) {
+pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
     let Some(mut reply) = accepted(out.as_str()) else { return };
     reply.extend(fields.clone());
     rewrite(&reply, out);

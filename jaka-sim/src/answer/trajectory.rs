@@ -5,7 +5,7 @@ use jaka_proto::messages::trajectory::SetTrajSampleMode;
 
 use super::{Draft, Outcome, is_on, reply};
 use crate::programs::replay;
-use crate::world::{TrajectoryRecorder, World};
+use crate::world::World;
 
 /// How many trajectory files a controller keeps.
 const MOST_FILES: usize = 1000;
@@ -41,8 +41,8 @@ fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
             }
             trajectory.file_names.push(command.file_name.clone());
         }
-        world.recorder = TrajectoryRecorder { file_name: Some(command.file_name.clone()), points: vec![now] };
-    } else if let TrajectoryRecorder { file_name: Some(name), mut points } = std::mem::take(&mut world.recorder) {
+        world.recorder = Some((command.file_name.clone(), vec![now]));
+    } else if let Some((name, mut points)) = world.recorder.take() {
         points.push(now);
         world.recordings.insert(name, points);
     }

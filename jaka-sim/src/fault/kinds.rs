@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use super::tokens::{Name, Quoted};
+use super::tokens::Name;
 
 /// Makes an enum of a table of kinds, with the text form of each and what it does.
 ///
@@ -125,7 +125,7 @@ impl Argument for Vec<usize> {
 
 impl Argument for Vec<u8> {
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, " {}", Quoted(self))
+        write!(f, " \"{}\"", self.escape_ascii())
     }
 }
 

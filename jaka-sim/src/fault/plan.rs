@@ -49,8 +49,8 @@ pub struct FaultPlan {
     pub(super) chances: Vec<Chance>,
     pub(super) seed: Option<u64>,
     pub(super) always: Option<Fault>,
-    pub(super) status: StatusFault,
-    pub(super) links: Vec<LinkEvent>,
+    pub(crate) status: StatusFault,
+    pub(crate) links: Vec<LinkEvent>,
     /// What has been drawn from the seed so far.
     generator: Option<SplitMix64>,
 }
@@ -133,14 +133,6 @@ impl FaultPlan {
     /// The seed of what happens by chance.
     pub fn seed(&self) -> Option<u64> {
         self.seed
-    }
-
-    pub(crate) fn status_fault(&self) -> &StatusFault {
-        &self.status
-    }
-
-    pub(crate) fn links(&self) -> &[LinkEvent] {
-        &self.links
     }
 
     pub(super) fn set_seed(&mut self, seed: u64) {

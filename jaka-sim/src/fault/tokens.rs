@@ -93,21 +93,12 @@ fn hex_digit(byte: u8) -> Option<u8> {
     u8::try_from(char::from(byte).to_digit(16)?).ok()
 }
 
-/// Bytes as a quoted word.
-pub(super) struct Quoted<'b>(pub(super) &'b [u8]);
-
-impl fmt::Display for Quoted<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "\"{}\"", self.0.escape_ascii())
-    }
-}
-
 /// A name as a word, which is quoted where it must be.
 pub(super) struct Name<'n>(pub(super) &'n str);
 
 impl fmt::Display for Name<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plain = !self.0.is_empty() && self.0.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
-        if plain { f.write_str(self.0) } else { Quoted(self.0.as_bytes()).fmt(f) }
+        if plain { f.write_str(self.0) } else { write!(f, "\"{}\"", self.0.as_bytes().escape_ascii()) }
     }
 }

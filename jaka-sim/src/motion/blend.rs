@@ -4,6 +4,7 @@ use jaka_motion::{Model, Transform};
 
 use super::path::Joints;
 use super::running::Running;
+use super::vector::minus;
 
 /// Where a motion may go over into the next one.
 #[derive(Debug, Clone)]
@@ -53,11 +54,11 @@ impl Leaving {
     pub(super) fn brake(&mut self, model: &Model) -> Joints {
         self.running.brake();
         let stop = self.running.stop(model, self.at);
-        std::array::from_fn(|i| stop[i] - self.running.planned.end[i])
+        minus(stop, self.running.planned.end)
     }
 
     fn offset(&self) -> Joints {
-        std::array::from_fn(|i| self.at[i] - self.running.planned.end[i])
+        minus(self.at, self.running.planned.end)
     }
 
     pub(super) fn has_ended(&self) -> bool {

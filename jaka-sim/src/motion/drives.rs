@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::path::Joints;
+use super::vector::minus;
 use crate::clock::CYCLE;
 
 /// A joint that is as near as this to where it is commanded, in degrees, is there. Packets show less.
@@ -68,10 +69,6 @@ impl Drives {
         let is_there = self.lag == 0.0 || (to - from).abs().max((next - to).abs()) < NEAR;
         if is_there { to } else { next }
     }
-}
-
-fn minus(a: Joints, b: Joints) -> Joints {
-    std::array::from_fn(|i| a[i] - b[i])
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use jaka_proto::messages::types::Pose;
 
 use super::tracker::Tracker;
 use crate::motion::Joints;
+use crate::motion::vector::{minus, plus};
 
 /// Follows poses within limits of translation and rotation.
 #[derive(Debug, Clone)]
@@ -63,12 +64,4 @@ impl Cartesian {
 fn turn(from: Transform, to: Transform) -> [f64; 3] {
     let [_, _, _, rx, ry, rz] = <[f64; 6]>::from(Pose::from(from.inverse() * to));
     [rx, ry, rz]
-}
-
-fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + b[i])
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
 }

@@ -1,6 +1,7 @@
 //! Following a place that moves within limits of speed, acceleration and jerk.
 
 use crate::clock::CYCLE;
+use crate::motion::vector::minus;
 
 /// What is nearer than this to the place that it follows is there: degrees or millimetres.
 const NEAR: f64 = 1e-7;
@@ -57,17 +58,17 @@ impl<const N: usize> Tracker<N> {
 
     /// One cycle. `off` is how far it is from the place that it follows, `way` how far that goes in this cycle.
     pub(super) fn next(&mut self, off: [f64; N], way: [f64; N]) -> Step<N> {
-        let exact = std::array::from_fn(|i| way[i] - off[i]);
+        let exact = minus(way, off);
         let arrives = off.iter().all(|off| off.abs() < NEAR) && self.allows(exact);
         let by = if arrives { exact } else { self.nearer(off, way) };
-        self.acceleration = std::array::from_fn(|i| by[i] - self.speed[i]);
+        self.acceleration = minus(by, self.speed);
         self.speed = by;
         Step { by, arrives }
     }
 
     fn allows(&self, speed: [f64; N]) -> bool {
-        let acceleration: [f64; N] = std::array::from_fn(|i| speed[i] - self.speed[i]);
-        let jerk = std::array::from_fn(|i| acceleration[i] - self.acceleration[i]);
+        let acceleration = minus(speed, self.speed);
+        let jerk = minus(acceleration, self.acceleration);
         let Limits { speed: most_speed, acceleration: most_acceleration, jerk: most_jerk } = self.limits;
         [(speed, most_speed), (acceleration, most_acceleration), (jerk, most_jerk)]
             .iter()
