@@ -8,19 +8,24 @@ use toml::de::{DeTable, DeValue};
 
 use crate::Source;
 use crate::report::{At, Report};
+use crate::words::nearest;
 
 /// A value and where it stands.
-#[derive(Debug, Clone)]
-pub(crate) struct Placed<'s, T> {
-    pub(crate) at: At<'s>,
-    pub(crate) value: T,
+#[derive(Debug, Clone, Copy)]
+pub struct Placed<'s, T> {
+    /// Where it stands.
+    pub at: At<'s>,
+    /// The value.
+    pub value: T,
 }
 
 /// A table of the file, with a name for error messages such as ``command `jog` ``.
 #[derive(Debug)]
-pub(crate) struct Item<'a, 's> {
-    pub(crate) what: String,
-    pub(crate) at: At<'s>,
+pub struct Item<'a, 's> {
+    /// Its name; empty for the file.
+    pub what: String,
+    /// Where it begins.
+    pub at: At<'s>,
     table: &'a DeTable<'s>,
     report: &'a Report,
     asked: RefCell<BTreeSet<&'static str>>,
@@ -36,7 +41,7 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// Reports an error about this table, at `at`.
-    pub(crate) fn error(&self, at: At<'s>, message: &str) {
+    pub fn error(&self, at: At<'s>, message: &str) {
         let message = if self.what.is_empty() { message.to_owned() } else { format!("{}: {message}", self.what) };
         self.report.error(at, message);
     }
@@ -71,15 +76,21 @@ impl<'a, 's> Item<'a, 's> {
         self.table.get(key).is_some_and(|value| value.get_ref().is_str())
     }
 
-    pub(crate) fn text(&self, key: &'static str) -> Option<Placed<'s, String>> {
+    /// A text.
+    pub fn text(&self, key: &'static str) -> Option<Placed<'s, String>> {
         self.typed(key, "a string", text)
+    }
+
+    /// Reports a key that is missing.
+    pub fn require(&self, key: &'static str) {
+        if !self.has(key) {
+            self.error(self.at, &format!("`{key}` is missing"));
+        }
     }
 
     /// The text under `key`; an empty one, after an error, if there is none.
     pub(crate) fn required_text(&self, key: &'static str) -> Placed<'s, String> {
-        if !self.has(key) {
-            self.error(self.at, &format!("`{key}` is missing"));
-        }
+        self.require(key);
         let found = self.text(key);
         if let Some(text) = found.as_ref().filter(|text| text.value.trim().is_empty()) {
             self.error(text.at, &format!("`{key}` is empty"));
@@ -99,8 +110,27 @@ impl<'a, 's> Item<'a, 's> {
         self.typed(key, "a whole number", int)
     }
 
-    pub(crate) fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
-        self.typed(key, "a finite number", |value| number(value).filter(|number| number.is_finite()))
+    /// A finite number.
+    pub fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
+        self.typed(key, "a finite number", finite)
+    }
+
+    /// A list of as many numbers; `alone` makes one of a number in its place, if it can.
+    pub fn numbers<const N: usize>(
+        &self,
+        key: &'static str,
+        expected: &str,
+        alone: impl FnOnce(Placed<'s, f64>) -> Option<[Placed<'s, f64>; N]>,
+    ) -> Option<[Placed<'s, f64>; N]> {
+        let (at, _) = self.get(key)?;
+        let placed = |element: &Spanned<DeValue<'_>>| {
+            Some(Placed { at: At::new(self.source(), &element.span()), value: finite(element.get_ref())? })
+        };
+        let numbers = self.typed(key, expected, |value| match value.as_array() {
+            Some(list) => list.iter().map(placed).collect::<Option<Vec<_>>>()?.try_into().ok(),
+            None => finite(value).and_then(|value| alone(Placed { at, value })),
+        });
+        numbers.map(|numbers| numbers.value)
     }
 
     /// A limit; infinity means that there is none.
@@ -118,13 +148,13 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// The tables of `[[… .key]]`, each named by `what` and its own `name` or `wire`.
-    pub(crate) fn items(&self, key: &'static str, what: &str) -> Vec<Item<'a, 's>> {
+    pub fn items(&self, key: &'static str, what: &str) -> Vec<Item<'a, 's>> {
         let tables = self.list(key, "a list of tables", |value| value.as_table());
         tables.into_iter().map(|table| self.child(what, table.at, table.value)).collect()
     }
 
     /// The table of `[… .key]`.
-    pub(crate) fn item(&self, key: &'static str, what: &str) -> Option<Item<'a, 's>> {
+    pub fn item(&self, key: &'static str, what: &str) -> Option<Item<'a, 's>> {
         let table = self.typed(key, "a table", |value| value.as_table())?;
         Some(self.child(what, table.at, table.value))
     }
@@ -162,13 +192,15 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// Reports each key that was never asked for.
-    pub(crate) fn finish(&self) {
+    pub fn finish(&self) {
         let asked = self.asked.borrow();
         for key in self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())) {
-            let known: Vec<_> = asked.iter().copied().collect();
+            let hint = match nearest(key.get_ref(), asked.iter().copied()) {
+                Some(near) => format!("is it `{near}`?"),
+                None => format!("the keys are {}", asked.iter().copied().collect::<Vec<_>>().join(", ")),
+            };
             let at = At::new(self.source(), &key.span());
-            let message = format!("unknown key `{}`; the keys are {}", key.get_ref(), known.join(", "));
-            self.error(at, &message);
+            self.error(at, &format!("unknown key `{}`; {hint}", key.get_ref()));
         }
     }
 }
@@ -190,6 +222,10 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
         #[expect(clippy::cast_precision_loss, reason = "limits of the protocol are small")]
         other => int(other).map(|i| i as f64),
     }
+}
+
+fn finite(value: &DeValue<'_>) -> Option<f64> {
+    number(value).filter(|number| number.is_finite())
 }
 
 fn json_scalar(value: &DeValue<'_>) -> Option<String> {

@@ -71,12 +71,12 @@ doc = "Speed."
             spec/test.toml:2:9: `title` must be a string
             spec/test.toml:4:1: command `move`: `effect` is missing
             spec/test.toml:5:8: command `move`: `move` is not a snake_case Rust name; give one as `name`
-            spec/test.toml:6:1: command `move`: unknown key `efect`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, evidence, example, name, reconstructed, refusal, reply, reply_certain, request, requires, requires_source, section, since, title_zh, until, wire
+            spec/test.toml:6:1: command `move`: unknown key `efect`; is it `effect`?
             spec/test.toml:7:15: command `move`: `deadline_ms` must be a whole number
             spec/test.toml:8:24: command `move`: `requires` is one of powered, enabled, servo_mode, not_servo_mode, not `awake`
             spec/test.toml:9:7: command `move`: `doc` is empty
             spec/test.toml:14:7: command `move`, field `speed`: `min` must be a finite number
-            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; the keys are advised, advisory, ascii, constructors, disputed, doc, max, min, name, optional, or_raw, since, type, unit, until, wire, written
+            spec/test.toml:15:1: command `move`, field `speed`: unknown key `units`; is it `unit`?
         "]],
     );
 }
@@ -487,7 +487,7 @@ fn errors_of_several_files_come_together() {
     expect![[r"
         spec/a.toml:1:9: `title` is empty
         spec/b.toml:1:1: `title` is missing
-        spec/b.toml:1:1: unknown key `titel`; the keys are command, doc, error, event, title, title_zh, type"]]
+        spec/b.toml:1:1: unknown key `titel`; is it `title`?"]]
     .assert_eq(&errors.to_string());
 }
 

@@ -181,7 +181,7 @@ fn errors_stand_at_the_macro_and_an_edit_is_noticed() {
         1 | jaka_sync::pack!("newer.toml");
           |                  ^^^^^^^^^^^^
 
-        error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; the keys are bare_reply, choice, deadline_ms, deprecated, doc, effect, ends_session, errata, evidence, example, name, reconstructed, refusal, reply, reply_certain, request, requires, requires_source, section, since, title_zh, until, wire
+        error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; is it `doc`?
          --> src/lib.rs:1:18
           |
         1 | jaka_sync::pack!("newer.toml");

@@ -1,13 +1,8 @@
 //! Limits from a TOML file.
 
-mod reader;
-
-use jaka_spec::Source;
 use jaka_spec::words::nearest;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use jaka_spec::{At, Item, Placed, Source};
 
-use self::reader::{Placed, Reader, Table};
 use super::{InvalidLimit, Limits, LimitsFileError, Point, Region, RegionFrame};
 use crate::model::Model;
 
@@ -60,54 +55,41 @@ impl Limits {
     /// # Errors
     /// Everything that is wrong, at its line and column.
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, LimitsFileError> {
-        let source = Source { path: file_name, text };
-        let mut reader = Reader::new(source);
-        let (table, errors) = DeTable::parse_recoverable(text);
-        for error in errors {
-            reader.error(error.span().unwrap_or(0..0).start, format!("not valid TOML: {}", error.message()));
-        }
-        let limits = read(&mut reader, &table);
-        match (limits, reader.finish()) {
-            (Some(limits), errors) if errors.is_empty() => Ok(limits),
-            (_, errors) => Err(errors.into_iter().collect()),
-        }
+        jaka_spec::read_toml(Source { path: file_name, text }, read)
     }
 }
 
-/// None without a model; what is wrong is in the reader.
-fn read(reader: &mut Reader<'_>, file: &Spanned<DeTable<'_>>) -> Option<Limits> {
-    let file = Table::new(String::new(), file.span().start, file.get_ref());
-    reader.keys(&file, &["model", "joints", "tcp", "singularity", "box", "half_space"]);
-    let limits = model(reader, &file).map(Limits::of);
-    // The rest is read without a model too, for its errors.
-    let mut stated = limits.clone().unwrap_or_else(|| Limits::of(&Model::default()));
-    let known = limits.is_some();
-    joints(reader, &file, known, &mut stated);
-    if let Some(tcp) = reader.table(&file, "tcp") {
-        reader.keys(&tcp, &["speed_mm_s"]);
-        if let Some(speed) = reader.number(&tcp, "speed_mm_s") {
-            apply(reader, speed.at, &mut stated, |limits| limits.with_tcp_speed(speed.value));
+/// Without a model, which is an error, the rest is read for its errors.
+fn read(file: &Item<'_, '_>) -> Limits {
+    let model = model(file);
+    let mut limits = model.map_or_else(|| Limits::of(&Model::default()), Limits::of);
+    joints(file, model.is_some(), &mut limits);
+    if let Some(tcp) = file.item("tcp", "tcp") {
+        if let Some(speed) = tcp.number("speed_mm_s") {
+            apply(file, speed.at, &mut limits, |limits| limits.with_tcp_speed(speed.value));
         }
+        tcp.finish();
     }
-    if let Some(singularity) = reader.table(&file, "singularity") {
-        reader.keys(&singularity, &["least_distance"]);
-        if let Some(least) = reader.number(&singularity, "least_distance") {
-            apply(reader, least.at, &mut stated, |limits| limits.with_singularity_distance(least.value));
+    if let Some(singularity) = file.item("singularity", "singularity") {
+        if let Some(least) = singularity.number("least_distance") {
+            apply(file, least.at, &mut limits, |limits| limits.with_singularity_distance(least.value));
         }
+        singularity.finish();
     }
-    for table in reader.tables(&file, "box") {
-        let region = boxed(reader, &table);
-        add(reader, &table, region, &mut stated);
+    let boxes = file.items("box", "box").into_iter().map(|table| (boxed(&table), table));
+    let half_spaces = file.items("half_space", "half_space").into_iter().map(|table| (half_space(&table), table));
+    for (region, table) in boxes.chain(half_spaces) {
+        if let Some(region) = region {
+            apply(file, table.at, &mut limits, |limits| limits.with_region(region?));
+        }
+        table.finish();
     }
-    for table in reader.tables(&file, "half_space") {
-        let region = half_space(reader, &table);
-        add(reader, &table, region, &mut stated);
-    }
-    known.then_some(stated)
+    limits
 }
 
-fn model(reader: &mut Reader<'_>, file: &Table<'_, '_>) -> Option<&'static Model> {
-    let name = reader.required(file, "model", Reader::text)?;
+fn model(file: &Item<'_, '_>) -> Option<&'static Model> {
+    file.require("model");
+    let name = file.text("model")?;
     let model = Model::named(&name.value);
     if model.is_none() {
         let names = Model::published().iter().map(Model::name);
@@ -115,43 +97,44 @@ fn model(reader: &mut Reader<'_>, file: &Table<'_, '_>) -> Option<&'static Model
             Some(near) => format!("is it `{near}`?"),
             None => format!("the arms are {}", names.collect::<Vec<_>>().join(", ")),
         };
-        reader.error(name.at, format!("there is no arm `{}`; {hint}", name.value));
+        file.error(name.at, &format!("there is no arm `{}`; {hint}", name.value));
     }
     model
 }
 
 /// Ranges and speeds are compared with the model's, if it is known.
-fn joints(reader: &mut Reader<'_>, file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
-    let Some(joints) = reader.table(file, "joints") else { return };
-    reader.keys(&joints, &["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"]);
-    let [min, max] = ["min_deg", "max_deg"].map(|key| reader.six(&joints, key));
-    let speeds = reader.six(&joints, "speed_deg_s");
-    let accelerations = reader.six(&joints, "acceleration_deg_s2");
+fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
+    let Some(table) = file.item("joints", "joints") else { return };
+    let six = |key| table.numbers(key, "a finite number, or a list of six", |one| Some([one; 6]));
+    let [min, max, speeds, accelerations] = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"].map(six);
+    table.finish();
     if !known {
         return;
     }
     for joint in 1..=6 {
-        let of = |given: &Option<[Placed<f64>; 6]>| given.as_ref().map(|given| given[joint - 1]);
-        let (low, high) = (of(&min), of(&max));
+        let [low, high] = [min, max].map(|given| given.map(|given| given[joint - 1]));
         let low_deg = low.map_or(limits.joint_min[joint - 1], |low| low.value);
         let high_deg = high.map_or(limits.joint_max[joint - 1], |high| high.value);
         // Each end by itself first, so that an error stands at the one that is wrong.
         let ends = [(low, low_deg, low_deg), (high, high_deg, high_deg), (low.or(high), low_deg, high_deg)];
         for (given, min, max) in ends {
             let Some(given) = given else { continue };
-            if !apply(reader, given.at, limits, |limits| limits.with_joint_range(joint, min, max)) {
+            if !apply(file, given.at, limits, |limits| limits.with_joint_range(joint, min, max)) {
                 break;
             }
         }
     }
-    each(reader, speeds, limits, |limits| limits.joint_speeds, Limits::with_joint_speeds);
-    each(reader, accelerations, limits, |limits| limits.joint_accelerations, Limits::with_joint_accelerations);
+    each(file, speeds, limits, |limits| limits.joint_speeds, Limits::with_joint_speeds);
+    each(file, accelerations, limits, |limits| limits.joint_accelerations, Limits::with_joint_accelerations);
 }
+
+/// One number for each joint.
+type Six<'s> = [Placed<'s, f64>; 6];
 
 /// Applies six numbers one by one, so that an error stands at the one that is wrong.
 fn each(
-    reader: &mut Reader<'_>,
-    given: Option<[Placed<f64>; 6]>,
+    file: &Item<'_, '_>,
+    given: Option<Six<'_>>,
     limits: &mut Limits,
     now: impl Fn(&Limits) -> [f64; 6],
     with: impl Fn(Limits, [f64; 6]) -> Result<Limits, InvalidLimit>,
@@ -159,7 +142,7 @@ fn each(
     for (index, given) in given.iter().flatten().enumerate() {
         let mut values = now(limits);
         values[index] = given.value;
-        if !apply(reader, given.at, limits, |limits| with(limits, values)) {
+        if !apply(file, given.at, limits, |limits| with(limits, values)) {
             // One number for all six joints is wrong once.
             return;
         }
@@ -168,66 +151,65 @@ fn each(
 
 /// Whether the limit made sense; else an error is reported at its place.
 fn apply(
-    reader: &mut Reader<'_>,
-    at: usize,
+    file: &Item<'_, '_>,
+    at: At<'_>,
     limits: &mut Limits,
     with: impl FnOnce(Limits) -> Result<Limits, InvalidLimit>,
 ) -> bool {
     match with(limits.clone()) {
         Ok(changed) => *limits = changed,
         Err(error) => {
-            reader.error(at, error.to_string());
+            file.error(at, &error.to_string());
             return false;
         }
     }
     true
 }
 
-fn boxed(reader: &mut Reader<'_>, table: &Table<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
-    reader.keys(table, &["name", "of", "frame", "keep", "min_mm", "max_mm"]);
-    let name = reader.required(table, "name", Reader::text);
-    let keep = reader.choice(table, "keep", &[("inside", true), ("outside", false)]);
-    let min = reader.required(table, "min_mm", Reader::three);
-    let max = reader.required(table, "max_mm", Reader::three);
-    let seen = seen(reader, table);
-    let (name, min, max, (point, frame)) = (name?.value, min?.value, max?.value, seen?);
+fn boxed(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
+    let name = name(table);
+    let keep = choice(table, "keep", &[("inside", true), ("outside", false)]);
+    let (min, max) = (three(table, "min_mm"), three(table, "max_mm"));
+    let seen = seen(table);
+    let (name, min, max, (point, frame)) = (name?, min?, max?, seen?);
     let region = if keep? { Region::inside_box(name, min, max) } else { Region::outside_box(name, min, max) };
     Some(region.map(|region| region.of(point).seen_from(frame)))
 }
 
-fn half_space(reader: &mut Reader<'_>, table: &Table<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
-    reader.keys(table, &["name", "of", "frame", "point_mm", "inward"]);
-    let name = reader.required(table, "name", Reader::text);
-    let border = reader.required(table, "point_mm", Reader::three);
-    let inward = reader.required(table, "inward", Reader::three);
-    let (point, frame) = seen(reader, table)?;
-    let region = Region::half_space(name?.value, border?.value, inward?.value);
+fn half_space(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
+    let name = name(table);
+    let (border, inward) = (three(table, "point_mm"), three(table, "inward"));
+    let (point, frame) = seen(table)?;
+    let region = Region::half_space(name?, border?, inward?);
     Some(region.map(|region| region.of(point).seen_from(frame)))
 }
 
+fn name(table: &Item<'_, '_>) -> Option<String> {
+    table.require("name");
+    table.text("name").map(|name| name.value)
+}
+
 /// What a region is of, and from where it is seen. Both must be stated: neither goes without saying.
-fn seen(reader: &mut Reader<'_>, table: &Table<'_, '_>) -> Option<(Point, RegionFrame)> {
-    let points = [("tcp", Point::Tcp), ("elbow", Point::Elbow), ("wrist", Point::Wrist)];
-    let point = reader.choice(table, "of", &points);
-    let frame = reader.choice(table, "frame", &[("base", RegionFrame::ArmBase), ("user", RegionFrame::User)]);
+fn seen(table: &Item<'_, '_>) -> Option<(Point, RegionFrame)> {
+    let point = choice(table, "of", &[("tcp", Point::Tcp), ("elbow", Point::Elbow), ("wrist", Point::Wrist)]);
+    let frame = choice(table, "frame", &[("base", RegionFrame::ArmBase), ("user", RegionFrame::User)]);
     Some((point?, frame?))
 }
 
-fn add(
-    reader: &mut Reader<'_>,
-    table: &Table<'_, '_>,
-    region: Option<Result<Region, InvalidLimit>>,
-    limits: &mut Limits,
-) {
-    if let Some(region) = region {
-        apply(reader, table.at, limits, |limits| limits.with_region(region?));
-    }
+fn three(table: &Item<'_, '_>, key: &'static str) -> Option<[f64; 3]> {
+    table.require(key);
+    let numbers = table.numbers(key, "a list of three finite numbers", |_| None)?;
+    Some(numbers.map(|number| number.value))
 }
 
-/// The name of a table for messages.
-fn named(kind: &str, table: &DeTable<'_>) -> String {
-    match table.get("name").map(Spanned::get_ref) {
-        Some(DeValue::String(name)) => format!("{kind} `{name}`"),
-        _ => kind.to_owned(),
+/// One of the words.
+fn choice<T: Copy>(table: &Item<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+    table.require(key);
+    let text = table.text(key)?;
+    let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);
+    if found.is_none() {
+        let words: Vec<_> = words.iter().map(|(word, _)| format!("\"{word}\"")).collect();
+        table.error(text.at, &format!("`{key}` must be {}", words.join(" or ")));
     }
+    found
 }
