@@ -1,19 +1,20 @@
 //! Why no joint position reaches a pose.
 
-use std::fmt;
-
 /// Why the arm cannot bring its flange to a pose.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoSolution {
     /// The pose or the reference has a number that is not finite.
+    #[error("a number of the pose or of the reference is not finite")]
     NotFinite,
     /// The pose is too far away, or too near to the axis of joint 1.
+    #[error("out of reach by {by_mm:.1} mm")]
     OutOfReach {
         /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
         by_mm: f64,
     },
     /// The pose is within reach, but each way to it turns a joint beyond its range. This is the least of it.
+    #[error("joint {joint} would be at {position_deg:.1} deg; limit {limit_deg}")]
     BeyondRange {
         /// The joint, 1 to 6.
         joint: usize,
@@ -23,20 +24,6 @@ pub enum NoSolution {
         limit_deg: f64,
     },
     /// The joint positions that were found do not bring the flange there well enough, which is so at the edge of reach.
+    #[error("at the edge of reach: no joint position was confirmed")]
     NotConfirmed,
 }
-
-impl fmt::Display for NoSolution {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite => f.write_str("a number of the pose or of the reference is not finite"),
-            Self::OutOfReach { by_mm } => write!(f, "out of reach by {by_mm:.1} mm"),
-            Self::BeyondRange { joint, position_deg, limit_deg } => {
-                write!(f, "joint {joint} would be at {position_deg:.1} deg; limit {limit_deg}")
-            }
-            Self::NotConfirmed => f.write_str("at the edge of reach: no joint position was confirmed"),
-        }
-    }
-}
-
-impl std::error::Error for NoSolution {}

@@ -1,23 +1,24 @@
 //! Why a model was not accepted.
 
-use std::fmt;
-
 use jaka_proto::messages::types::JointPosition;
 
 use super::Tolerance;
 
 /// Why a model was not accepted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FitError {
     /// A joint position or pose has a number that is not finite.
+    #[error("a number of the joint positions or poses is not finite")]
     NotFinite,
     /// There are too few poses.
+    #[error("too few poses to compare; at least {least} are needed")]
     TooFew {
         /// How many are needed.
         least: usize,
     },
     /// A joint hardly moves over the poses, so that they do not tell about it.
+    #[error("joint {joint} moves by {moved_deg:.1} deg over the poses to compare; at least {least_deg} deg are needed")]
     JointNotMoved {
         /// The joint, 1 to 6.
         joint: usize,
@@ -27,8 +28,14 @@ pub enum FitError {
         least_deg: f64,
     },
     /// The poses are turned about one axis alone, so that more than one tool and mounting fit them.
+    #[error("the poses to compare are turned about one axis alone")]
     TooAlike,
     /// The model differs from the controller: it is another arm, or one that is calibrated differently.
+    #[error(
+        "at joints {joints} the {model} differs from the controller by {position_mm:.3} mm and {angle_deg:.4} deg; \
+         allowed are {} mm and {} deg",
+        tolerance.position_mm, tolerance.angle_deg
+    )]
     Differs {
         /// The model's name.
         model: &'static str,
@@ -42,25 +49,3 @@ pub enum FitError {
         tolerance: Tolerance,
     },
 }
-
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite => f.write_str("a number of the joint positions or poses is not finite"),
-            Self::TooFew { least } => write!(f, "too few poses to compare; at least {least} are needed"),
-            Self::JointNotMoved { joint, moved_deg, least_deg } => write!(
-                f,
-                "joint {joint} moves by {moved_deg:.1} deg over the poses to compare; at least {least_deg} deg are needed"
-            ),
-            Self::TooAlike => f.write_str("the poses to compare are turned about one axis alone"),
-            Self::Differs { model, joints, position_mm, angle_deg, tolerance } => write!(
-                f,
-                "at joints {joints} the {model} differs from the controller by {position_mm:.3} mm and {angle_deg:.4} deg; \
-                 allowed are {} mm and {} deg",
-                tolerance.position_mm, tolerance.angle_deg
-            ),
-        }
-    }
-}
-
-impl std::error::Error for FitError {}
