@@ -25,36 +25,25 @@ pub(super) enum Column {
 impl Kind {
     pub(super) const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
 
-    /// Its name for one joint.
-    pub(super) fn noun(self) -> &'static str {
+    /// Its name for one joint and for all, and what follows the unit of an angle.
+    fn names(self) -> [&'static str; 3] {
         match self {
-            Self::Position => "joint",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-        }
-    }
-
-    /// Its name for all joints.
-    fn plural(self) -> &'static str {
-        if self == Self::Position { "joints" } else { self.noun() }
-    }
-
-    fn per_time(self) -> &'static str {
-        match self {
-            Self::Position => "",
-            Self::Velocity => "_s",
-            Self::Acceleration => "_s2",
+            Self::Position => ["joint", "joints", ""],
+            Self::Velocity => ["velocity", "velocity", "_s"],
+            Self::Acceleration => ["acceleration", "acceleration", "_s2"],
         }
     }
 
     /// The name of a column with it.
     pub(super) fn column(self, joint: usize, unit: Unit) -> String {
-        format!("{}_{joint}_{}{}", self.noun(), unit.name(), self.per_time())
+        let [one, _, per_time] = self.names();
+        format!("{one}_{joint}_{}{per_time}", unit.name())
     }
 
     /// The key of a list with it.
     pub(super) fn key(self, unit: Unit) -> String {
-        format!("{}_{}{}", self.plural(), unit.name(), self.per_time())
+        let [_, all, per_time] = self.names();
+        format!("{all}_{}{per_time}", unit.name())
     }
 }
 

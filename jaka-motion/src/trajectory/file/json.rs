@@ -1,9 +1,9 @@
 //! JSON.
 
-use std::fmt;
+use std::borrow::Cow;
 
+use jaka_proto::wire::{DecodeError, Reader};
 use jaka_spec::words::nearest;
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::columns::{Column, Kind, Unit, number};
@@ -11,16 +11,16 @@ use super::report::Report;
 use super::rows::{Row, Rows};
 use crate::trajectory::timed::TimedPoint;
 
-/// The entries of an object in their order, with values whose place in the text is known.
-struct Entries<'t>(Vec<(String, &'t RawValue)>);
+/// The entries of an object in their order, with the texts of their values.
+type Entries<'t> = Vec<(Cow<'t, str>, &'t str)>;
 
 /// The list in a file.
 const POINTS: &str = "points";
 
 pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     let mut rows = Rows::default();
-    let whole: &RawValue = match serde_json::from_str(text) {
-        Ok(whole) => whole,
+    let whole = match serde_json::from_str::<&RawValue>(text) {
+        Ok(whole) => whole.get(),
         Err(error) => {
             let text = error.to_string();
             // The place is said already.
@@ -29,36 +29,36 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
             return Vec::new();
         }
     };
-    let reader = Reader { text };
-    let points = reader.entries(whole, "the file", report).and_then(|entries| reader.points(whole, &entries, report));
+    let file = File { text };
+    let points = file.entries(whole, "the file", report).and_then(|entries| file.points(whole, &entries, report));
     let mut first = None;
     for point in points.iter().flatten() {
-        if let Some((row, has)) = reader.row(point, report) {
+        if let Some((row, has)) = file.row(point, report) {
             if *first.get_or_insert(has) != has {
-                report.error(reader.place(point), "a point: its keys are not those of the first point");
+                report.error(file.place(point), "a point: its keys are not those of the first point");
             }
             rows.add(&row, report);
         }
     }
     if let Some(points) = points.filter(|points| points.len() < 2) {
-        report.error(reader.place(whole), format!("found {} points, expected at least 2", points.len()));
+        report.error(file.place(whole), format!("found {} points, expected at least 2", points.len()));
     }
     rows.finish()
 }
 
-struct Reader<'t> {
+struct File<'t> {
     text: &'t str,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> File<'t> {
     /// The offset of a value, which is a part of the text.
-    fn place(&self, value: &RawValue) -> usize {
-        (value.get().as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize)
+    fn place(&self, value: &str) -> usize {
+        (value.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize)
     }
 
-    fn entries(&self, value: &'t RawValue, what: &str, report: &mut Report<'_>) -> Option<Vec<(String, &'t RawValue)>> {
-        let Ok(Entries(entries)) = serde_json::from_str(value.get()) else {
-            report.found(self.place(value), what, value.get(), "an object");
+    fn entries(&self, value: &'t str, what: &str, report: &mut Report<'_>) -> Option<Entries<'t>> {
+        let Ok(entries) = entries(value) else {
+            report.found(self.place(value), what, value, "an object");
             return None;
         };
         for (index, (key, value)) in entries.iter().enumerate() {
@@ -69,26 +69,20 @@ impl<'t> Reader<'t> {
         Some(entries)
     }
 
-    fn list(
-        &self,
-        value: &'t RawValue,
-        what: &str,
-        expected: &str,
-        report: &mut Report<'_>,
-    ) -> Option<Vec<&'t RawValue>> {
-        let list = serde_json::from_str(value.get()).ok();
-        if list.is_none() {
-            report.found(self.place(value), what, value.get(), expected);
-        }
-        list
+    fn list(&self, value: &'t str, what: &str, expected: &str, report: &mut Report<'_>) -> Option<Vec<&'t str>> {
+        let Ok(list) = serde_json::from_str::<Vec<&RawValue>>(value) else {
+            report.found(self.place(value), what, value, expected);
+            return None;
+        };
+        Some(list.into_iter().map(RawValue::get).collect())
     }
 
     fn points(
         &self,
-        whole: &RawValue,
-        entries: &[(String, &'t RawValue)],
+        whole: &str,
+        entries: &[(Cow<'t, str>, &'t str)],
         report: &mut Report<'_>,
-    ) -> Option<Vec<&'t RawValue>> {
+    ) -> Option<Vec<&'t str>> {
         for (key, value) in entries.iter().filter(|(key, _)| key != POINTS) {
             report.error(self.place(value), format!("unknown key `{key}`; there is `{POINTS}` alone"));
         }
@@ -100,7 +94,7 @@ impl<'t> Reader<'t> {
     }
 
     /// What a point says, and what there is of it, right or wrong.
-    fn row(&self, point: &'t RawValue, report: &mut Report<'_>) -> Option<(Row, [bool; 3])> {
+    fn row(&self, point: &'t str, report: &mut Report<'_>) -> Option<(Row, [bool; 3])> {
         let entries = self.entries(point, "a point", report)?;
         let (mut row, mut read) = (Row::default(), [false; 3]);
         if !entries.iter().any(|(key, _)| key == Column::TIME) {
@@ -128,7 +122,7 @@ impl<'t> Reader<'t> {
         Some((row, read))
     }
 
-    fn six(&self, value: &'t RawValue, key: &str, unit: Unit, report: &mut Report<'_>) -> Option<[f64; 6]> {
+    fn six(&self, value: &'t str, key: &str, unit: Unit, report: &mut Report<'_>) -> Option<[f64; 6]> {
         let list = self.list(value, key, "a list of six numbers", report)?;
         if list.len() != 6 {
             report.error(self.place(value), format!("{key}: found {} numbers, expected six", list.len()));
@@ -139,10 +133,10 @@ impl<'t> Reader<'t> {
         numbers?.try_into().ok().map(|numbers: [f64; 6]| numbers.map(|number| unit.to_degrees(number)))
     }
 
-    fn number(&self, value: &RawValue, what: &str, report: &mut Report<'_>) -> Option<f64> {
-        let number = number(value.get());
+    fn number(&self, value: &str, what: &str, report: &mut Report<'_>) -> Option<f64> {
+        let number = number(value);
         if number.is_none() {
-            report.found(self.place(value), what, value.get(), "a finite number");
+            report.found(self.place(value), what, value, "a finite number");
         }
         number
     }
@@ -165,26 +159,11 @@ fn unknown(key: &str) -> String {
     }
 }
 
-impl<'de> Deserialize<'de> for Entries<'de> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Reading;
-
-        impl<'de> Visitor<'de> for Reading {
-            type Value = Entries<'de>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an object")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-                let mut entries = Vec::new();
-                while let Some(entry) = map.next_entry()? {
-                    entries.push(entry);
-                }
-                Ok(Entries(entries))
-            }
-        }
-
-        deserializer.deserialize_map(Reading)
+fn entries(object: &str) -> Result<Entries<'_>, DecodeError> {
+    let (mut reader, mut entries) = (Reader::new(object), Vec::new());
+    reader.begin_object()?;
+    while let Some(key) = reader.next_key()? {
+        entries.push((key, reader.raw()?));
     }
+    Ok(entries)
 }
