@@ -101,18 +101,13 @@ impl Checker {
 
     /// Checks joint ranges and regions at one place.
     pub fn check_place(&self, joints: JointPosition) -> Result<(), Beyond> {
-        self.all_finite(&[joints], &[])
-            .and_then(|()| self.place(&joints.0))
-            .map_err(|exceeded| self.beyond(Way::Place, (exceeded, 1.0)))
+        self.checked(Way::Place, &[joints], &[], || self.place(&joints.0).map_err(|exceeded| (exceeded, 1.0)))
     }
 
     /// Checks a way straight in joint space, as that of `joint_move` (section 4.7): joint ranges, joint speeds and accelerations, the speed of the tool
     /// centre point, and regions.
     pub fn check_joint_way(&self, from: JointPosition, to: JointPosition, pace: JointPace) -> Result<(), Beyond> {
-        self.all_finite(&[from, to], &[])
-            .map_err(|exceeded| (exceeded, 0.0))
-            .and_then(|()| self.joint_way(&from.0, &to.0, pace))
-            .map_err(|found| self.beyond(Way::JointWay, found))
+        self.checked(Way::JointWay, &[from, to], &[], || self.joint_way(&from.0, &to.0, pace))
     }
 
     /// Checks a straight line of the tool centre point, as that of `moveL` (section 4.9), and returns the joint positions at its end.
@@ -121,22 +116,15 @@ impl Checker {
     /// singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a controller means its speed then is not
     /// known, so joint speeds are not checked on it, and all the rest is.
     pub fn check_line(&self, from: JointPosition, to: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
-        self.all_finite(&[from], &[to])
-            .map_err(|exceeded| (exceeded, 0.0))
-            .and_then(|()| self.line(&from.0, self.in_base(to), pace))
-            .map(JointPosition)
-            .map_err(|found| self.beyond(Way::Line, found))
+        self.checked(Way::Line, &[from], &[to], || self.line(&from.0, self.in_base(to), pace)).map(JointPosition)
     }
 
     /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line) checks a line.
     ///
     /// The tool turns evenly from the start to the middle pose, and from there to the end.
     pub fn check_arc(&self, from: JointPosition, mid: Pose, end: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
-        self.all_finite(&[from], &[mid, end])
-            .map_err(|exceeded| (exceeded, 0.0))
-            .and_then(|()| self.arc(&from.0, [self.in_base(mid), self.in_base(end)], pace))
-            .map(JointPosition)
-            .map_err(|found| self.beyond(Way::Arc, found))
+        let check = || self.arc(&from.0, [self.in_base(mid), self.in_base(end)], pace);
+        self.checked(Way::Arc, &[from], &[mid, end], check).map(JointPosition)
     }
 
     /// Checks each way that the controller may choose for `end_move` (section 4.8).
@@ -145,10 +133,7 @@ impl Checker {
     /// `kine_inverse` (section 4.45) says which it takes, [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more
     /// than once is taken to go to the nearest of the positions that reach the pose.
     pub fn check_end_move(&self, from: JointPosition, to: Pose, pace: JointPace) -> Result<(), Beyond> {
-        self.all_finite(&[from], &[to])
-            .map_err(|exceeded| (exceeded, 0.0))
-            .and_then(|()| self.end_move(&from.0, to, pace))
-            .map_err(|found| self.beyond(Way::EndMove, found))
+        self.checked(Way::EndMove, &[from], &[to], || self.end_move(&from.0, to, pace))
     }
 
     /// Checks a set-point of joint positions, after the last two and a period in seconds later.
@@ -166,10 +151,8 @@ impl Checker {
         target: JointPosition,
         period_s: f64,
     ) -> Result<(), Beyond> {
-        self.all_finite(&[before[0], before[1], target], &[])
-            .map_err(|exceeded| (exceeded, 1.0))
-            .and_then(|()| self.set_point([&before[0].0, &before[1].0], &target.0, period_s))
-            .map_err(|found| self.beyond(Way::SetPoint, found))
+        let check = || self.set_point([&before[0].0, &before[1].0], &target.0, period_s);
+        self.checked(Way::SetPoint, &[before[0], before[1], target], &[], check)
     }
 
     /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from singularities, and returns the
@@ -181,41 +164,45 @@ impl Checker {
         target: Pose,
         period_s: f64,
     ) -> Result<JointPosition, Beyond> {
-        self.all_finite(&before, &[target])
-            .map_err(|exceeded| (exceeded, 1.0))
-            .and_then(|()| self.pose_set_point([&before[0].0, &before[1].0], &self.in_base(target), period_s))
-            .map(JointPosition)
-            .map_err(|found| self.beyond(Way::SetPoint, found))
+        let check = || self.pose_set_point([&before[0].0, &before[1].0], &self.in_base(target), period_s);
+        self.checked(Way::SetPoint, &before, &[target], check).map(JointPosition)
     }
 
     /// A pose of the tool, seen from the arm's base.
-    fn in_base(&self, pose: Pose) -> Isometry3<f64> {
+    pub(crate) fn in_base(&self, pose: Pose) -> Isometry3<f64> {
         self.base.inverse() * Transform::from(pose).0
     }
 
     /// The tool in the arm's base.
-    fn tcp(&self, joints: &[f64; 6]) -> Isometry3<f64> {
+    pub(crate) fn tcp(&self, joints: &[f64; 6]) -> Isometry3<f64> {
         self.limits.model().links.flange(joints) * self.tool
     }
 
-    fn all_finite(&self, joints: &[JointPosition], poses: &[Pose]) -> Result<(), Exceeded> {
+    /// What a check of a way finds, if all of its numbers are finite.
+    fn checked<T>(
+        &self,
+        way: Way,
+        joints: &[JointPosition],
+        poses: &[Pose],
+        check: impl FnOnce() -> Result<T, Found>,
+    ) -> Result<T, Beyond> {
+        let found = if self.all_finite(joints, poses) { check() } else { Err((Exceeded::NotFinite, 0.0)) };
+        found.map_err(|(exceeded, share)| Beyond { share, ..self.beyond_of(way, exceeded) })
+    }
+
+    fn all_finite(&self, joints: &[JointPosition], poses: &[Pose]) -> bool {
         let frame = |frame: &Isometry3<f64>| {
             frame.translation.vector.iter().chain(frame.rotation.coords.iter()).all(|number| number.is_finite())
         };
-        let finite = joints.iter().all(|joints| joints.0.iter().all(|joint| joint.is_finite()))
+        joints.iter().all(|joints| joints.0.iter().all(|joint| joint.is_finite()))
             && poses.iter().all(|pose| frame(&self.in_base(*pose)))
             && frame(&self.base)
-            && frame(&self.tool);
-        if finite { Ok(()) } else { Err(Exceeded::NotFinite) }
+            && frame(&self.tool)
     }
 
     /// What is exceeded at the end of a way.
     pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
-        self.beyond(way, (exceeded, 1.0))
-    }
-
-    fn beyond(&self, way: Way, (exceeded, share): Found) -> Beyond {
-        Beyond { exceeded, way, share, model: self.limits.model().name() }
+        Beyond { exceeded, way, share: 1.0, model: self.limits.model().name() }
     }
 }
 

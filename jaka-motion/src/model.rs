@@ -88,11 +88,6 @@ impl Model {
         &self.joint_max
     }
 
-    /// The range of each joint in degrees; where two sources differ, the tighter one.
-    pub(crate) fn tighter_range(&self) -> ([f64; 6], [f64; 6]) {
-        published::tighter_range(self)
-    }
-
     /// The highest speed of each joint in deg/s.
     pub fn joint_speed(&self) -> &[f64; 6] {
         &self.joint_speed

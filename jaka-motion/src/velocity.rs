@@ -1,5 +1,7 @@
 //! Velocities of the tool.
 
+use nalgebra::Vector3;
+
 /// How the tool centre point moves and the tool turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TcpVelocity {
@@ -23,6 +25,10 @@ pub enum VelocityFrame {
 }
 
 impl TcpVelocity {
+    pub(crate) fn linear(&self) -> Vector3<f64> {
+        self.linear_mm_s.into()
+    }
+
     pub(crate) fn numbers(&self) -> impl Iterator<Item = f64> {
         self.linear_mm_s.into_iter().chain(self.angular_deg_s)
     }

@@ -14,10 +14,11 @@ impl Checker {
     /// # Errors
     /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's range or a region.
     pub fn joints_on_branch(&self, near: JointPosition, pose: Pose) -> Result<JointPosition, Beyond> {
-        self.all_finite(&[near], &[pose])
-            .and_then(|()| self.on_branch(&near.0, pose))
-            .and_then(|joints| self.place(&joints).map(|()| JointPosition(joints)))
-            .map_err(|exceeded| self.beyond_of(Way::Place, exceeded))
+        self.checked(Way::Place, &[near], &[pose], || {
+            let joints = self.on_branch(&near.0, pose);
+            let free = joints.and_then(|joints| self.place(&joints).map(|()| JointPosition(joints)));
+            free.map_err(|exceeded| (exceeded, 1.0))
+        })
     }
 
     fn on_branch(&self, near: &[f64; 6], pose: Pose) -> Result<[f64; 6], Exceeded> {

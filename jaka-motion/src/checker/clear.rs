@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use super::points::{Course, POINTS};
+use super::points::Course;
 use super::{Checker, Solved};
 use crate::limits::Point;
 use crate::piece::Piece;
@@ -31,7 +31,7 @@ impl Checker {
         let between = std::array::from_fn(|index| f64::midpoint(distances[index], at_end[index]));
         hull.is_between(self.limits.joint_min(), self.limits.joint_max())
             && self.keeps_apart(&between, &turned.map(|turned| 0.5 * turned))
-            && POINTS.into_iter().all(|point| self.is_clear_of_regions(point, ends, &turned))
+            && self.limited_points().all(|point| self.is_clear_of_regions(point, ends, &turned))
     }
 
     /// Whether joints that turn by at most so many radians from a place keep apart from singularities, for the distances there.
@@ -48,9 +48,6 @@ impl Checker {
     }
 
     fn is_clear_of_regions(&self, point: Point, ends: [&Solved; 2], turned: &[f64; 6]) -> bool {
-        if self.regions_of(point).next().is_none() {
-            return true;
-        }
         let places = ends.map(|end| end.point(point));
         if point == Point::Tcp {
             let course = Course { rate_mm: (places[1] - places[0]).norm(), bend_mm: 0.0 };
@@ -66,11 +63,7 @@ impl Checker {
 impl Solved {
     /// Where a point of the arm is, in the arm's base.
     fn point(&self, point: Point) -> Point3<f64> {
-        let frame = match point {
-            Point::Tcp => &self.tool,
-            Point::Elbow => &self.frames[2],
-            Point::Wrist => &self.frames[4],
-        };
+        let frame = if point == Point::Tcp { &self.tool } else { &self.frames[point.frame()] };
         frame.translation.vector.into()
     }
 }

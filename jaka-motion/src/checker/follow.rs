@@ -40,8 +40,8 @@ struct Following<'a> {
     per_second: Option<f64>,
     /// The joint positions at the start.
     start: [f64; 6],
-    /// The elbow and the wrist at the start.
-    start_points: [Point3<f64>; 2],
+    /// The frames of the joints at the start.
+    start_frames: [Isometry3<f64>; 6],
     /// The least distance from each singularity.
     least: [f64; 3],
 }
@@ -98,8 +98,8 @@ impl<'a> Following<'a> {
             tolerance: pace.tolerance_mm,
             per_second: (length_mm >= ONLY_TURNS_MM).then(|| pace.speed_mm_s / length_mm),
             start: *from,
-            start_points: [2, 4].map(|frame: usize| frames[frame].translation.vector.into()),
             least: model.distances(&frames).map(|distance| distance.min(least)),
+            start_frames: frames,
             path,
         }
     }
@@ -191,8 +191,8 @@ impl<'a> Following<'a> {
     }
 
     fn check_point(&self, point: Point, frames: &[Isometry3<f64>; 6]) -> Result<(), Exceeded> {
-        let (at, start) = (place(point, frames), self.start_of(point));
-        self.checker.beyond_regions(point, Some(start), &at, self.tolerance).map(|_| ())
+        let start = place(point, &self.start_frames);
+        self.checker.beyond_regions(point, Some(&start), &place(point, frames), self.tolerance).map(|_| ())
     }
 
     /// Whether no joint can have been faster between two samples than its limit by more than the stated amount.
@@ -231,7 +231,8 @@ impl<'a> Following<'a> {
             return Ok(false);
         }
         let way = [place(point, &here.frames), place(point, &next.frames)];
-        for part in self.checker.crossings(point, Some(self.start_of(point)), way, self.tolerance) {
+        let start = place(point, &self.start_frames);
+        for part in self.checker.crossings(point, Some(&start), way, self.tolerance) {
             let share = here.share + part * step;
             let guess =
                 std::array::from_fn(|index| here.joints[index] + part * (next.joints[index] - here.joints[index]));
@@ -239,10 +240,6 @@ impl<'a> Following<'a> {
             self.check_point(point, &crossing.frames).map_err(|exceeded| (exceeded, share))?;
         }
         Ok(true)
-    }
-
-    fn start_of(&self, point: Point) -> &Point3<f64> {
-        &self.start_points[usize::from(point != Point::Elbow)]
     }
 
     /// Why the joints cannot follow any further: the path leaves the arm's reach, or it leads through a singularity.
@@ -284,14 +281,13 @@ fn bend(here: &Sample, next: &Sample, index: usize) -> f64 {
 }
 
 fn place(point: Point, frames: &[Isometry3<f64>; 6]) -> Point3<f64> {
-    frames[if point == Point::Elbow { 2 } else { 4 }].translation.vector.into()
+    frames[point.frame()].translation.vector.into()
 }
 
 /// How elbow or wrist moves, in mm for the length of the whole path.
 fn velocity(point: Point, here: &Sample) -> Vector3<f64> {
     let at = place(point, &here.frames).coords;
-    let moving = if point == Point::Elbow { 2 } else { 4 };
-    let parts = here.frames.iter().zip(here.rates).take(moving).map(|(frame, rate)| {
+    let parts = here.frames.iter().zip(here.rates).take(point.frame()).map(|(frame, rate)| {
         (frame.rotation * Vector3::z()).cross(&(at - frame.translation.vector)) * rate.to_radians()
     });
     parts.sum()

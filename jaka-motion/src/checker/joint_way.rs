@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::amounts::LEAST_STEP;
 use super::pace::JointPace;
-use super::points::{Course, POINTS};
+use super::points::Course;
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::Point;
@@ -26,7 +26,7 @@ impl Checker {
     /// The regions alone.
     pub(super) fn regions_on_joint_way(&self, from: &[f64; 6], to: &[f64; 6]) -> Result<(), Found> {
         let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
-        POINTS.into_iter().try_for_each(|point| {
+        self.limited_points().try_for_each(|point| {
             let at = |share| self.point(point, &on_way(from, &moved, share));
             self.along(point, 0.0, self.course(point, &moved), at)
         })
@@ -110,6 +110,13 @@ impl Checker {
             sum += turned;
         }
         Course { rate_mm, bend_mm }
+    }
+
+    /// The same where the turns themselves change by at most these radians.
+    pub(super) fn course_of_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> Course {
+        let course = self.course_of_turns(point, turned);
+        let swings: f64 = self.radii(point).iter().zip(swung).map(|(radius, swung)| radius * swung).sum();
+        Course { bend_mm: course.bend_mm + swings, ..course }
     }
 }
 

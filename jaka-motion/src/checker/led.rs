@@ -15,11 +15,6 @@ pub(crate) struct Led {
 }
 
 impl Checker {
-    /// The tool in the arm's base.
-    pub(crate) fn tool(&self, joints: &[f64; 6]) -> Isometry3<f64> {
-        self.tcp(joints)
-    }
-
     /// How the joints near others move for a tool that moves so; none where they are not found, or cannot.
     pub(crate) fn led(&self, led: &Led, near: &[f64; 6]) -> Option<Sample> {
         self.solved(&led.tool, near)?.moving(&led.velocity, &led.acceleration)

@@ -30,7 +30,7 @@ impl Checker {
         let frames = self.limits.model().links.frames(joints);
         let tcp = (frames[5] * self.tool).translation.vector;
         let levers = frames.map(|frame| (frame.rotation * Vector3::z()).cross(&(tcp - frame.translation.vector)));
-        let [elbow, wrist] = [2, 4].map(|frame: usize| frames[frame].translation.vector.into());
+        let [elbow, wrist] = [Point::Elbow, Point::Wrist].map(|point| frames[point.frame()].translation.vector.into());
         PieceEnd { points: [tcp.into(), elbow, wrist], levers }
     }
 

@@ -2,11 +2,11 @@
 
 use super::amounts::ROUNDING;
 use super::piece_end::PieceEnd;
-use super::points::{Course, POINTS};
+use super::points::Course;
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::Point;
-use crate::piece::bernstein::{furthest, is_within};
+use crate::piece::bernstein::beyond;
 use crate::piece::{Hull, Piece};
 
 /// By what share of itself the speed of the tool centre point may change between two places at which it is compared, where it is near its limit.
@@ -65,9 +65,7 @@ impl Checker {
     fn piece_in_ranges(&self, piece: &Piece) -> Result<(), Found> {
         for joint in 0..6 {
             let (min, max) = (self.limits.joint_min()[joint], self.limits.joint_max()[joint]);
-            let positions = piece.positions(joint);
-            if !is_within(&positions, min - ROUNDING, max + ROUNDING) {
-                let (share, position_deg) = furthest(&positions, min, max);
+            if let Some((share, position_deg)) = beyond(&piece.positions(joint), min - ROUNDING, max + ROUNDING) {
                 let limit_deg = if position_deg > max { max } else { min };
                 return Err((Exceeded::JointRange { joint: joint + 1, position_deg, limit_deg }, share));
             }
@@ -77,9 +75,8 @@ impl Checker {
 
     fn piece_in_speeds(&self, piece: &Piece) -> Result<(), Found> {
         for (joint, limit_deg_s) in self.limits.joint_speeds().iter().copied().enumerate() {
-            let (speeds, most) = (piece.speeds(joint), rounded_up(limit_deg_s));
-            if !is_within(&speeds, -most, most) {
-                let (share, speed) = furthest(&speeds, -most, most);
+            let most = rounded_up(limit_deg_s);
+            if let Some((share, speed)) = beyond(&piece.speeds(joint), -most, most) {
                 let speed_deg_s = speed.abs();
                 return Err((Exceeded::JointSpeed { joint: joint + 1, speed_deg_s, limit_deg_s, near: None }, share));
             }
@@ -89,14 +86,10 @@ impl Checker {
 
     fn piece_in_accelerations(&self, piece: &Piece) -> Result<(), Found> {
         for (joint, limit_deg_s2) in self.limits.joint_accelerations().iter().copied().enumerate() {
-            let (accelerations, most) = (piece.accelerations(joint), rounded_up(limit_deg_s2) + ACCELERATION_ROUNDING);
-            if !is_within(&accelerations, -most, most) {
-                let (share, acceleration) = furthest(&accelerations, -most, most);
-                let acceleration_deg_s2 = acceleration.abs();
-                return Err((
-                    Exceeded::JointAcceleration { joint: joint + 1, acceleration_deg_s2, limit_deg_s2 },
-                    share,
-                ));
+            let most = rounded_up(limit_deg_s2) + ACCELERATION_ROUNDING;
+            if let Some((share, acceleration)) = beyond(&piece.accelerations(joint), -most, most) {
+                let (joint, acceleration_deg_s2) = (joint + 1, acceleration.abs());
+                return Err((Exceeded::JointAcceleration { joint, acceleration_deg_s2, limit_deg_s2 }, share));
             }
         }
         Ok(())
@@ -126,7 +119,7 @@ impl Checker {
     }
 
     fn piece_in_regions(&self, piece: &Piece, hull: &Hull) -> Result<(), Found> {
-        POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).try_for_each(|point| {
+        self.limited_points().try_for_each(|point| {
             let at = |share: f64| self.point(point, &piece.joints(share));
             self.along_from(point, None, 0.0, self.course_of_piece(point, piece, hull), at)
         })
@@ -134,17 +127,13 @@ impl Checker {
 
     /// How a point goes on a piece.
     fn course_of_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> Course {
-        let turned = hull.turned(piece.seconds);
-        let (radii, course) = (self.radii(point), self.course_of_turns(point, &turned));
-        let swung = hull.swung(piece.seconds);
-        let bend_mm = course.bend_mm + (0..6).map(|index| swung[index] * radii[index]).sum::<f64>();
-        Course { bend_mm, ..course }
+        self.course_of_swings(point, &hull.turned(piece.seconds), &hull.swung(piece.seconds))
     }
 
     /// Whether no point gets to a region on a piece or where the arm lands from it, wherever it goes.
     fn is_far_from_regions(&self, piece: &Piece, hull: &Hull, start: &PieceEnd) -> bool {
         let turned = hull.turned(piece.seconds + self.room_s(hull));
-        POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some()).all(|point| {
+        self.limited_points().all(|point| {
             let clear = self.beyond_regions(point, None, start.point(point), 0.0);
             let Course { rate_mm, .. } = self.course_of_turns(point, &turned);
             clear.is_ok_and(|clear| clear > rate_mm)

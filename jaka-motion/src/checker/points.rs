@@ -25,8 +25,8 @@ impl Checker {
     pub(super) fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
         // No start is beyond the ranges: a place is not a motion that leads back.
         self.within_ranges(joints, self.limits.joint_min())?;
-        let mut limited = POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some());
-        limited.try_for_each(|point| self.beyond_regions(point, None, &self.point(point, joints), 0.0).map(|_| ()))
+        self.limited_points()
+            .try_for_each(|point| self.beyond_regions(point, None, &self.point(point, joints), 0.0).map(|_| ()))
     }
 
     /// Whether all joints are within their ranges, or no further beyond than where the motion started.
@@ -46,18 +46,20 @@ impl Checker {
     /// Where a point of the arm is, in the arm's base.
     pub(super) fn point(&self, point: Point, joints: &[f64; 6]) -> Point3<f64> {
         let links = &self.limits.model().links;
-        let frame = match point {
-            Point::Tcp => self.tcp(joints),
-            Point::Elbow => links.product(0..3, &links.angles(joints)),
-            Point::Wrist => links.product(0..5, &links.angles(joints)),
-        };
-        frame.translation.vector.into()
+        let frame = links.product(0..point.frame() + 1, &links.angles(joints));
+        let place = if point == Point::Tcp { frame * self.tool } else { frame };
+        place.translation.vector.into()
     }
 
     /// The most that a point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
     pub(super) fn radii(&self, point: Point) -> &[f64; 6] {
         // In the order of `POINTS`.
         &self.radii[point as usize]
+    }
+
+    /// The points that regions are for.
+    pub(super) fn limited_points(&self) -> impl Iterator<Item = Point> {
+        POINTS.into_iter().filter(|point| self.regions_of(*point).next().is_some())
     }
 
     /// The regions for a point.
@@ -166,14 +168,9 @@ impl Checker {
 
 /// The most that a point can be away from the axis of each joint, in mm, with the tool centre point there on the flange.
 pub(super) fn radii(links: &Links, point: Point, tool: &Vector3<f64>) -> [f64; 6] {
-    let last = match point {
-        Point::Elbow => 2,
-        Point::Wrist => 4,
-        Point::Tcp => 5,
-    };
     let tool = if point == Point::Tcp { *tool } else { Vector3::zeros() };
     std::array::from_fn(|joint| {
-        let bars = (joint + 1..=last).map(|link| links.a[link].hypot(links.d[link])).sum::<f64>();
+        let bars = (joint + 1..=point.frame()).map(|link| links.a[link].hypot(links.d[link])).sum::<f64>();
         // The last axis is the tool's z axis.
         bars + if joint == 5 { tool.x.hypot(tool.y) } else { tool.norm() }
     })

@@ -2,7 +2,6 @@
 
 use super::amounts::{ROUNDING, START_ROUNDING};
 use super::landing::as_landing;
-use super::points::{Course, POINTS};
 use super::{Checker, rounded_up};
 use crate::beyond::{Exceeded, Found};
 use crate::braking::Stop;
@@ -47,13 +46,10 @@ impl Checker {
         let seconds = longest(stops);
         let turned = stops.map(|stop| stop.top_speed().to_radians() * seconds);
         let swung = stops.map(|stop| stop.top_acceleration().to_radians() * seconds * seconds);
-        POINTS.into_iter().try_for_each(|point| {
-            let radii = self.radii(point);
-            let Course { rate_mm, bend_mm } = self.course_of_turns(point, &turned);
-            let bend_mm = bend_mm + (0..6).map(|index| swung[index] * radii[index]).sum::<f64>();
+        self.limited_points().try_for_each(|point| {
             let at = |share: f64| self.point(point, &stops.map(|stop| stop.at(share * seconds).position));
             let start = rested.map(|joints| self.point(point, joints));
-            self.along_from(point, start, 0.0, Course { rate_mm, bend_mm }, at)
+            self.along_from(point, start, 0.0, self.course_of_swings(point, &turned, &swung), at)
         })
     }
 

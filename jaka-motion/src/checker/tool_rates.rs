@@ -18,7 +18,7 @@ impl Checker {
             VelocityFrame::User => self.base.rotation.inverse(),
             VelocityFrame::Tool => self.tcp(joints).rotation,
         };
-        let linear = turn * Vector3::from(velocity.linear_mm_s);
+        let linear = turn * velocity.linear();
         let angular = turn * Vector3::from(velocity.angular_deg_s.map(f64::to_radians));
         Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
     }

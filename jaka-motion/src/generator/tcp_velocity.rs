@@ -34,7 +34,7 @@ impl Generator {
         if !finite(velocity.numbers()) {
             return Some(Exceeded::NotFinite);
         }
-        let (speed_mm_s, limit_mm_s) = (length(velocity.linear_mm_s), self.checker.limits().tcp_speed()?);
+        let (speed_mm_s, limit_mm_s) = (velocity.linear().norm(), self.checker.limits().tcp_speed()?);
         (speed_mm_s > limit_mm_s).then_some(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s })
     }
 
@@ -43,7 +43,7 @@ impl Generator {
         let share = |index: usize| USED * self.limits[index].speed / rates[index].abs();
         let least = (0..6).map(share).fold(1.0, f64::min);
         let tcp_speed = self.checker.limits().tcp_speed().unwrap_or(f64::INFINITY);
-        let tcp = USED * tcp_speed / length(velocity.linear_mm_s);
+        let tcp = USED * tcp_speed / velocity.linear().norm();
         match (least < 1.0, tcp < least) {
             (_, true) => (tcp, self.tcp_velocity_beyond(velocity)),
             (true, false) => (least, Some(self.too_fast(rates, near))),
@@ -95,8 +95,4 @@ impl Generator {
         };
         (least(|limits| limits.acceleration), least(|limits| limits.jerk))
     }
-}
-
-fn length(vector: [f64; 3]) -> f64 {
-    vector.iter().map(|part| part * part).sum::<f64>().sqrt()
 }

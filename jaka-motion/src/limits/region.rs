@@ -172,6 +172,17 @@ impl Region {
     }
 }
 
+impl Point {
+    /// The place among the frames of the joints that has it; that of the tool centre point but for the tool.
+    pub(crate) fn frame(self) -> usize {
+        match self {
+            Self::Tcp => 5,
+            Self::Elbow => 2,
+            Self::Wrist => 4,
+        }
+    }
+}
+
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

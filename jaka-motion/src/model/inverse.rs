@@ -39,7 +39,10 @@ impl Model {
         flange: impl Into<Transform>,
         reference: impl Into<JointPosition>,
     ) -> Result<JointPosition, NoSolution> {
-        self.nearest(&flange.into().0, &reference.into().0)
+        let target = flange.into().0;
+        let candidates = self.candidates(&target, &reference.into().0)?;
+        let mut confirmed = candidates.as_slice().iter().filter_map(|joints| self.confirmed(joints, &target));
+        confirmed.next().ok_or(NoSolution::NotConfirmed)
     }
 
     /// The joint positions of every branch that bring the flange to a pose in the arm's base, as [`inverse`](Self::inverse)
@@ -51,23 +54,11 @@ impl Model {
         flange: impl Into<Transform>,
         reference: impl Into<JointPosition>,
     ) -> Result<Branches, NoSolution> {
-        self.all(&flange.into().0, &reference.into().0)
-    }
-
-    fn nearest(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<JointPosition, NoSolution> {
-        let candidates = self.candidates(target, reference)?;
-        let mut confirmed = candidates.as_slice().iter().filter_map(|joints| self.confirmed(joints, target));
-        confirmed.next().ok_or(NoSolution::NotConfirmed)
-    }
-
-    fn all(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<Branches, NoSolution> {
-        let candidates = self.candidates(target, reference)?;
+        let target = flange.into().0;
+        let candidates = self.candidates(&target, &reference.into().0)?;
         let mut branches = Branches::new();
-        for joints in candidates.as_slice() {
-            if let Some(joints) = self.confirmed(joints, target) {
-                branches.add(joints);
-            }
-        }
+        let confirmed = candidates.as_slice().iter().filter_map(|joints| self.confirmed(joints, &target));
+        confirmed.for_each(|joints| branches.add(joints));
         if branches.is_empty() { Err(NoSolution::NotConfirmed) } else { Ok(branches) }
     }
 

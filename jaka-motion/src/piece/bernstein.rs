@@ -61,9 +61,9 @@ pub(crate) fn peak<const N: usize>(coefficients: &[f64; N]) -> f64 {
     above(coefficients, 0.0, HALVINGS)
 }
 
-/// Whether the polynomial stays between two numbers.
-pub(crate) fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> bool {
-    fn within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64, halvings: u32) -> bool {
+/// Where a polynomial is furthest beyond two numbers, as a share, and its value there, looked at in 128 places; none where it stays between them.
+pub(crate) fn beyond<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> Option<(f64, f64)> {
+    fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64, halvings: u32) -> bool {
         let inside = |number: &f64| (least..=most).contains(number);
         if coefficients.iter().all(inside) {
             return true;
@@ -71,16 +71,14 @@ pub(crate) fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, mos
         if !inside(&coefficients[0]) || !inside(&coefficients[N - 1]) || halvings == 0 {
             return false;
         }
-        split(coefficients, 0.5).iter().all(|half| within(half, least, most, halvings - 1))
+        split(coefficients, 0.5).iter().all(|half| is_within(half, least, most, halvings - 1))
     }
-    within(coefficients, least, most, HALVINGS)
-}
-
-/// Where a polynomial is furthest beyond two numbers, as a share, and its value there; looked at in 128 places.
-pub(crate) fn furthest<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> (f64, f64) {
-    let beyond = |value: f64| (least - value).max(value - most);
+    if is_within(coefficients, least, most, HALVINGS) {
+        return None;
+    }
+    let by = |value: f64| (least - value).max(value - most);
     let places = (0..=128).map(|place| f64::from(place) / 128.0).map(|share| (share, value(coefficients, share)));
-    places.max_by(|one, other| beyond(one.1).total_cmp(&beyond(other.1))).unwrap_or((0.0, coefficients[0]))
+    places.max_by(|one, other| by(one.1).total_cmp(&by(other.1)))
 }
 
 /// The largest coefficient by amount, above which the polynomial does not get; NaN where one is.

@@ -1,12 +1,9 @@
 //! The ways from one point of a trajectory to the next.
 
-use nalgebra::Isometry3;
-
 use super::line::Line;
 use super::plan::{Bounds, Corner};
 use super::tool_way::TURN_MM;
 use crate::checker::Checker;
-use crate::transform::Transform;
 
 /// A way straight in joint space, or on a straight line of the tool.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,10 +71,6 @@ impl Leg {
         Self { after, length, start: from, way: Way::Joints(moved.map(|moved| moved / length)) }
     }
 
-    pub(super) fn line(after: usize, start: [f64; 6], length: f64, line: Line) -> Self {
-        Self { after, length, start, way: Way::Tool(line) }
-    }
-
     /// How fast it may be, and how the joints move at its ends.
     pub(super) fn survey(&self, budget: &Budget, checker: &Checker) -> Survey {
         match &self.way {
@@ -98,8 +91,8 @@ impl Leg {
         if checker.tcp_rate_at_most(direction) * bounds.speed <= budget.tcp_speed {
             return bounds;
         }
-        let there = |way: f64| std::array::from_fn(|joint| self.start[joint] + way * direction[joint]);
-        let rates = places(self.length, TCP_PLACES, [1, 8]).map(|way| checker.tcp_rate(&there(way), direction));
+        let places = places(self.length, TCP_PLACES, [1, 8]);
+        let rates = places.map(|way| checker.tcp_rate(&self.joints_at(direction, way), direction));
         Bounds { speed: bounds.speed.min(budget.tcp_speed / rates.fold(0.0, f64::max)), ..bounds }
     }
 
@@ -189,9 +182,4 @@ fn smallest(of: impl Fn(usize) -> f64) -> f64 {
 
 fn largest(of: impl Fn(usize) -> f64) -> f64 {
     (0..6).map(of).fold(0.0, f64::max)
-}
-
-/// A pose seen from the arm's base.
-pub(super) fn in_base(checker: &Checker, pose: impl Into<Transform>) -> Isometry3<f64> {
-    (checker.frames().base().inverse() * pose.into()).0
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
 
-use super::tool_way::{Course, Direction, OFF_WAY, in_parts, together};
+use super::tool_way::{Course, Direction, OFF_WAY, in_steps, least_share, together};
 use crate::checker::{Checker, Solved};
 use crate::piece::{Piece, Sample};
 
@@ -10,72 +10,47 @@ use crate::piece::{Piece, Sample};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
     /// The tool at the start.
-    from: Isometry3<f64>,
+    pub(super) from: Isometry3<f64>,
     pub(super) direction: Direction,
     /// By the way in the place of seconds.
     parts: Vec<Piece>,
     /// From each singularity, at the start.
     distances: [f64; 3],
-    is_clear: bool,
+    /// Whether all that [`Checker::check_line`] looks for is known to be far away.
+    pub(super) is_clear: bool,
 }
 
 /// The longest way between two places at which the joints are computed, in the unit of the way.
 pub(super) const LONGEST: f64 = 50.0;
 /// The least share of a line between two places.
-const LEAST: f64 = 1e-6;
+pub(super) const LEAST: f64 = 1e-6;
 /// The most parts of a line.
 const MOST_PARTS: usize = 50_000;
 /// How far the tool may be from its line between them, in mm and degrees: a fiftieth of [`OFF_WAY`].
 const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
 
 impl Line {
-    /// From where the arm is, and where it is at the end, if it is short and even enough for one part.
-    pub(super) fn short(
+    /// From where the arm is, in parts that are no shorter than the least where it can be, and where it is at the end; none where the joints are not found all
+    /// along.
+    pub(super) fn new(
         checker: &Checker,
         start: &Solved,
         direction: Direction,
         length: f64,
-    ) -> Option<(Self, Solved)> {
-        if length <= LONGEST { Self::in_parts(checker, start, (direction, length), length) } else { None }
-    }
-
-    /// From where the arm is, and where it is at the end; none where the joints are not found all along.
-    pub(super) fn new(checker: &Checker, start: &Solved, direction: Direction, length: f64) -> Option<(Self, Solved)> {
-        Self::in_parts(checker, start, (direction, length), LEAST * length)
-    }
-
-    /// In parts that are longer than the least.
-    fn in_parts(
-        checker: &Checker,
-        start: &Solved,
-        (direction, length): (Direction, f64),
         least: f64,
     ) -> Option<(Self, Solved)> {
         let distances = checker.distances(start);
         let mut line = Self { from: start.tool, direction, parts: Vec::with_capacity(1), distances, is_clear: false };
         let (mut here, mut sample) = (None::<Solved>, line.going(start)?);
-        let (mut way, mut step) = (0.0, LONGEST);
-        while way < length {
-            let next_way = if way + 1.01 * step >= length { length } else { way + step };
-            match line.part(checker, [way, next_way], here.as_ref().unwrap_or(start), &mut sample) {
-                Some(next) => {
-                    here = Some(next);
-                    (way, step) = (next_way, LONGEST.min(2.0 * step));
-                }
-                None if next_way - way <= least || line.parts.len() > MOST_PARTS => return None,
-                None => step = 0.5 * (next_way - way),
-            }
-        }
+        in_steps(length, LONGEST, least, |ends| {
+            here = Some(line.part(checker, ends, here.as_ref().unwrap_or(start), &mut sample)?);
+            Some(())
+        })?;
         let here = here?;
         if let [part] = line.parts.as_slice() {
             line.is_clear = checker.is_clear_line(part, [start, &here], &distances);
         }
         Some((line, here))
-    }
-
-    /// Whether all that [`Checker::check_line`] looks for is known to be far away.
-    pub(super) fn is_clear(&self) -> bool {
-        self.is_clear
     }
 
     /// Whether the joints surely keep apart from singularities on pieces around its start, which is no further from them than they are long.
@@ -85,11 +60,6 @@ impl Line {
             2.0 * seconds.to_radians()
         });
         checker.keeps_apart(&self.distances, &turned)
-    }
-
-    /// The tool at the start.
-    pub(super) fn from(&self) -> &Isometry3<f64> {
-        &self.from
     }
 
     /// The joints at a way, and how they move and bend for each unit of it.
@@ -121,7 +91,7 @@ impl Line {
     ) -> Option<Sample> {
         let way = 0.5 * (course.speeds[0] + course.speeds[1]) * seconds;
         let mut here = start.unwrap_or_else(|| self.moving(course, 0.0, seconds));
-        in_parts(seconds, LONGEST / way, pieces, |[from, to]| {
+        in_steps(1.0, (LONGEST / way).min(1.0), least_share(seconds), |[from, to]| {
             let next = self.moving(course, to, seconds);
             let piece = Piece::between(0.0, (to - from) * seconds, &here, &next);
             let is_on_way = |part: f64| {
@@ -133,7 +103,7 @@ impl Line {
             let is_on_way = is_same || [0.5, 0.25, 0.75].into_iter().all(is_on_way);
             is_on_way.then(|| {
                 here = next;
-                piece
+                pieces.push(piece);
             })
         })?;
         Some(here)
@@ -167,6 +137,9 @@ impl Line {
 
     /// Adds the part between two ways, where joints that go on so bring the tool along it; where they are at its end.
     fn part(&mut self, checker: &Checker, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
+        if self.parts.len() > MOST_PARTS {
+            return None;
+        }
         let next = checker.led_on(here, &self.tool(to))?;
         let next_sample = self.going(&next)?;
         let part = Piece::between(from, to - from, sample, &next_sample);
@@ -181,7 +154,7 @@ impl Line {
 
 /// Whether joints bring the tool to a place, within mm and degrees.
 pub(super) fn is_off_at_most(checker: &Checker, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
-    let found = checker.tool(joints);
+    let found = checker.tcp(joints);
     let moved = (tool.translation.vector - found.translation.vector).norm();
     moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }

@@ -2,8 +2,8 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::leg::{Budget, Leg, Tolerances, in_base};
-use super::line::Line;
+use super::leg::{Budget, Leg, Tolerances, Way};
+use super::line::{LEAST, LONGEST, Line};
 use super::timing::{Timing, lost};
 use super::tool_way::Direction;
 use super::{Trajectory, TrajectoryError};
@@ -47,7 +47,7 @@ pub struct Through {
 /// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no source has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
 /// The least speed and jerk: a joint that is slower takes hours for a turn.
-const LEAST: f64 = 1e-3;
+const SLOWEST: f64 = 1e-3;
 /// Points nearer to each other than this are one, in degrees or mm.
 const SAME: f64 = 1e-6;
 /// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
@@ -142,7 +142,7 @@ impl Through {
         match speeds
             .chain(jerks)
             .chain([("tcp_speed", self.tcp_speed)])
-            .find(|(_, given)| given.is_nan() || *given <= LEAST)
+            .find(|(_, given)| given.is_nan() || *given <= SLOWEST)
         {
             Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "above 0.001" }),
             None => Ok(()),
@@ -199,20 +199,22 @@ impl Here {
         let Some(start) = self.solved.take().or_else(|| checker.at_joints(&self.joints)) else {
             return self.checked_line(after, pose, checker).and_then(|_| Err(lost(after, checker)));
         };
-        let (direction, length) = Direction::between(&start.tool, &in_base(checker, pose));
+        let (direction, length) = Direction::between(&start.tool, &checker.in_base(pose));
         let is_way = length > SAME;
-        let mut found = if is_way { Line::short(checker, &start, direction, length) } else { None };
-        if !found.as_ref().is_some_and(|(line, _)| line.is_clear()) {
+        let is_short = is_way && length <= LONGEST;
+        let mut found = if is_short { Line::new(checker, &start, direction, length, length) } else { None };
+        if !found.as_ref().is_some_and(|(line, _)| line.is_clear) {
             let end = self.checked_line(after, pose, checker)?;
             if !is_way {
                 self.solved = Some(start);
                 return Ok(None);
             }
             let is_same = |there: &Solved| end.max_distance(&there.joints.into()) <= ONE_BRANCH;
-            found = found.or_else(|| Line::new(checker, &start, direction, length)).filter(|(_, there)| is_same(there));
+            let in_parts = || Line::new(checker, &start, direction, length, LEAST * length);
+            found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| lost(after, checker))?;
-        let leg = Leg::line(after, self.joints, length, line);
+        let leg = Leg { after, length, start: self.joints, way: Way::Tool(line) };
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))
     }

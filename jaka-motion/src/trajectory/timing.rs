@@ -131,7 +131,7 @@ impl<'a> Timing<'a> {
                 let ends =
                     [line.moving(&there(leg.length - way), 0.0, seconds), next.moving(&there(way), 0.0, seconds)];
                 let first = pieces.len();
-                let followed = ToolWay { frame: *next.from(), along, seconds }.follow(self.checker, ends, pieces);
+                let followed = ToolWay { frame: next.from, along, seconds }.follow(self.checker, ends, pieces);
                 followed.ok_or_else(|| lost(leg.after, self.checker))?;
                 self.keep_apart_from_singularities(leg, next, &pieces[first..])
             }

@@ -87,7 +87,7 @@ impl ToolWay {
     /// Adds the pieces that lead the tool along, between what the joints do at both ends; none where they are lost.
     pub(super) fn follow(&self, checker: &Checker, [first, last]: [Sample; 2], pieces: &mut Vec<Piece>) -> Option<()> {
         let mut here = first;
-        in_parts(self.seconds, 1.0, pieces, |[from, to]| {
+        in_steps(1.0, 1.0, least_share(self.seconds), |[from, to]| {
             let seconds = (to - from) * self.seconds;
             let next = if to < 1.0 { checker.led(&self.at(to), &gone_on(&here, seconds))? } else { last };
             let piece = Piece::between(0.0, seconds, &here, &next);
@@ -97,33 +97,29 @@ impl ToolWay {
             let is_on_way = [0.5, 0.25, 0.75].into_iter().all(is_on_way);
             is_on_way.then(|| {
                 here = next;
-                piece
+                pieces.push(piece);
             })
         })
     }
 }
 
-/// Adds pieces between shares of so many seconds, each over as much as it is good for, and at most over the longest share; none where that is too short.
-pub(super) fn in_parts(
-    seconds: f64,
-    longest: f64,
-    pieces: &mut Vec<Piece>,
-    mut piece: impl FnMut([f64; 2]) -> Option<Piece>,
-) -> Option<()> {
-    let longest = longest.min(1.0);
-    let (mut share, mut step) = (0.0, longest);
-    while share < 1.0 {
-        let next = if share + 1.01 * step >= 1.0 { 1.0 } else { share + step };
-        match piece([share, next]) {
-            Some(piece) => {
-                pieces.push(piece);
-                (share, step) = (next, longest.min(2.0 * step));
-            }
-            None if next - share < LEAST || (next - share) * seconds < LEAST => return None,
-            None => step = 0.5 * (next - share),
+/// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it takes not even the least.
+pub(super) fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
+    let (mut at, mut step) = (0.0, longest);
+    while at < end {
+        let next = if at + 1.01 * step >= end { end } else { at + step };
+        match take([at, next]) {
+            Some(()) => (at, step) = (next, longest.min(2.0 * step)),
+            None if next - at <= least => return None,
+            None => step = 0.5 * (next - at),
         }
     }
     Some(())
+}
+
+/// The least share of a stretch of so many seconds between two places: neither itself nor its time is too small.
+pub(super) fn least_share(seconds: f64) -> f64 {
+    LEAST.max(LEAST / seconds)
 }
 
 /// The joints after some seconds if they go on so.
