@@ -34,7 +34,7 @@ const GRACE: Duration = Duration::from_millis(100);
 impl SimulatedClock {
     /// Connections to this address are accepted by a thread of this process, which then calls [`accepted`](Self::accepted).
     pub fn listen(&self, address: SocketAddr) {
-        self.lock().listen(address);
+        self.lock().listeners.insert(address);
     }
 
     /// They are not accepted any more.
@@ -130,7 +130,7 @@ impl Channel {
             if self.is_nonblocking() || until.is_some_and(|until| until <= state.now) {
                 return Err(ErrorKind::WouldBlock.into());
             }
-            if !state.has_reader(way) {
+            if !state.pipe(way).has_reader {
                 drop(state);
                 return self.write_to_stranger(stream, bytes, until);
             }

@@ -35,7 +35,7 @@ pub(crate) struct State {
     last: u64,
     pipes: HashMap<Way, Pipe>,
     /// Addresses at which a participant accepts connections.
-    listeners: HashSet<SocketAddr>,
+    pub(crate) listeners: HashSet<SocketAddr>,
     /// Connections that were made, and that the other end has not accepted yet.
     coming: HashSet<Way>,
 }
@@ -67,7 +67,8 @@ pub(crate) struct Pipe {
     pub(crate) reads: u64,
     /// None come any more after those that are unread.
     pub(crate) is_closed: bool,
-    has_reader: bool,
+    /// Whether the reader takes part.
+    pub(crate) has_reader: bool,
     has_writer: bool,
 }
 
@@ -194,15 +195,6 @@ impl State {
             _ if pipe.has_writer => Found::Nothing,
             _ => Found::Stranger,
         }
-    }
-
-    /// Whether the reader of this way takes part.
-    pub(crate) fn has_reader(&mut self, way: Way) -> bool {
-        self.pipe(way).has_reader
-    }
-
-    pub(crate) fn listen(&mut self, address: SocketAddr) {
-        self.listeners.insert(address);
     }
 
     /// Nobody accepts connections there any more.
