@@ -100,13 +100,13 @@ impl Guard {
 
 impl From<InputCondition> for Guard {
     fn from(condition: InputCondition) -> Self {
-        Self::of(Condition::Input(condition))
+        Self::of(Condition::Input(condition.0))
     }
 }
 
 impl From<AnalogCondition> for Guard {
     fn from(condition: AnalogCondition) -> Self {
-        Self::of(Condition::Analog(condition))
+        Self::of(Condition::Input(condition.0))
     }
 }
 

@@ -87,124 +87,129 @@ pub(super) enum When {
 ///
 /// An edge is seen between two packets. One that is gone again before the next packet comes, some 30 to 100 ms later, is missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InputCondition {
-    pub(super) input: Input,
-    pub(super) high: bool,
-    pub(super) when: When,
-}
+pub struct InputCondition(pub(super) InputTest);
 
 /// A level or an edge of an analog input, to wait for or to guard a motion by. Edges as of [`InputCondition`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AnalogCondition {
-    pub(super) input: AnalogInput,
-    pub(super) above: bool,
-    pub(super) threshold: f64,
+pub struct AnalogCondition(pub(super) InputTest);
+
+/// What is asked of an input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InputTest {
+    place: Place,
+    wanted: Wanted,
     pub(super) when: When,
+}
+
+/// What an input is to be: a digital one, or the value of an analog one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Wanted {
+    High,
+    Low,
+    Above(f64),
+    Below(f64),
 }
 
 impl Input {
     /// While it is high.
     pub const fn is_high(self) -> InputCondition {
-        InputCondition { input: self, high: true, when: When::Level }
+        InputCondition(self.0.test(Wanted::High, When::Level))
     }
 
     /// While it is low.
     pub const fn is_low(self) -> InputCondition {
-        InputCondition { input: self, high: false, when: When::Level }
+        InputCondition(self.0.test(Wanted::Low, When::Level))
     }
 
     /// When it goes from low to high.
     pub const fn rises(self) -> InputCondition {
-        InputCondition { input: self, high: true, when: When::Edge }
+        InputCondition(self.0.test(Wanted::High, When::Edge))
     }
 
     /// When it goes from high to low.
     pub const fn falls(self) -> InputCondition {
-        InputCondition { input: self, high: false, when: When::Edge }
-    }
-
-    /// Its level in a packet.
-    pub(super) fn read(self, packet: &Snapshot) -> Result<bool, NotShown> {
-        let status = &packet.status;
-        let (list, name) = match self.0.side {
-            Side::Cabinet => (&status.digital_inputs, "digital_inputs"),
-            Side::Tool => (&status.tool_digital_inputs, "tool_digital_inputs"),
-        };
-        self.0.read(list.as_ref(), Field { packet, name })
+        InputCondition(self.0.test(Wanted::Low, When::Edge))
     }
 }
 
 impl AnalogInput {
     /// While its value is above a threshold.
     pub const fn is_above(self, threshold: f64) -> AnalogCondition {
-        AnalogCondition { input: self, above: true, threshold, when: When::Level }
+        AnalogCondition(self.0.test(Wanted::Above(threshold), When::Level))
     }
 
     /// While its value is below a threshold.
     pub const fn is_below(self, threshold: f64) -> AnalogCondition {
-        AnalogCondition { input: self, above: false, threshold, when: When::Level }
+        AnalogCondition(self.0.test(Wanted::Below(threshold), When::Level))
     }
 
     /// When its value goes above a threshold.
     pub const fn rises_above(self, threshold: f64) -> AnalogCondition {
-        AnalogCondition { input: self, above: true, threshold, when: When::Edge }
+        AnalogCondition(self.0.test(Wanted::Above(threshold), When::Edge))
     }
 
     /// When its value goes below a threshold.
     pub const fn falls_below(self, threshold: f64) -> AnalogCondition {
-        AnalogCondition { input: self, above: false, threshold, when: When::Edge }
-    }
-
-    /// Its value in a packet.
-    pub(super) fn read(self, packet: &Snapshot) -> Result<f64, NotShown> {
-        let status = &packet.status;
-        let (list, name) = match self.0.side {
-            Side::Cabinet => (&status.analog_inputs, "analog_inputs"),
-            Side::Tool => (&status.tool_analog_inputs, "tool_analog_inputs"),
-        };
-        self.0.read(list.as_ref(), Field { packet, name })
+        AnalogCondition(self.0.test(Wanted::Below(threshold), When::Edge))
     }
 }
 
-impl InputCondition {
-    /// Whether the input has the level.
+impl InputTest {
+    /// Whether the input is what is asked for.
     pub(super) fn holds(&self, packet: &Snapshot) -> Result<bool, NotShown> {
-        Ok(self.input.read(packet)? == self.high)
+        Ok(match self.wanted {
+            Wanted::High => self.place.level(packet)?,
+            Wanted::Low => !self.place.level(packet)?,
+            Wanted::Above(threshold) => self.place.value(packet)? > threshold,
+            Wanted::Below(threshold) => self.place.value(packet)? < threshold,
+        })
     }
 
     pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
-        self.input.0.check(call)
-    }
-
-    /// What a packet says of the input.
-    pub(super) fn says(&self, packet: &Snapshot) -> Option<String> {
-        let level = if self.input.read(packet).ok()? { "high" } else { "low" };
-        Some(format!("{} is {level}", self.input))
-    }
-}
-
-impl AnalogCondition {
-    /// Whether the value is beyond the threshold.
-    pub(super) fn holds(&self, packet: &Snapshot) -> Result<bool, NotShown> {
-        let value = self.input.read(packet)?;
-        Ok(if self.above { value > self.threshold } else { value < self.threshold })
-    }
-
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
-        self.input.0.check(call)?;
-        if self.threshold.is_finite() {
-            return Ok(());
+        self.place.check(call)?;
+        match self.wanted {
+            Wanted::Above(threshold) | Wanted::Below(threshold) if !threshold.is_finite() => {
+                Err(InvalidArgument::new(call, "threshold", threshold.to_string(), "a finite number", false))
+            }
+            _ => Ok(()),
         }
-        Err(InvalidArgument::new(call, "threshold", self.threshold.to_string(), "a finite number", false))
     }
 
     /// What a packet says of the input.
     pub(super) fn says(&self, packet: &Snapshot) -> Option<String> {
-        Some(format!("{} is at {}", self.input, self.input.read(packet).ok()?))
+        if let Wanted::Above(_) | Wanted::Below(_) = self.wanted {
+            return Some(format!("{} is at {}", AnalogInput(self.place), self.place.value(packet).ok()?));
+        }
+        let level = if self.place.level(packet).ok()? { "high" } else { "low" };
+        Some(format!("{} is {level}", Input(self.place)))
     }
 }
 
 impl Place {
+    const fn test(self, wanted: Wanted, when: When) -> InputTest {
+        InputTest { place: self, wanted, when }
+    }
+
+    /// The level of a digital input in a packet.
+    fn level(self, packet: &Snapshot) -> Result<bool, NotShown> {
+        let status = &packet.status;
+        let (list, name) = match self.side {
+            Side::Cabinet => (&status.digital_inputs, "digital_inputs"),
+            Side::Tool => (&status.tool_digital_inputs, "tool_digital_inputs"),
+        };
+        self.read(list.as_ref(), Field { packet, name })
+    }
+
+    /// The value of an analog input in a packet.
+    fn value(self, packet: &Snapshot) -> Result<f64, NotShown> {
+        let status = &packet.status;
+        let (list, name) = match self.side {
+            Side::Cabinet => (&status.analog_inputs, "analog_inputs"),
+            Side::Tool => (&status.tool_analog_inputs, "tool_analog_inputs"),
+        };
+        self.read(list.as_ref(), Field { packet, name })
+    }
+
     /// Its place in a list, counted from 0; none for a number 0 that is counted from 1.
     fn index(self) -> Option<usize> {
         match self.numbering {
@@ -251,16 +256,27 @@ impl fmt::Display for AnalogInput {
     }
 }
 
-impl fmt::Display for InputCondition {
+impl fmt::Display for InputTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let verb = if self.when == When::Edge { "goes" } else { "is" };
-        write!(f, "{} {verb} {}", self.input, if self.high { "high" } else { "low" })
+        let (digital, analog) = (Input(self.place), AnalogInput(self.place));
+        match self.wanted {
+            Wanted::High => write!(f, "{digital} {verb} high"),
+            Wanted::Low => write!(f, "{digital} {verb} low"),
+            Wanted::Above(threshold) => write!(f, "{analog} {verb} above {threshold}"),
+            Wanted::Below(threshold) => write!(f, "{analog} {verb} below {threshold}"),
+        }
+    }
+}
+
+impl fmt::Display for InputCondition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
     }
 }
 
 impl fmt::Display for AnalogCondition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let verb = if self.when == When::Edge { "goes" } else { "is" };
-        write!(f, "{} {verb} {} {}", self.input, if self.above { "above" } else { "below" }, self.threshold)
+        self.0.fmt(f)
     }
 }

@@ -208,7 +208,7 @@ impl Judging {
         self.last = packet.number;
         let (condition, reason, text) = self.judges.iter_mut().enumerate().find_map(|(condition, judge)| {
             let reason = judge.judge(packet)?;
-            Some((condition, reason, judge.condition().to_string()))
+            Some((condition, reason, judge.condition.to_string()))
         })?;
         Some(Trip { condition, text, reason, packet: Arc::clone(packet) })
     }

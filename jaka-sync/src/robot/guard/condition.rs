@@ -8,13 +8,12 @@ use super::force::{ForceLimit, contact_force};
 use super::trip::TripReason;
 use super::{Question, TcpBox};
 use crate::Snapshot;
-use crate::robot::inputs::{AnalogCondition, InputCondition, When};
+use crate::robot::inputs::{InputTest, When};
 
 /// One condition of a guard.
 #[derive(Debug, Clone)]
 pub(in crate::robot) enum Condition {
-    Input(InputCondition),
-    Analog(AnalogCondition),
+    Input(InputTest),
     Inside(TcpBox),
     Outside(TcpBox),
     Force(ForceLimit),
@@ -24,7 +23,7 @@ pub(in crate::robot) enum Condition {
 /// A condition, and what it must know of packets before.
 #[derive(Debug)]
 pub(super) struct Judge {
-    condition: Condition,
+    pub(super) condition: Condition,
     /// Whether the level of an edge was there in the packet before.
     held: Option<bool>,
     /// What the sensor read in the first packet.
@@ -50,8 +49,7 @@ impl Judge {
 
     fn holds(&mut self, packet: &Snapshot) -> Result<bool, TripReason> {
         let holds = match &self.condition {
-            Condition::Input(condition) => condition.holds(packet),
-            Condition::Analog(condition) => condition.holds(packet),
+            Condition::Input(input) => input.holds(packet),
             Condition::Inside(tcp_box) => tcp_box.contains(packet),
             Condition::Outside(tcp_box) => tcp_box.contains(packet).map(|contains| !contains),
             Condition::Force(limit) => {
@@ -61,24 +59,19 @@ impl Judge {
         };
         holds.map_err(TripReason::NotShown)
     }
-
-    pub(super) fn condition(&self) -> &Condition {
-        &self.condition
-    }
 }
 
 impl Condition {
     fn when(&self) -> When {
         match self {
-            Self::Input(InputCondition { when, .. }) | Self::Analog(AnalogCondition { when, .. }) => *when,
+            Self::Input(input) => input.when,
             Self::Inside(_) | Self::Outside(_) | Self::Force(_) | Self::Question(_) => When::Level,
         }
     }
 
     pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
         match self {
-            Self::Input(condition) => condition.check(call),
-            Self::Analog(condition) => condition.check(call),
+            Self::Input(input) => input.check(call),
             Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(call),
             Self::Force(limit) => limit.check(call),
             Self::Question(_) => Ok(()),
@@ -87,19 +80,14 @@ impl Condition {
 
     /// What a packet says of the input that the condition is about, if it is about one.
     pub(in crate::robot) fn says(&self, packet: &Snapshot) -> Option<String> {
-        match self {
-            Self::Input(condition) => condition.says(packet),
-            Self::Analog(condition) => condition.says(packet),
-            _ => None,
-        }
+        if let Self::Input(input) = self { input.says(packet) } else { None }
     }
 }
 
 impl fmt::Display for Condition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Input(condition) => condition.fmt(f),
-            Self::Analog(condition) => condition.fmt(f),
+            Self::Input(input) => input.fmt(f),
             Self::Inside(tcp_box) => write!(f, "the tool centre point is in {tcp_box}"),
             Self::Outside(tcp_box) => write!(f, "the tool centre point is outside {tcp_box}"),
             Self::Force(limit) => limit.fmt(f),

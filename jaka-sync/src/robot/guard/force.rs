@@ -57,7 +57,7 @@ use crate::robot::not_shown::{Field, NotShown};
 pub struct ForceLimit {
     component: ForceComponent,
     change: f64,
-    overtravel_mm: f64,
+    pub(super) overtravel_mm: f64,
     reaction: Duration,
     braking: Option<f64>,
 }
@@ -137,13 +137,9 @@ impl ForceLimit {
     pub(super) fn holds(&self, start: &[f64; 6], now: &[f64; 6]) -> bool {
         let change = |i: usize| now[i] - start[i];
         let found = match self.component {
-            ForceComponent::Fx => change(0),
-            ForceComponent::Fy => change(1),
-            ForceComponent::Fz => change(2),
-            ForceComponent::Tx => change(3),
-            ForceComponent::Ty => change(4),
-            ForceComponent::Tz => change(5),
             ForceComponent::Force => (0..3).map(|i| change(i).powi(2)).sum::<f64>().sqrt(),
+            // They are declared in the order of the values.
+            component => change(component as usize),
         };
         found.abs() > self.change
     }
@@ -175,11 +171,6 @@ impl ForceLimit {
 /// For set-points, which brake the tool themselves.
 #[cfg(feature = "stream")]
 impl ForceLimit {
-    /// How far the tool may go on, in mm.
-    pub(super) fn overtravel_mm(&self) -> f64 {
-        self.overtravel_mm
-    }
-
     /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and set-points each `cycle_s`: until a
     /// packet shows it, the next set-point goes out and the reaction is over; and the arm is a set-point behind.
     pub(super) fn unbraked_s(&self, period: Duration, cycle_s: f64) -> f64 {

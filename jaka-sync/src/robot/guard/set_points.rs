@@ -67,7 +67,7 @@ impl SetPointGuard {
         let Some(Force { limits, period }) = &self.force else { return Ok(()) };
         limits.iter().try_for_each(|limit| {
             let unbraked_s = limit.unbraked_s(*period, follower.period_s());
-            let Some(worst) = follower.worst_overtravel(checker, unbraked_s, limit.overtravel_mm()) else {
+            let Some(worst) = follower.worst_overtravel(checker, unbraked_s, limit.overtravel_mm) else {
                 return Ok(());
             };
             let way_points = follower.trajectory().way_points();
@@ -82,8 +82,8 @@ impl SetPointGuard {
         let Some(force) = &self.force else { return Ok(generator) };
         let all = || force.unbraked_s(generator.period_s());
         let speed =
-            all().map(|(limit, time_s)| limit.overtravel_mm() / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
-        let within = all().map(|(limit, time_s)| limit.overtravel_mm() - speed * time_s).fold(f64::INFINITY, f64::min);
+            all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
+        let within = all().map(|(limit, time_s)| limit.overtravel_mm - speed * time_s).fold(f64::INFINITY, f64::min);
         generator.with_tool_stop(speed, within).map_err(|error| {
             InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned(), false).into()
         })
