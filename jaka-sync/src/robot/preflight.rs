@@ -60,11 +60,12 @@ impl Preflight {
         let mut findings = Vec::new();
         let count = Count::begin(monitor);
         let mut commands = Commands::open(client, &mut findings);
-        findings.push(round_trip::measure(&mut commands));
+        findings.push(round_trip::measure(&mut commands).at(CheckItem::RoundTrip));
         arm::read(expected, &mut commands, &mut findings);
         let packet = count.and_then(|count| count.end(&mut findings)).unwrap_or_else(|port| {
-            findings.push(port);
-            findings.extend([CheckItem::StatusPackets, CheckItem::StatusRate].map(packets::no_packet));
+            findings.push(port.at(CheckItem::StatusPort));
+            findings
+                .extend([CheckItem::StatusPackets, CheckItem::StatusRate].map(|item| packets::no_packet().at(item)));
             None
         });
         let packet: Option<&RobotStatus> = packet.as_ref().map(|packet| &packet.status);

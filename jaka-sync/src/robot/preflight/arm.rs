@@ -5,7 +5,7 @@ use jaka_proto::messages::kinematics::{GetDhParam, GetDhParamReply, GetJointPos,
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::commands::Commands;
-use super::finding::{CheckItem, Finding};
+use super::finding::{CheckItem, Finding, Judgement, either};
 use crate::{MotionStatus, Robot};
 
 const NO_MODEL: &str = "there is no model that agrees with the controller";
@@ -29,18 +29,18 @@ impl<S: MotionStatus> Robot<S> {
 
 /// Compares the model, or else all published ones.
 pub(super) fn read(expected: &Expected, commands: &mut Commands<'_>, findings: &mut Vec<Finding>) {
-    let dh = commands.ask(CheckItem::DhParameters, &GetDhParam::new());
+    let dh = commands.ask(&GetDhParam::new());
     let (model, agreeing) = match &expected.0 {
         Some(limits) => one(limits, dh.as_ref().ok(), commands),
         None => published(dh.as_ref().ok(), commands),
     };
-    findings.push(model);
-    findings.push(dh.map_or_else(|failed| failed, |reply| parameters(&agreeing, &reply)));
-    findings.push(place(&agreeing, commands));
+    let dh = either(dh.map(|reply| parameters(&agreeing, &reply)));
+    let place = place(&agreeing, commands);
+    findings.extend([model.at(CheckItem::Model), dh.at(CheckItem::DhParameters), place.at(CheckItem::Limits)]);
 }
 
 /// The model that the arm should be.
-fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Finding, Vec<Agreeing>) {
+fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Judgement, Vec<Agreeing>) {
     let pairs = match poses(&limits.model().positions_to_compare(), commands) {
         Ok(pairs) => pairs,
         Err(failed) => return (failed, Vec::new()),
@@ -48,10 +48,7 @@ fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_
     let error = match limits.model().fit(&pairs, Tolerance::default()) {
         Ok(fit) => {
             let agreeing = vec![(limits.clone(), fit.frames)];
-            return (
-                Finding::nothing(CheckItem::Model, format!("poses are those of a {}", names(&agreeing))),
-                agreeing,
-            );
+            return (Judgement::nothing(format!("poses are those of a {}", names(&agreeing))), agreeing);
         }
         Err(error) => error,
     };
@@ -59,11 +56,11 @@ fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_
         return (own_parameters(&agreeing), Vec::new());
     }
     let advice = "look at the arm's name plate: limits of another model do not fit this arm";
-    (Finding::wrong(CheckItem::Model, difference(&error), advice), Vec::new())
+    (Judgement::wrong(difference(&error), advice), Vec::new())
 }
 
 /// All published models. Arms of one size, which differ in what a tool or a mounting can take up, agree at once.
-fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Finding, Vec<Agreeing>) {
+fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Judgement, Vec<Agreeing>) {
     let pairs = match answered(commands) {
         Ok(pairs) => pairs,
         Err(failed) => return (failed, Vec::new()),
@@ -71,13 +68,13 @@ fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Find
     let fits = |model| Some((Limits::of(model), model.fit(&pairs, Tolerance::default()).ok()?.frames));
     let agreeing: Vec<_> = Model::published().iter().filter_map(fits).collect();
     if !agreeing.is_empty() {
-        return (Finding::nothing(CheckItem::Model, format!("poses are those of {}", names(&agreeing))), agreeing);
+        return (Judgement::nothing(format!("poses are those of {}", names(&agreeing))), agreeing);
     }
     if let Some(agreeing) = Model::published().iter().find_map(|model| calibrated(model, dh, &pairs)) {
         return (own_parameters(&agreeing), vec![agreeing]);
     }
     let advice = "give motions no limits by a published model: they would be those of another arm";
-    (Finding::look(CheckItem::Model, "no published model agrees with the controller", advice), Vec::new())
+    (Judgement::look("no published model agrees with the controller", advice), Vec::new())
 }
 
 /// The model with the controller's own parameters, if it agrees with these.
@@ -87,10 +84,10 @@ fn calibrated(model: &Model, dh: Option<&GetDhParamReply>, pairs: &Pairs) -> Opt
     Some((Limits::of(&own), frames))
 }
 
-fn own_parameters(agreeing: &Agreeing) -> Finding {
+fn own_parameters(agreeing: &Agreeing) -> Judgement {
     let name = agreeing.0.model().name();
     let seen = format!("a {name}, with parameters of its own: the published ones are too far off");
-    Finding::look(CheckItem::Model, seen, "make its model of `get_dh_param`, by `Model::with_dh`")
+    Judgement::look(seen, "make its model of `get_dh_param`, by `Model::with_dh`")
 }
 
 fn difference(error: &FitError) -> String {
@@ -105,7 +102,7 @@ fn difference(error: &FitError) -> String {
 }
 
 /// Poses at the first positions that the controller takes: it may refuse those beyond the ranges of its arm.
-fn answered(commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
+fn answered(commands: &mut Commands<'_>) -> Result<Pairs, Judgement> {
     let mut asked: Vec<[JointPosition; 12]> = Vec::new();
     let mut failed = None;
     for positions in Model::published().iter().map(Model::positions_to_compare) {
@@ -118,41 +115,39 @@ fn answered(commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
         }
         asked.push(positions);
     }
-    Err(failed.unwrap_or_else(|| Finding::not_checked(CheckItem::Model, "there is no model")))
+    Err(failed.unwrap_or_else(|| Judgement::not_checked("there is no model")))
 }
 
-fn poses(positions: &[JointPosition; 12], commands: &mut Commands<'_>) -> Result<Pairs, Finding> {
-    let pose = |joints| Ok((joints, commands.ask(CheckItem::Model, &KineForward::new(joints))?.pose));
+fn poses(positions: &[JointPosition; 12], commands: &mut Commands<'_>) -> Result<Pairs, Judgement> {
+    let pose = |joints| Ok((joints, commands.ask(&KineForward::new(joints))?.pose));
     positions.iter().copied().map(pose).collect()
 }
 
 /// The controller's own parameters: calibrated ones are near the published ones.
-fn parameters(agreeing: &[Agreeing], reply: &GetDhParamReply) -> Finding {
-    const ITEM: CheckItem = CheckItem::DhParameters;
+fn parameters(agreeing: &[Agreeing], reply: &GetDhParamReply) -> Judgement {
     let mut differs = None;
     for model in agreeing.iter().map(|(limits, _)| limits.model()) {
         match model.with_dh(reply) {
-            Ok(_) => return Finding::nothing(ITEM, format!("those of a {}, or near them", model.name())),
+            Ok(_) => return Judgement::nothing(format!("those of a {}, or near them", model.name())),
             Err(mismatch) => differs = differs.or(Some(mismatch)),
         }
     }
-    let Some(mismatch) = differs else { return Finding::not_checked(ITEM, NO_MODEL) };
+    let Some(mismatch) = differs else { return Judgement::not_checked(NO_MODEL) };
     let advice = "no source says how a controller means them: what counts is that the model agrees with its poses";
-    Finding::look(ITEM, mismatch.to_string(), advice)
+    Judgement::look(mismatch.to_string(), advice)
 }
 
 /// Where the arm is against the limits of the models that agree.
-fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Finding {
-    const ITEM: CheckItem = CheckItem::Limits;
+fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Judgement {
     if agreeing.is_empty() {
-        return Finding::not_checked(ITEM, NO_MODEL);
+        return Judgement::not_checked(NO_MODEL);
     }
-    commands.judge(ITEM, &GetJointPos::new(), |reply| {
+    commands.judge(&GetJointPos::new(), |reply| {
         let at = reply.joint_position;
         let beyond =
             agreeing.iter().find_map(|(limits, frames)| Checker::new(limits.clone(), *frames).check_place(at).err());
         let Some(beyond) = beyond else {
-            return Finding::nothing(ITEM, format!("the arm is within those of {}", names(agreeing)));
+            return Judgement::nothing(format!("the arm is within those of {}", names(agreeing)));
         };
         let seen = match &beyond.exceeded {
             Exceeded::JointRange { joint, position_deg, limit_deg } => {
@@ -160,7 +155,7 @@ fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Finding {
             }
             _ => beyond.to_string(),
         };
-        Finding::look(ITEM, seen, "lead it back, by a motion that goes no further out, or at the pendant")
+        Judgement::look(seen, "lead it back, by a motion that goes no further out, or at the pendant")
     })
 }
 

@@ -3,7 +3,7 @@
 use jaka_proto::messages::power::{GetVersion, GetVersionReply};
 use jaka_proto::{Command, FirmwareVersion};
 
-use super::finding::{CheckItem, Finding};
+use super::finding::{CheckItem, Finding, Judgement, either};
 use super::ports;
 use crate::clock::Clock;
 use crate::{Client, Error};
@@ -29,11 +29,11 @@ impl<'c> Commands<'c> {
             Ok(client) => usable(client),
             Err(error) => Err(ports::of_commands(error)),
         };
-        let (client, found) = match opened {
+        let (client, [port, firmware]) = match opened {
             Ok((client, found)) => (Some(client), found),
-            Err(port) => (None, [port, no_commands(CheckItem::Firmware)]),
+            Err(port) => (None, [port, no_commands()]),
         };
-        findings.extend(found);
+        findings.extend([port.at(CheckItem::CommandPort), firmware.at(CheckItem::Firmware)]);
         Self { client, unanswered: 0 }
     }
 
@@ -42,9 +42,9 @@ impl<'c> Commands<'c> {
         self.client.as_ref().map_or_else(Clock::default, |client| client.clock().clone())
     }
 
-    /// Asks one question; the finding about this item if it has no answer.
-    pub(super) fn ask<C: Command>(&mut self, item: CheckItem, query: &C) -> Result<C::Reply, Finding> {
-        let Some(client) = &mut self.client else { return Err(no_commands(item)) };
+    /// Asks one question; what that tells if it has no answer.
+    pub(super) fn ask<C: Command>(&mut self, query: &C) -> Result<C::Reply, Judgement> {
+        let Some(client) = &mut self.client else { return Err(no_commands()) };
         let error = match client.call(query) {
             Ok(reply) => {
                 self.unanswered = 0;
@@ -57,51 +57,45 @@ impl<'c> Commands<'c> {
         if is_lost || self.unanswered == MOST_UNANSWERED {
             self.client = None;
         }
-        let found = if is_lost { Finding::wrong } else { Finding::look };
-        Err(found(item, ports::failure(&error), ports::advice(&error)))
+        let found = if is_lost { Judgement::wrong } else { Judgement::look };
+        Err(found(ports::failure(&error), ports::advice(&error)))
     }
 
-    /// The finding about one item, from the answer to a question.
-    pub(super) fn judge<C: Command>(
-        &mut self,
-        item: CheckItem,
-        query: &C,
-        judge: impl FnOnce(C::Reply) -> Finding,
-    ) -> Finding {
-        self.ask(item, query).map_or_else(|unanswered| unanswered, judge)
+    /// What the answer to a question tells, or that it has none.
+    pub(super) fn judge<C: Command>(&mut self, query: &C, judge: impl FnOnce(C::Reply) -> Judgement) -> Judgement {
+        either(self.ask(query).map(judge))
     }
 }
 
 /// The client and what its port answers, or why it cannot be used.
-fn usable(client: &mut Client) -> Result<(&mut Client, [Finding; 2]), Finding> {
+fn usable(client: &mut Client) -> Result<(&mut Client, [Judgement; 2]), Judgement> {
     let answer = client.call(&GetVersion::new());
     if let Some(error) = answer.as_ref().err().filter(|error| ports::is_unusable(error)) {
         return Err(ports::of_commands(error));
     }
     let peer = client.peer_addr().map_or_else(|_| "the controller".to_owned(), |peer| peer.to_string());
-    let port = Finding::nothing(CheckItem::CommandPort, format!("{peer} answers"));
+    let port = Judgement::nothing(format!("{peer} answers"));
     Ok((client, [port, firmware(answer)]))
 }
 
-fn no_commands(item: CheckItem) -> Finding {
-    Finding::not_checked(item, "the command port cannot be used")
+fn no_commands() -> Judgement {
+    Judgement::not_checked("the command port cannot be used")
 }
 
-fn firmware(answer: Result<GetVersionReply, Error>) -> Finding {
-    const ITEM: CheckItem = CheckItem::Firmware;
+fn firmware(answer: Result<GetVersionReply, Error>) -> Judgement {
     const COMPARE: &str = "compare its answers with the spec before you rely on them: `jaka probe` does it";
     let text = match answer {
         Ok(reply) => reply.version,
-        Err(error) => return Finding::look(ITEM, ports::failure(&error), ports::advice(&error)),
+        Err(error) => return Judgement::look(ports::failure(&error), ports::advice(&error)),
     };
     match text.parse::<FirmwareVersion>() {
-        Err(error) => Finding::look(ITEM, error.to_string(), COMPARE),
+        Err(error) => Judgement::look(error.to_string(), COMPARE),
         Ok(version) if version < OLDEST => {
-            Finding::look(ITEM, format!("{text}, older than {OLDEST}, the oldest that was captured"), COMPARE)
+            Judgement::look(format!("{text}, older than {OLDEST}, the oldest that was captured"), COMPARE)
         }
         Ok(version) if version > NEWEST => {
-            Finding::look(ITEM, format!("{text}, newer than {NEWEST}, the newest that is known"), COMPARE)
+            Judgement::look(format!("{text}, newer than {NEWEST}, the newest that is known"), COMPARE)
         }
-        Ok(_) => Finding::nothing(ITEM, text),
+        Ok(_) => Judgement::nothing(text),
     }
 }

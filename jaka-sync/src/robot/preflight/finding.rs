@@ -87,32 +87,45 @@ worded! {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     item: CheckItem,
-    verdict: Verdict,
+    judgement: Judgement,
+}
+
+/// What was seen somewhere, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Judgement {
+    pub(super) verdict: Verdict,
     seen: String,
     advice: Option<String>,
 }
 
+impl Judgement {
+    pub(super) fn nothing(seen: impl AsRef<str>) -> Self {
+        Self::new(Verdict::NothingFound, seen.as_ref(), None)
+    }
+
+    pub(super) fn not_checked(why: impl AsRef<str>) -> Self {
+        Self::new(Verdict::NotChecked, why.as_ref(), None)
+    }
+
+    pub(super) fn look(seen: impl AsRef<str>, advice: &str) -> Self {
+        Self::new(Verdict::Look, seen.as_ref(), Some(advice))
+    }
+
+    pub(super) fn wrong(seen: impl AsRef<str>, advice: &str) -> Self {
+        Self::new(Verdict::Wrong, seen.as_ref(), Some(advice))
+    }
+
+    fn new(verdict: Verdict, seen: &str, advice: Option<&str>) -> Self {
+        Self { verdict, seen: visible(seen).into_owned(), advice: advice.map(str::to_owned) }
+    }
+
+    /// The finding at this item.
+    pub(super) fn at(self, item: CheckItem) -> Finding {
+        Finding { item, judgement: self }
+    }
+}
+
 impl Finding {
-    pub(super) fn nothing(item: CheckItem, seen: impl AsRef<str>) -> Self {
-        Self::new(item, Verdict::NothingFound, seen.as_ref(), None)
-    }
-
-    pub(super) fn not_checked(item: CheckItem, why: impl AsRef<str>) -> Self {
-        Self::new(item, Verdict::NotChecked, why.as_ref(), None)
-    }
-
-    pub(super) fn look(item: CheckItem, seen: impl AsRef<str>, advice: &str) -> Self {
-        Self::new(item, Verdict::Look, seen.as_ref(), Some(advice))
-    }
-
-    pub(super) fn wrong(item: CheckItem, seen: impl AsRef<str>, advice: &str) -> Self {
-        Self::new(item, Verdict::Wrong, seen.as_ref(), Some(advice))
-    }
-
-    fn new(item: CheckItem, verdict: Verdict, seen: &str, advice: Option<&str>) -> Self {
-        Self { item, verdict, seen: visible(seen).into_owned(), advice: advice.map(str::to_owned) }
-    }
-
     /// What was looked at.
     pub fn item(&self) -> CheckItem {
         self.item
@@ -120,24 +133,30 @@ impl Finding {
 
     /// How it came out.
     pub fn verdict(&self) -> Verdict {
-        self.verdict
+        self.judgement.verdict
     }
 
     /// What was seen; for what was not checked, why not.
     pub fn seen(&self) -> &str {
-        &self.seen
+        &self.judgement.seen
     }
 
     /// What to do: there is something if the verdict is [`Look`](Verdict::Look) or [`Wrong`](Verdict::Wrong).
     pub fn advice(&self) -> Option<&str> {
-        self.advice.as_deref()
+        self.judgement.advice.as_deref()
     }
 }
 
 /// A row of a table, with the advice in a line of its own below it.
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:15}  {:13}  {}", self.item, self.verdict, self.seen)?;
-        self.advice.as_ref().map_or(Ok(()), |advice| write!(f, "\n{:32}{advice}", ""))
+        let Judgement { verdict, seen, advice } = &self.judgement;
+        write!(f, "{:15}  {verdict:13}  {seen}", self.item)?;
+        advice.as_ref().map_or(Ok(()), |advice| write!(f, "\n{:32}{advice}", ""))
     }
+}
+
+/// What was judged, or why it could not be.
+pub(super) fn either(judged: Result<Judgement, Judgement>) -> Judgement {
+    judged.unwrap_or_else(|unanswered| unanswered)
 }

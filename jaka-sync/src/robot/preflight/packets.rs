@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
 
-use super::finding::{CheckItem, Finding};
+use super::finding::{CheckItem, Finding, Judgement};
 use super::ports;
 use crate::clock::Stopwatch;
 use crate::robot::{MotionStatus, trouble};
@@ -28,7 +28,7 @@ pub(super) struct Count<'m, S: MotionStatus> {
 
 impl<'m, S: MotionStatus> Count<'m, S> {
     /// Waits for the first packet.
-    pub(super) fn begin(monitor: Result<&'m Monitor<S>, &Error>) -> Result<Self, Finding> {
+    pub(super) fn begin(monitor: Result<&'m Monitor<S>, &Error>) -> Result<Self, Judgement> {
         let monitor = monitor.map_err(|error| ports::of_status(error, 0))?;
         if let Err(error) = monitor.fresh_packet().or_else(|_| monitor.next_packet()) {
             return Err(ports::of_status(&error, monitor.statistics().dropped_bytes));
@@ -37,98 +37,97 @@ impl<'m, S: MotionStatus> Count<'m, S> {
     }
 
     /// Counts to the end, and returns the newest packet.
-    pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Finding> {
+    pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Judgement> {
         let left = self.since.left_of(WINDOW);
         let ended = self.monitor.watch(left, |_| None::<()>);
         let (elapsed, after) = (self.since.passed(), self.monitor.statistics());
         ended.map_err(|error| ports::of_status(&error, 0))?;
         let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
-        let newest = newest.ok_or_else(|| no_packet(CheckItem::StatusPort))?;
-        findings.push(Finding::nothing(CheckItem::StatusPort, "packets come"));
-        findings.push(rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed));
-        findings.push(form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)));
+        let newest = newest.ok_or_else(|| no_packet())?;
+        findings.extend([
+            Judgement::nothing("packets come").at(CheckItem::StatusPort),
+            rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
+            form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)).at(CheckItem::StatusPackets),
+        ]);
         Ok(Some(newest))
     }
 }
 
 /// What the packet itself tells; what no query of the document does.
 pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
-    findings.push(shown(CheckItem::EmergencyStop, packet, |packet| packet.emergency_stop, emergency_stop));
-    findings.push(shown(CheckItem::Event, packet, |packet| packet.error_code.as_deref().map(|_| packet), event));
-    findings.push(shown(CheckItem::RapidRate, packet, |packet| packet.rapid_rate, rapid_rate));
-    findings.push(shown(CheckItem::SoftLimit, packet, |packet| packet.on_soft_limit, soft_limit));
+    findings.extend([
+        shown(packet, |packet| packet.emergency_stop, emergency_stop).at(CheckItem::EmergencyStop),
+        shown(packet, |packet| packet.error_code.as_deref().map(|_| packet), event).at(CheckItem::Event),
+        shown(packet, |packet| packet.rapid_rate, rapid_rate).at(CheckItem::RapidRate),
+        shown(packet, |packet| packet.on_soft_limit, soft_limit).at(CheckItem::SoftLimit),
+    ]);
 }
 
-/// The finding about an item that the packet does not show, if there is one.
-pub(super) fn not_shown(item: CheckItem, packet: Option<&RobotStatus>) -> Finding {
+/// That the packet does not show it, if there is one.
+pub(super) fn not_shown(packet: Option<&RobotStatus>) -> Judgement {
     match packet {
-        Some(_) => Finding::not_checked(item, "status packets do not show it"),
-        None => no_packet(item),
+        Some(_) => Judgement::not_checked("status packets do not show it"),
+        None => no_packet(),
     }
 }
 
-pub(super) fn no_packet(item: CheckItem) -> Finding {
-    Finding::not_checked(item, "there is no status packet")
+pub(super) fn no_packet() -> Judgement {
+    Judgement::not_checked("there is no status packet")
 }
 
 fn shown<'p, T>(
-    item: CheckItem,
     packet: Option<&'p RobotStatus>,
     field: impl FnOnce(&'p RobotStatus) -> Option<T>,
-    judge: impl FnOnce(T) -> Finding,
-) -> Finding {
-    packet.and_then(field).map_or_else(|| not_shown(item, packet), judge)
+    judge: impl FnOnce(T) -> Judgement,
+) -> Judgement {
+    packet.and_then(field).map_or_else(|| not_shown(packet), judge)
 }
 
-fn emergency_stop(is_pressed: bool) -> Finding {
+fn emergency_stop(is_pressed: bool) -> Judgement {
     if is_pressed {
         let advice = "release it when nobody is at the arm, and enable the arm";
-        return Finding::wrong(CheckItem::EmergencyStop, "the emergency stop is pressed", advice);
+        return Judgement::wrong("the emergency stop is pressed", advice);
     }
-    Finding::nothing(CheckItem::EmergencyStop, "not pressed")
+    Judgement::nothing("not pressed")
 }
 
 /// An event is not always an error, and may be over.
-fn event(packet: &RobotStatus) -> Finding {
-    const ITEM: CheckItem = CheckItem::Event;
+fn event(packet: &RobotStatus) -> Judgement {
     let message = packet.error_message.as_deref().filter(|message| !message.is_empty());
     let with_message = |event: String| message.map_or(event.clone(), |message| format!("{event}, {message:?}"));
     match packet.event() {
-        Ok(None) => Finding::nothing(ITEM, "none"),
-        Err(error) => Finding::look(ITEM, with_message(error.to_string()), "look at the pendant"),
+        Ok(None) => Judgement::nothing("none"),
+        Err(error) => Judgement::look(with_message(error.to_string()), "look at the pendant"),
         Ok(Some(event)) => {
             let seen = with_message(event.to_string());
             match event.severity() {
-                Severity::Information => Finding::nothing(ITEM, seen),
-                Severity::Error => Finding::wrong(
-                    ITEM,
-                    seen,
-                    "remove its cause: the pendant and the vendor's table of events explain it",
-                ),
-                _ => Finding::look(ITEM, seen, "look it up in the vendor's table of events, or at the pendant"),
+                Severity::Information => Judgement::nothing(seen),
+                Severity::Error => {
+                    Judgement::wrong(seen, "remove its cause: the pendant and the vendor's table of events explain it")
+                }
+                _ => Judgement::look(seen, "look it up in the vendor's table of events, or at the pendant"),
             }
         }
     }
 }
 
-fn rapid_rate(rate: f64) -> Finding {
-    const ITEM: CheckItem = CheckItem::RapidRate;
+fn rapid_rate(rate: f64) -> Judgement {
     let seen = format!("{rate} of 1");
     if rate == 0.0 {
-        return Finding::wrong(ITEM, seen, "no motion moves the arm: set it with `set_rapid_rate`");
+        return Judgement::wrong(seen, "no motion moves the arm: set it with `set_rapid_rate`");
     }
     if (rate - 1.0).abs() < f64::EPSILON {
-        return Finding::nothing(ITEM, seen);
+        return Judgement::nothing(seen);
     }
-    Finding::look(ITEM, seen, "motions have another speed than they ask for: set it with `set_rapid_rate`")
+    Judgement::look(seen, "motions have another speed than they ask for: set it with `set_rapid_rate`")
 }
 
-fn soft_limit(flag: i64) -> Finding {
+fn soft_limit(flag: i64) -> Judgement {
     if flag == 0 {
-        return Finding::nothing(CheckItem::SoftLimit, "not hit");
+        return Judgement::nothing("not hit");
     }
     let advice = "look which joint it is, and jog it back";
-    Finding::look(CheckItem::SoftLimit, format!("hit (`on_soft_limit` is {flag})"), advice)
+    Judgement::look(format!("hit (`on_soft_limit` is {flag})"), advice)
 }
 
 /// All packets, also those that came so close together that they were never the newest.
@@ -136,19 +135,18 @@ fn arrived(statistics: &MonitorStatistics) -> u64 {
     statistics.packets.saturating_add(statistics.skipped)
 }
 
-fn rate(packets: u64, elapsed: Duration) -> Finding {
+fn rate(packets: u64, elapsed: Duration) -> Judgement {
     #[expect(clippy::cast_precision_loss, reason = "there are not so many packets in a second")]
     let rate = packets as f64 / elapsed.as_secs_f64();
     let seen = format!("{rate:.0} packets in a second");
     if rate >= FEWEST {
-        return Finding::nothing(CheckItem::StatusRate, seen);
+        return Judgement::nothing(seen);
     }
-    Finding::look(CheckItem::StatusRate, format!("{seen}; 10 to 33 are usual"), SLOW)
+    Judgement::look(format!("{seen}; 10 to 33 are usual"), SLOW)
 }
 
 /// What of the packet is missing or cannot be read, and what came between packets.
-fn form(newest: &Snapshot, dropped: u64) -> Finding {
-    const ITEM: CheckItem = CheckItem::StatusPackets;
+fn form(newest: &Snapshot, dropped: u64) -> Judgement {
     const PROBE: &str = "`jaka probe` compares the packet with the spec";
     let mut seen: Vec<_> = newest.unfit.iter().map(|unfit| format!("cannot be read: {unfit}")).collect();
     let missing: Vec<_> = missing(newest);
@@ -161,9 +159,9 @@ fn form(newest: &Snapshot, dropped: u64) -> Finding {
     let seen = seen.join("; ");
     if trouble::unreadable(newest).is_some() {
         let advice = format!("a `Robot` refuses motions while it cannot tell whether the arm is stopped: {PROBE}");
-        return Finding::wrong(ITEM, seen, &advice);
+        return Judgement::wrong(seen, &advice);
     }
-    if seen.is_empty() { Finding::nothing(ITEM, "whole") } else { Finding::look(ITEM, seen, PROBE) }
+    if seen.is_empty() { Judgement::nothing("whole") } else { Judgement::look(seen, PROBE) }
 }
 
 /// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in another form.
@@ -194,7 +192,7 @@ mod tests {
 
     #[test]
     fn ten_packets_in_a_second_are_usual_though_some_are_late() {
-        let verdict = |packets, ms| rate(packets, Duration::from_millis(ms)).verdict();
+        let verdict = |packets, ms| rate(packets, Duration::from_millis(ms)).verdict;
         assert_eq!([verdict(33, 1000), verdict(8, 1000), verdict(17, 2100)], [Verdict::NothingFound; 3]);
         assert_eq!([verdict(0, 1000), verdict(7, 1000), verdict(8, 1100)], [Verdict::Look; 3]);
     }

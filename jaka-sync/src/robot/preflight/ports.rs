@@ -3,7 +3,7 @@
 use std::error::Error as StdError;
 use std::io;
 
-use super::finding::{CheckItem, Finding};
+use super::finding::Judgement;
 use crate::error::is_text_line;
 use crate::{Disconnect, Error, ErrorCode, ErrorKind};
 
@@ -20,7 +20,7 @@ pub(super) fn is_unusable(error: &Error) -> bool {
 }
 
 /// Why the command port cannot be used.
-pub(super) fn of_commands(error: &Error) -> Finding {
+pub(super) fn of_commands(error: &Error) -> Judgement {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source } => not_connected(address, source),
         ErrorKind::Timeout { .. } => {
@@ -29,11 +29,11 @@ pub(super) fn of_commands(error: &Error) -> Finding {
         ErrorKind::Disconnected { cause, .. } => lost(cause, ANOTHER_CLIENT),
         _ => (failure(error), advice(error)),
     };
-    Finding::wrong(CheckItem::CommandPort, seen, advice)
+    Judgement::wrong(seen, advice)
 }
 
 /// Why the status port cannot be used. `dropped` is how many bytes came that do not belong to a packet.
-pub(super) fn of_status(error: &Error, dropped: u64) -> Finding {
+pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source } => not_connected(address, source),
         ErrorKind::StatusTimeout { .. } if dropped > 0 => {
@@ -48,7 +48,7 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Finding {
         }
         _ => (chain(error), "see what comes with `jaka status --raw`"),
     };
-    Finding::wrong(CheckItem::StatusPort, seen, advice)
+    Judgement::wrong(seen, advice)
 }
 
 /// Why a query has no answer. That it may have run does not matter.
