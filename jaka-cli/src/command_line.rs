@@ -5,6 +5,8 @@ use std::env;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Error};
 
+use itertools::Itertools as _;
+
 use crate::Cli;
 
 /// True for a help or a version that is to be printed, also where a command is missing.
@@ -67,11 +69,9 @@ fn in_words_of_clap(error: &Error) -> String {
 fn hint(error: &Error) -> String {
     // Not of values: those are listed.
     let suggested = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg];
-    let suggested: Vec<_> = suggested.into_iter().flat_map(|kind| list(error, kind)).collect();
-    if suggested.is_empty() {
-        format!("`{} --help` explains what there is", command())
-    } else {
-        format!("did you mean {}?", suggested.join(" or "))
+    match suggested.into_iter().flat_map(|kind| list(error, kind)).join(" or ").as_str() {
+        "" => format!("`{} --help` explains what there is", command()),
+        suggested => format!("did you mean {suggested}?"),
     }
 }
 

@@ -5,6 +5,7 @@ mod parse;
 use std::fmt;
 use std::str::FromStr;
 
+use itertools::Itertools as _;
 use serde_json::Value;
 
 use crate::fields::Field;
@@ -53,9 +54,7 @@ impl Condition {
             let value = field.named_value(packet).map_or_else(|| ABSENT.to_owned(), |value| value.to_string());
             format!("{} {value}", field.name)
         };
-        let mut texts: Vec<_> = fields.iter().map(text).collect();
-        texts.dedup();
-        texts.join(", ")
+        fields.iter().map(text).dedup().join(", ")
     }
 }
 

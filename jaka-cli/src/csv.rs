@@ -1,12 +1,12 @@
 //! Lines of CSV.
 
+use itertools::Itertools as _;
 use jaka_sync::proto::text::{visible, visible_json};
 use serde_json::Value;
 
 /// A line of these cells.
 pub(crate) fn row(cells: impl IntoIterator<Item = String>) -> String {
-    let cells: Vec<_> = cells.into_iter().collect();
-    cells.join(",") + "\n"
+    cells.into_iter().join(",") + "\n"
 }
 
 /// A value as a cell. Invisible characters are escaped, so that each packet is one line. A spreadsheet would take text that begins like a

@@ -70,9 +70,8 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
 /// The exit code of a failure.
 pub(crate) fn code(failure: &Failure) -> u8 {
     match failure {
-        Failure::Usage(_) => USAGE,
         Failure::CommandLine(error) if !error.use_stderr() => 0,
-        Failure::CommandLine(_) => USAGE,
+        Failure::Usage(_) | Failure::CommandLine(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => of_motion(&not_reached.end().outcome).0,

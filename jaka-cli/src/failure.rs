@@ -4,6 +4,7 @@ use std::error::Error as StdError;
 use std::fmt;
 use std::io;
 
+use itertools::Itertools as _;
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
 use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal};
@@ -95,9 +96,7 @@ fn remedy(outcome: &Outcome) -> &'static str {
 
 /// An error's text, followed by those of its causes.
 pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
-    let errors = std::iter::successors(Some(error), |&error| error.source());
-    let texts: Vec<_> = errors.map(ToString::to_string).collect();
-    texts.join(": ")
+    std::iter::successors(Some(error), |&error| error.source()).join(": ")
 }
 
 impl fmt::Display for Failure {

@@ -9,7 +9,7 @@ use std::io::{Write, stdout};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::builder::styling::{AnsiColor, Style};
-
+use itertools::Itertools as _;
 use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 
 use crate::failure::Failure;
@@ -83,6 +83,12 @@ pub(crate) fn urgent_note(text: &str) {
 /// Writes to standard error, with colours where they are used. The reader may be gone.
 fn tell(style: Style, kind: &str, text: &str) {
     writeln!(anstream::stderr().lock(), "{style}{kind}:{style:#} {}", visible_lines(text)).ok();
+}
+
+/// Rows of two columns, the second of which begins at the same place in all of them.
+pub(crate) fn aligned(rows: &[(impl AsRef<str>, impl AsRef<str>)]) -> String {
+    let width = rows.iter().map(|(name, _)| name.as_ref().chars().count()).max().unwrap_or_default();
+    rows.iter().map(|(name, text)| format!("{:width$}  {}\n", name.as_ref(), text.as_ref())).join("")
 }
 
 /// A text of others for a cell of a table, in quotes where it is empty or has what cannot be seen.

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
+use itertools::Itertools as _;
 use jaka_motion::Limits;
 use jaka_sim::{Builder, Controller, Delays, Model};
 use jaka_sync::proto::wire::Decode;
@@ -78,10 +79,8 @@ pub(crate) struct AddressArgs {
 
 /// The model of this name.
 pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
-    Model::named(name).ok_or_else(|| {
-        let names: Vec<_> = Model::published().iter().map(Model::name).collect();
-        format!("the models are {}", names.join(", "))
-    })
+    Model::named(name)
+        .ok_or_else(|| format!("the models are {}", Model::published().iter().map(Model::name).join(", ")))
 }
 
 /// The packs that the environment names, or else the config file.
@@ -132,50 +131,40 @@ impl AddressArgs {
 
     /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
-        if let Some(model) = self.sim {
-            return self.simulated(model, packs);
-        }
-        let address = RobotAddress::find(self, &Environment::read())?;
-        Ok(Target {
-            title: address.title(),
-            commands: address.address(address.command_port),
-            status: address.address(address.status_port),
-            config: address.config(),
-            connect_timeout: address.connect_timeout(),
-            timeout: self.timeout,
-            controller: None,
-        })
+        let (address, controller) = match self.sim {
+            Some(model) => {
+                let controller = self.simulated(model, packs)?;
+                let address = RobotAddress {
+                    title: format!("simulated {}", model.name()),
+                    commands: controller.command_addr().to_string(),
+                    status: controller.status_addr().to_string(),
+                    timeout: self.timeout,
+                    connect_timeout: self.timeout,
+                };
+                (address, Some(controller))
+            }
+            None => (RobotAddress::find(self, &Environment::read())?, None),
+        };
+        Ok(Target { config: address.config(), address, timeout: self.timeout, controller })
     }
 
-    fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Target, Failure> {
-        // A controller for one command has no delays.
+    /// A controller for one command, which has no delays.
+    fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Controller, Failure> {
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
-        let builder = packs.iter().fold(builder, Builder::pack);
-        let started = builder.start();
+        let started = packs.iter().fold(builder, Builder::pack).start();
         let controller = started.map_err(|error| Failure::local("cannot start the simulated controller", error))?;
         if self.sim_powered {
             controller.set_state(|state| (state.powered, state.enabled) = (true, true));
         }
-        Ok(Target {
-            title: format!("simulated {}", model.name()),
-            commands: controller.command_addr().to_string(),
-            status: controller.status_addr().to_string(),
-            config: address::config(self.timeout, self.timeout),
-            connect_timeout: self.timeout.unwrap_or(CONNECT_TIMEOUT),
-            timeout: self.timeout,
-            controller: Some(controller),
-        })
+        Ok(controller)
     }
 }
 
 /// A robot's addresses and how to connect to them.
 #[derive(Debug)]
 pub(crate) struct Target {
-    title: String,
-    commands: String,
-    status: String,
+    address: RobotAddress,
     config: Config,
-    connect_timeout: Duration,
     /// As the command line has it.
     timeout: Option<Duration>,
     /// Kept alive for as long as the command talks to it.
@@ -186,7 +175,7 @@ pub(crate) struct Target {
 impl Target {
     /// What people call the robot: its name and address.
     pub(crate) fn title(&self) -> &str {
-        &self.title
+        &self.address.title
     }
 
     /// The same robot, with everything recorded that goes over its connections.
@@ -198,20 +187,20 @@ impl Target {
     /// The address of one of its ports, and how long connecting may take.
     pub(crate) fn address(&self, port: Port) -> (&str, Duration) {
         let address = match port {
-            Port::Command => &self.commands,
-            Port::Status => &self.status,
+            Port::Command => &self.address.commands,
+            Port::Status => &self.address.status,
         };
-        (address, self.connect_timeout)
+        (address, self.address.connect_timeout.unwrap_or(CONNECT_TIMEOUT))
     }
 
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
-        Ok(self.config.connect_client(&self.commands)?)
+        Ok(self.config.connect_client(&self.address.commands)?)
     }
 
     /// Connects to both ports, and waits for the first status packet.
     pub(crate) fn robot(&self) -> Result<Robot, Failure> {
-        let robot = self.config.connect_robot_at(&self.commands, &self.status)?;
+        let robot = self.config.connect_robot_at(&self.address.commands, &self.address.status)?;
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }
@@ -229,14 +218,14 @@ impl Target {
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.
     pub(crate) fn preflight(&self, limits: Option<&Limits>) -> Preflight {
         match limits {
-            Some(limits) => self.config.preflight_with_limits(&self.commands, &self.status, limits),
-            None => self.config.preflight_at(&self.commands, &self.status),
+            Some(limits) => self.config.preflight_with_limits(&self.address.commands, &self.address.status, limits),
+            None => self.config.preflight_at(&self.address.commands, &self.address.status),
         }
     }
 
     /// Connects to the status port, which serves any number of readers.
     pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
-        Ok(self.config.connect_status(&self.status)?)
+        Ok(self.config.connect_status(&self.address.status)?)
     }
 
     /// Where the joints are, by the status port alone; none where the packet does not say.
@@ -246,7 +235,7 @@ impl Target {
 
     /// Connects to the status port, where a packet is awaited for this long.
     pub(crate) fn status_stream_within(&self, timeout: Duration) -> Result<StatusStream, Failure> {
-        Ok(self.config.clone().reply_timeout(timeout).connect_status(&self.status)?)
+        Ok(self.config.clone().reply_timeout(timeout).connect_status(&self.address.status)?)
     }
 
     /// The same, with a thread that reads and reconnects.
@@ -254,6 +243,6 @@ impl Target {
         &self,
         reconnect: Reconnect,
     ) -> Result<Monitor<S>, Failure> {
-        Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.status)?)
+        Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.address.status)?)
     }
 }

@@ -10,6 +10,7 @@ use std::thread;
 use std::time::Duration;
 
 use clap::Args;
+use itertools::Itertools as _;
 use jaka_sim::{ArmEvent, Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
 
 use crate::choice::{Choice, one_of};
@@ -137,10 +138,7 @@ impl Sim {
 
 fn firmware(name: &str) -> Result<Firmware, String> {
     let found = Firmware::ALL.iter().find(|firmware| firmware.name() == name).copied();
-    found.ok_or_else(|| {
-        let names: Vec<_> = Firmware::ALL.iter().map(|firmware| firmware.name()).collect();
-        format!("there are {}", names.join(", "))
-    })
+    found.ok_or_else(|| format!("there are {}", Firmware::ALL.iter().map(|firmware| firmware.name()).join(", ")))
 }
 
 fn faults(text: &str) -> Result<FaultPlan, String> {

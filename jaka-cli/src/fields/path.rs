@@ -1,5 +1,6 @@
 //! Paths to fields, as people type them.
 
+use itertools::Itertools as _;
 use jaka_spec::Shape as Wire;
 use jaka_spec::words::distance;
 
@@ -71,14 +72,11 @@ fn parse_indices(text: &str) -> Option<Vec<usize>> {
 
 /// What to try instead.
 fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
-    let mut suggestions: Vec<_> = names.filter_map(|name| Some((unlikeness(wanted, name)?, name))).collect();
-    suggestions.sort_unstable();
-    suggestions.dedup();
-    if suggestions.is_empty() {
-        return "`jaka status --fields all` shows them all".to_owned();
+    let similar = names.filter_map(|name| Some((unlikeness(wanted, name)?, name))).sorted().dedup();
+    match similar.take(MOST).map(|(_, name)| format!("`{name}`")).join(", ").as_str() {
+        "" => "`jaka status --fields all` shows them all".to_owned(),
+        similar => format!("similar names: {similar}"),
     }
-    let suggestions: Vec<_> = suggestions.iter().take(MOST).map(|(_, name)| format!("`{name}`")).collect();
-    format!("similar names: {}", suggestions.join(", "))
 }
 
 /// The number of letters that differ, if that is few; names that contain the wanted one come after those.

@@ -1,5 +1,6 @@
 //! A quantity over time.
 
+use itertools::Itertools as _;
 use std::mem;
 
 /// Values over time, in seconds; none where it is not known.
@@ -40,11 +41,7 @@ impl Series {
 
     /// The lowest and the highest value; none if there is none.
     pub(crate) fn range(&self) -> Option<(f64, f64)> {
-        let values = self.points.iter().filter_map(|(_, value)| *value);
-        values.fold(None, |range, value| match range {
-            None => Some((value, value)),
-            Some((low, high)) => Some((value.min(low), value.max(high))),
-        })
+        self.points.iter().filter_map(|(_, value)| *value).minmax().into_option()
     }
 
     /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are interrupted where nothing is known for a column.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use itertools::Itertools as _;
 use plotters::prelude::*;
 
 use super::canvas::{Area, Drawn, FINE, INK, Picture, label, mesh, picture, px};
@@ -55,12 +56,9 @@ pub(crate) fn draw_way(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Dr
 
 /// What the axes of a picture of this size reach from and to, and how many millimetres a pixel is.
 fn ranges(curves: &[Vec<Point>], size: (u32, u32)) -> (Range<f64>, Range<f64>, f64) {
-    let bounds = |of: fn(&Point) -> f64| {
-        let values = curves.iter().flatten().map(of);
-        let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (value.min(low), value.max(high)));
-        if low > high { (0.0, 0.0) } else { (low, high) }
-    };
-    let (x, y) = (bounds(|point| point.0), bounds(|point| point.1));
+    let points = || curves.iter().flatten();
+    let x = points().map(|point| point.0).minmax().into_option().unwrap_or_default();
+    let y = points().map(|point| point.1).minmax().into_option().unwrap_or_default();
     let width = f64::from(size.0 - LABELS.0 - 2 * MARGIN);
     let height = f64::from(size.1 - LABELS.1 - 2 * MARGIN);
     let scale = 1.1 * ((x.1 - x.0).max(LEAST) / width).max((y.1 - y.0).max(LEAST) / height);

@@ -1,14 +1,14 @@
 //! HTML: what is shown of a recording is escaped here.
 
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Duration;
 
+use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Entry, Event};
 
 use super::more;
-use super::session::{CommandCount, Happening, Session};
+use super::session::{CommandCount, Session};
 use crate::recorded::excerpt;
 
 const STYLE: &str = include_str!("page/style.css");
@@ -97,25 +97,20 @@ pub(super) fn facts(session: &Session<'_>) -> String {
 }
 
 fn connections(addresses: &[&str]) -> String {
-    let different: BTreeSet<_> = addresses.iter().copied().collect();
-    let more = if different.len() > 4 { ", …" } else { "" };
-    let shown: Vec<_> = different.into_iter().take(4).collect();
+    let mut different = addresses.iter().sorted().dedup();
+    let shown = different.by_ref().take(4).join(", ");
+    let more = if different.next().is_some() { ", …" } else { "" };
     match addresses.len() {
         0 => "none recorded".to_owned(),
-        count => format!("{count}: {}{more}", shown.join(", ")),
+        count => format!("{count}: {shown}{more}"),
     }
 }
 
 /// What went wrong, with the messages before it. What happened again immediately is one row.
 pub(super) fn problems(session: &Session<'_>) -> String {
-    let mut rows: Vec<(&Happening, usize)> = Vec::new();
-    for problem in session.problems() {
-        match rows.last_mut() {
-            Some((before, times)) if before.what == problem.what => *times += 1,
-            _ => rows.push((problem, 1)),
-        }
-    }
-    let rows = rows.into_iter().map(|(problem, times)| {
+    let problems = session.happenings.iter().filter(|happening| happening.is_wrong);
+    let counted: Vec<_> = problems.dedup_by_with_count(|one, other| one.what == other.what).collect();
+    let rows = counted.into_iter().map(|(times, problem)| {
         let again = if times > 1 { format!(" ({times} times in a row)") } else { String::new() };
         let messages = messages(session.messages_before(problem.time, BEFORE));
         vec![seconds(problem.time), text(&problem.what) + &again, messages]
@@ -125,13 +120,13 @@ pub(super) fn problems(session: &Session<'_>) -> String {
 }
 
 fn messages(entries: &[&Entry]) -> String {
-    let lines = entries.iter().filter_map(|entry| {
+    let mut lines = entries.iter().filter_map(|entry| {
         let arrow = if let Event::Sent(_) = entry.event { "->" } else { "<-" };
         let message = excerpt(entry.event.message()?, CHARACTERS);
         Some(text(&format!("{} {arrow} {message}", seconds(entry.time))))
     });
-    let lines: Vec<_> = lines.collect();
-    if lines.is_empty() { "none".to_owned() } else { format!("<pre>{}</pre>", lines.join("\n")) }
+    let lines = lines.join("\n");
+    if lines.is_empty() { "none".to_owned() } else { format!("<pre>{lines}</pre>") }
 }
 
 /// What happened, in the order of the times.

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use itertools::Itertools as _;
+
 use super::more;
 use super::page::{escaped, figure, paragraph};
 use super::session::{Kind, Lateness, Packets, Session};
@@ -89,13 +91,9 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
         return (strips, none(packets));
     }
     let on = packets.digital.iter().filter(|(_, series)| series.range() == Some((1.0, 1.0)));
-    let on: Vec<_> = on.map(|(key, _)| title(key)).collect();
+    let on = on.map(|(key, _)| title(key)).join(", ");
     let mut text = vec!["Those that change; high is true.".to_owned()];
-    text.push(if on.is_empty() {
-        "None is on throughout.".to_owned()
-    } else {
-        format!("On throughout: {}.", on.join(", "))
-    });
+    text.push(if on.is_empty() { "None is on throughout.".to_owned() } else { format!("On throughout: {on}.") });
     text.extend(more(digital.len(), MOST_DIGITAL, "digital one"));
     text.extend(more(analog.len(), MOST_ANALOG, "analog one"));
     if strips.is_empty() {

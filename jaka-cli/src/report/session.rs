@@ -76,11 +76,6 @@ impl<'r> Session<'r> {
         let end = self.messages.partition_point(|message| message.time <= time);
         &self.messages[end.saturating_sub(most)..end]
     }
-
-    /// What went wrong.
-    pub(super) fn problems(&self) -> impl Iterator<Item = &Happening> {
-        self.happenings.iter().filter(|happening| happening.is_wrong)
-    }
 }
 
 /// A duration in milliseconds.

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
 
+use super::AddressArgs;
 use super::config_file::{ConfigFile, Entry};
 use super::environment::Environment;
-use super::{AddressArgs, CONNECT_TIMEOUT};
 use crate::failure::Failure;
 
 /// The message where nothing gives the robot's address.
@@ -19,13 +19,13 @@ const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRES
 /// A robot's address and how to connect to it.
 #[derive(Debug, PartialEq)]
 pub(super) struct RobotAddress {
-    /// Its name in the config file, if it has one.
-    name: Option<String>,
-    host: String,
-    pub(super) command_port: u16,
-    pub(super) status_port: u16,
-    timeout: Option<Duration>,
-    connect_timeout: Option<Duration>,
+    /// What people call the robot: its name and address.
+    pub(super) title: String,
+    /// The addresses of its ports.
+    pub(super) commands: String,
+    pub(super) status: String,
+    pub(super) timeout: Option<Duration>,
+    pub(super) connect_timeout: Option<Duration>,
 }
 
 impl RobotAddress {
@@ -40,50 +40,32 @@ impl RobotAddress {
             }
             (None, None, None) => return Err(Failure::Usage(NO_ROBOT.to_owned())),
         };
-        let known = file.robots.get(&named);
-        let name = known.map(|_| named.clone());
-        let entry = known.cloned().unwrap_or_else(|| Entry::at(named));
+        let known = file.robots.get(&named).cloned();
+        let is_known = known.is_some();
+        let entry = known.unwrap_or_else(|| Entry { address: named.clone(), ..Entry::default() });
+        let host = host(&entry.address)?;
+        let address =
+            |port: u16| if host.contains(':') { format!("[{host}]:{port}") } else { format!("{host}:{port}") };
         Ok(Self {
-            name,
-            host: host(&entry.address)?,
-            command_port: args.command_port.or(entry.command_port).unwrap_or(COMMAND_PORT),
-            status_port: args.status_port.or(entry.status_port).unwrap_or(STATUS_PORT),
+            commands: address(args.command_port.or(entry.command_port).unwrap_or(COMMAND_PORT)),
+            status: address(args.status_port.or(entry.status_port).unwrap_or(STATUS_PORT)),
             timeout: args.timeout.or(entry.timeout),
             connect_timeout: args.timeout.or(entry.connect_timeout),
+            title: if is_known { format!("{named} ({host})") } else { host },
         })
-    }
-
-    /// What people call the robot.
-    pub(super) fn title(&self) -> String {
-        self.name.as_ref().map_or_else(|| self.host.clone(), |name| format!("{name} ({})", self.host))
-    }
-
-    /// The address of one of its ports.
-    pub(super) fn address(&self, port: u16) -> String {
-        if self.host.contains(':') { format!("[{}]:{port}", self.host) } else { format!("{}:{port}", self.host) }
-    }
-
-    /// How long connecting may take.
-    pub(super) fn connect_timeout(&self) -> Duration {
-        self.connect_timeout.unwrap_or(CONNECT_TIMEOUT)
     }
 
     /// How to connect.
     pub(super) fn config(&self) -> Config {
-        config(self.timeout, self.connect_timeout)
+        let mut config = Config::new();
+        if let Some(timeout) = self.timeout {
+            config = config.reply_timeout(timeout);
+        }
+        if let Some(timeout) = self.connect_timeout {
+            config = config.connect_timeout(timeout);
+        }
+        config
     }
-}
-
-/// How to connect, with these times where they are given.
-pub(super) fn config(timeout: Option<Duration>, connect_timeout: Option<Duration>) -> Config {
-    let mut config = Config::new();
-    if let Some(timeout) = timeout {
-        config = config.reply_timeout(timeout);
-    }
-    if let Some(timeout) = connect_timeout {
-        config = config.connect_timeout(timeout);
-    }
-    config
 }
 
 /// The packs that the environment names, or else the config file.
@@ -138,9 +120,9 @@ mod tests {
     #[test]
     fn the_command_line_counts_more_than_the_environment() {
         let found = RobotAddress::find(&args(Some("10.0.0.1")), &environment("10.0.0.2")).unwrap();
-        assert_eq!(found.address(found.command_port), "10.0.0.1:10001");
+        assert_eq!(found.commands, "10.0.0.1:10001");
         let found = RobotAddress::find(&args(None), &environment("10.0.0.2")).unwrap();
-        assert_eq!(found.address(found.status_port), "10.0.0.2:10000");
+        assert_eq!(found.status, "10.0.0.2:10000");
     }
 
     #[test]
@@ -154,10 +136,10 @@ mod tests {
     #[test]
     fn addresses_have_no_port() {
         let address =
-            |text| RobotAddress::find(&args(Some(text)), &Environment::default()).map(|address| address.address(1));
-        assert_eq!(address("arm.local").unwrap(), "arm.local:1");
-        assert_eq!(address("fe80::1").unwrap(), "[fe80::1]:1");
-        assert_eq!(address("[::1]").unwrap(), "[::1]:1");
+            |text| RobotAddress::find(&args(Some(text)), &Environment::default()).map(|address| address.status);
+        assert_eq!(address("arm.local").unwrap(), "arm.local:10000");
+        assert_eq!(address("fe80::1").unwrap(), "[fe80::1]:10000");
+        assert_eq!(address("[::1]").unwrap(), "[::1]:10000");
         for bad in ["10.5.5.100:10001", "[::1]:10001", "", "cell 1", "http://arm"] {
             assert!(matches!(address(bad), Err(Failure::Usage(_))), "{bad}");
         }

@@ -26,7 +26,7 @@ pub(crate) struct ConfigFile {
 }
 
 /// A `[robots.NAME]`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
     /// Host name or IP address, without a port.
@@ -67,13 +67,6 @@ impl ConfigFile {
         let folder = path.parent().unwrap_or(Path::new(""));
         file.packs.iter_mut().for_each(|pack| *pack = folder.join(&pack));
         Ok(file)
-    }
-}
-
-impl Entry {
-    /// A robot with an address and nothing else.
-    pub(crate) fn at(address: String) -> Self {
-        Self { address, command_port: None, status_port: None, timeout: None, connect_timeout: None }
     }
 }
 

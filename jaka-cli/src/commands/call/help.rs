@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+use itertools::Itertools as _;
 use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::{first_sentence, requirements};
 use jaka_spec::{Command, Reply, Request, Spec, Topic};
@@ -10,6 +11,7 @@ use jaka_sync::proto::text::{visible, visible_lines};
 
 use crate::consent::effect;
 use crate::failure::Failure;
+use crate::output;
 
 /// What a command does, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
@@ -55,9 +57,9 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     if fields.is_empty() {
         return "Reply:\n  accepted, or refused with code and message".to_owned();
     }
-    let width = fields.iter().map(|field| field.field.len()).max().unwrap_or_default();
-    let rows = fields.iter().map(|field| format!("\n  {:width$}  {}", field.field, field.help.replace('\n', " ")));
-    visible_lines(&format!("Reply:{}", rows.collect::<String>())).into_owned()
+    let row = |field: &Argument| (format!("  {}", field.field), field.help.replace('\n', " "));
+    let rows: Vec<_> = fields.iter().map(row).collect();
+    visible_lines(format!("Reply:\n{}", output::aligned(&rows)).trim_end()).into_owned()
 }
 
 /// A field's help: what it means, and where it belongs.
@@ -89,20 +91,16 @@ pub(super) fn list(spec: &Spec, topic: &str) -> Result<String, Failure> {
     let all: Vec<_> = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).collect();
     let wanted: Vec<_> = all.iter().filter(|known| topic.is_empty() || known.name == topic).collect();
     if wanted.is_empty() {
-        let names: Vec<_> = all.iter().map(|known| known.name.as_str()).collect();
-        return Err(Failure::Usage(format!("there is no topic `{topic}`; the topics are {}", names.join(", "))));
+        let names = all.iter().map(|known| &known.name).join(", ");
+        return Err(Failure::Usage(format!("there is no topic `{topic}`; the topics are {names}")));
     }
-    let sections: Vec<_> = wanted.iter().map(|topic| section(topic)).collect();
-    Ok(sections.join("\n"))
+    Ok(wanted.iter().map(|topic| section(topic)).join("\n"))
 }
 
 fn section(topic: &Topic) -> String {
-    let names: Vec<_> = topic.commands.iter().map(names).collect();
-    let width = names.iter().map(String::len).max().unwrap_or_default();
-    let row =
-        |(name, command): (&String, &Command)| format!("  {name:width$}  {}\n", about(command).replace('\n', " "));
-    let rows: String = names.iter().zip(&topic.commands).map(row).collect();
-    format!("{}: {}\n{rows}", topic.name, visible(&topic.title))
+    let row = |command: &Command| (format!("  {}", names(command)), about(command).replace('\n', " "));
+    let rows: Vec<_> = topic.commands.iter().map(row).collect();
+    format!("{}: {}\n{}", topic.name, visible(&topic.title), output::aligned(&rows))
 }
 
 /// The names that a command can be called by.

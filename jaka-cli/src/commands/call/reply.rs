@@ -1,5 +1,6 @@
 //! Replies as a table: the fields by their names in Rust, with units.
 
+use itertools::Itertools as _;
 use jaka_dynamic::value as read;
 use jaka_spec::{COMMAND_NAME, Choice, Command, ENVELOPE, EnumValue, Field, Request, Scalar, Shape, Spec, Type};
 use jaka_sync::proto::python;
@@ -69,9 +70,7 @@ impl ReplyTable<'_> {
         }
         // Names may come from the controller, too.
         let rows: Vec<_> = self.rows.iter().map(|(name, value)| (visible(name), visible(value))).collect();
-        let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
-        let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}")).collect();
-        lines.join("\n") + "\n"
+        output::aligned(&rows)
     }
 
     fn add(&mut self, name: impl Into<String>, value: String) {
@@ -116,8 +115,8 @@ impl ReplyTable<'_> {
                 }
             }
             (Shape::List(element, _), Value::Array(items)) => {
-                let texts: Vec<_> = items.iter().map(|item| self.scalar(element, item)).collect();
-                self.add(place, if texts.is_empty() { "none".to_owned() } else { with_unit(&texts.join(", "), unit) });
+                let texts = items.iter().map(|item| self.scalar(element, item)).join(", ");
+                self.add(place, if items.is_empty() { "none".to_owned() } else { with_unit(&texts, unit) });
             }
             (Shape::Object(fields), Value::Object(object)) => self.object(place, fields, object),
             (Shape::Tuple { fields, .. }, Value::Array(elements)) => self.elements(place, fields, elements),

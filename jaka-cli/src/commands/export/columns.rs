@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use itertools::Itertools as _;
 use jaka_sync::proto::text::visible_json;
 use serde_json::Value;
 
@@ -57,8 +58,7 @@ impl Columns {
             let value = field.named_value(&packet.packet).unwrap_or_default();
             format!("{}:{value}", Value::from(title.as_str()))
         });
-        let entries: Vec<_> = first.chain(fields).collect();
-        visible_json(&format!("{{{}}}\n", entries.join(","))).into_owned()
+        visible_json(&format!("{{{}}}\n", first.chain(fields).format(","))).into_owned()
     }
 }
 

@@ -3,6 +3,7 @@
 use std::array;
 use std::ops::Range;
 
+use itertools::Itertools as _;
 use jaka_motion::{Checker, Sample, Trajectory};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -102,8 +103,7 @@ fn decimals(span: f64) -> usize {
 
 /// The range of values, somewhat wider, and never empty.
 fn widened(values: impl Iterator<Item = f64>, by: f64) -> Range<f64> {
-    let (least, most) =
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+    let (least, most) = values.minmax().into_option().unwrap_or_default();
     let more = (by * (most - least)).max(0.5);
-    if least <= most { least - more..most + more } else { -1.0..1.0 }
+    least - more..most + more
 }

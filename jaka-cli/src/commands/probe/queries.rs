@@ -1,6 +1,7 @@
 //! The queries of the command port.
 
-use jaka_dynamic::{AdvisoryRanges, Argument, departures};
+use itertools::Itertools as _;
+use jaka_dynamic::{AdvisoryRanges, departures};
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
@@ -48,7 +49,8 @@ impl Connection<'_> {
         let required: Vec<_> =
             jaka_dynamic::arguments(spec, command).into_iter().filter(|argument| argument.required).collect();
         if !required.is_empty() {
-            return not_probed(format!("it needs {}", names(&required)));
+            let names = required.iter().map(|argument| format!("`{}`", argument.wire));
+            return not_probed(format!("it needs {}", names.format(", ")));
         }
         let Ok(request) = jaka_dynamic::request(spec, command, &Map::new(), AdvisoryRanges::Enforced) else {
             return not_probed("the spec does not allow it without arguments".to_owned());
@@ -96,11 +98,6 @@ impl Connection<'_> {
             })
         };
     }
-}
-
-fn names(arguments: &[Argument]) -> String {
-    let names: Vec<_> = arguments.iter().map(|argument| format!("`{}`", argument.wire)).collect();
-    names.join(", ")
 }
 
 /// What an error without a reply means: bytes came that are not a message, or nothing came.

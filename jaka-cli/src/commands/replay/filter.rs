@@ -4,6 +4,7 @@ use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
 
 use clap::Args;
+use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
@@ -75,8 +76,8 @@ impl CommandFilter {
         let names: BTreeSet<_> =
             recording.answers().iter().filter_map(|answered| command_of(&answered.request)).collect();
         if !names.contains(&command) {
-            let names: Vec<_> = names.iter().map(|name| format!("`{}`", visible(name))).collect();
-            let names = if names.is_empty() { "no command".to_owned() } else { names.join(", ") };
+            let names = names.iter().map(|name| format!("`{}`", visible(name))).join(", ");
+            let names = if names.is_empty() { "no command" } else { &names };
             output::warning(&format!("the recording has no request of `{command}`; it has {names}"));
         }
         let of_it = |answered: &Answered| command_of(&answered.request).as_ref() == Some(&command);

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use itertools::Itertools as _;
 use jaka_sim::{ArmFault, Fault, LinkFault, StatusFault};
 
 /// All kinds, an example of each, by what they are for.
@@ -21,13 +22,10 @@ pub(super) fn text() -> String {
 
 /// The words of all faults of replies.
 pub(super) fn words() -> String {
-    let faults = Fault::one_of_each();
-    let words: Vec<_> = faults.iter().map(ToString::to_string).collect();
-    let words: Vec<_> = words.iter().filter_map(|text| text.split(' ').next()).collect();
-    words.join(", ")
+    let first = |fault: &Fault| fault.to_string().split(' ').next().map(str::to_owned);
+    Fault::one_of_each().iter().filter_map(first).join(", ")
 }
 
 fn list(faults: &[impl Display]) -> String {
-    let texts: Vec<_> = faults.iter().map(ToString::to_string).collect();
-    texts.join(", ")
+    faults.iter().join(", ")
 }

@@ -18,13 +18,15 @@ use crate::packs::SpecArgs;
 pub(super) struct Reference {
     /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to `REFERENCE.md`
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
-    lang: fn(&Spec) -> String,
+    lang: Make,
     #[command(flatten)]
     document: Document,
 }
 
-const LANGUAGES: [Choice<fn(&Spec) -> String>; 2] =
-    [("en", "English", tools::reference), ("zh", "Chinese", tools::reference_zh)];
+/// Makes a document of a spec.
+type Make = fn(&Spec) -> String;
+
+const LANGUAGES: [Choice<Make>; 2] = [("en", "English", tools::reference), ("zh", "Chinese", tools::reference_zh)];
 
 impl Reference {
     pub(super) fn run(&self) -> Result<(), Failure> {
@@ -43,11 +45,7 @@ pub(super) struct Document {
 
 impl Document {
     /// Writes what `make` makes of the built-in spec with its packs, with invisible characters made `visible`.
-    pub(super) fn run(
-        &self,
-        make: impl Fn(&Spec) -> String,
-        visible: impl Fn(&str) -> Cow<'_, str>,
-    ) -> Result<(), Failure> {
+    pub(super) fn run(&self, make: Make, visible: impl Fn(&str) -> Cow<'_, str>) -> Result<(), Failure> {
         let text = make(&self.spec.load(None)?.spec);
         let text = visible(&text);
         let Some(path) = &self.output else { return output::write(text.as_bytes()) };

@@ -3,6 +3,7 @@
 use std::io::{IsTerminal, stdout};
 use std::time::Duration;
 
+use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use serde_json::Value;
 
@@ -47,9 +48,7 @@ impl StatusTable {
         for field in &self.fields {
             add(field, packet, &mut rows);
         }
-        let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
-        let lines: Vec<_> = rows.iter().map(|(name, value)| format!("{name:width$}  {value}\n")).collect();
-        lines.concat()
+        output::aligned(&rows)
     }
 }
 
@@ -80,10 +79,7 @@ fn text(field: &Field, packet: &Value) -> String {
         (Some(Value::Array(values)), Shape::List) if values.len() > SHORT || values.iter().all(Value::is_boolean) => {
             in_short(&values)
         }
-        (Some(Value::Array(_)), Shape::List) => {
-            let parts: Vec<_> = field.parts(packet).iter().map(|part| text(part, packet)).collect();
-            parts.join("  ")
-        }
+        (Some(Value::Array(_)), Shape::List) => field.parts(packet).iter().map(|part| text(part, packet)).join("  "),
         (Some(value), _) if field.name == event::CODE => with_severity(single(field, &value), &value),
         (Some(value), _) => single(field, &value),
     }
@@ -114,13 +110,12 @@ fn in_short(values: &[Value]) -> String {
         return "none".to_owned();
     }
     if values.iter().all(Value::is_boolean) {
-        let on = values.iter().enumerate().filter(|(_, value)| **value == Value::Bool(true));
-        let on: Vec<_> = on.map(|(index, _)| index.to_string()).collect();
-        return if on.is_empty() { format!("{count}, all off") } else { format!("{count}, on: {}", on.join(" ")) };
+        let on = values.iter().positions(|value| *value == Value::Bool(true)).join(" ");
+        return if on.is_empty() { format!("{count}, all off") } else { format!("{count}, on: {on}") };
     }
     let other = values.iter().enumerate().filter(|(_, value)| value.as_f64() != Some(0.0));
-    let other: Vec<_> = other.map(|(index, value)| format!("[{index}] {value}")).collect();
-    if other.is_empty() { format!("{count}, all 0") } else { format!("{count}, not 0: {}", other.join(" ")) }
+    let other = other.map(|(index, value)| format!("[{index}] {value}")).join(" ");
+    if other.is_empty() { format!("{count}, all 0") } else { format!("{count}, not 0: {other}") }
 }
 
 #[cfg(test)]
