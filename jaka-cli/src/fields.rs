@@ -150,13 +150,8 @@ impl Field {
             }
             Wire::Scalar(Scalar::Bool { on, off }) => {
                 let text = value.to_string();
-                Some(if text == *on {
-                    true.into()
-                } else if text == *off {
-                    false.into()
-                } else {
-                    value.clone()
-                })
+                let truth = [(on, true), (off, false)].into_iter().find(|(wire, _)| **wire == text);
+                Some(truth.map_or_else(|| value.clone(), |(_, truth)| truth.into()))
             }
             _ => Some(value.clone()),
         }

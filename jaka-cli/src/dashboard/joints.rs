@@ -81,17 +81,12 @@ fn bar(position: Option<f64>, width: usize) -> Vec<Span<'static>> {
     let (from, to) = (centre.min(at), centre.max(at));
     let look = if position.abs() > TURN { style::bad() } else { style::good() };
     let text = |cells: std::ops::Range<usize>, filled: &str| -> String {
-        cells
-            .map(|cell| {
-                if cell == at {
-                    "█"
-                } else if cell == centre {
-                    "┼"
-                } else {
-                    filled
-                }
-            })
-            .collect()
+        let glyph = |cell| match cell {
+            _ if cell == at => "█",
+            _ if cell == centre => "┼",
+            _ => filled,
+        };
+        cells.map(glyph).collect()
     };
     vec![
         Span::styled(text(0..from, "─"), style::faint()),

@@ -2,7 +2,7 @@
 
 use jaka_sync::Severity;
 use jaka_sync::proto::text::visible;
-use jaka_sync::status::{InterpreterState, RobotStatus, TaskMode};
+use jaka_sync::status::{InterpreterState, RobotStatus};
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
@@ -75,7 +75,7 @@ fn cells(status: &RobotStatus) -> [Cell; 9] {
         flag(["Emergency stop", "Em. stop"], status.emergency_stop, yes_no, alarm),
         flag(["Drag mode", "Drag"], status.drag_status, ["off", "on"], [Style::new(), style::notable()]),
         Cell { names: ["Program", "Program"], value: status.interpreter_state.map(program) },
-        Cell { names: ["Task mode", "Mode"], value: status.task_mode.map(|mode| (mode_name(mode), Style::new())) },
+        Cell { names: ["Task mode", "Mode"], value: status.task_mode.map(|mode| (mode.to_string(), Style::new())) },
         Cell { names: ["Rapid rate", "Rapid rate"], value: status.rapid_rate.map(rate) },
     ]
 }
@@ -86,22 +86,12 @@ fn flag(names: [&'static str; 2], value: Option<bool>, texts: [&str; 2], looks: 
 }
 
 fn program(state: InterpreterState) -> (String, Style) {
-    match state {
-        InterpreterState::Idle => ("idle".to_owned(), Style::new()),
-        InterpreterState::Loading => ("loading".to_owned(), style::notable()),
-        InterpreterState::Paused => ("paused".to_owned(), style::notable()),
-        InterpreterState::Running => ("running".to_owned(), style::good()),
-        other => (i64::from(other).to_string(), Style::new()),
-    }
-}
-
-fn mode_name(mode: TaskMode) -> String {
-    match mode {
-        TaskMode::Manual => "manual".to_owned(),
-        TaskMode::Automatic => "automatic".to_owned(),
-        TaskMode::Drag => "drag".to_owned(),
-        other => i64::from(other).to_string(),
-    }
+    let look = match state {
+        InterpreterState::Loading | InterpreterState::Paused => style::notable(),
+        InterpreterState::Running => style::good(),
+        _ => Style::new(),
+    };
+    (state.to_string(), look)
 }
 
 fn rate(rate: f64) -> (String, Style) {

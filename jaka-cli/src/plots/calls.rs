@@ -1,5 +1,6 @@
 //! Requests over time, with the times that their replies took.
 
+use itertools::Itertools as _;
 use plotters::prelude::*;
 
 use super::canvas::{Area, COLUMNS, Chart, Drawn, FINE, INK, Picture, WIDTH, label, mesh, picture, px};
@@ -64,19 +65,13 @@ fn powers(power: f64) -> String {
 
 /// The slowest in each column.
 fn slowest<'r>(requests: impl Iterator<Item = &'r (f64, Latency)>, end: f64) -> Vec<(f64, Latency)> {
-    let mut slowest: Vec<(f64, Latency)> = Vec::new();
     let column = |time: f64| (time / end * f64::from(COLUMNS)).floor();
-    for &(time, latency) in requests {
-        match slowest.last_mut() {
-            Some(last) if column(last.0) >= column(time) => {
-                if power(latency) > power(last.1) {
-                    *last = (time, latency);
-                }
-            }
-            _ => slowest.push((time, latency)),
-        }
-    }
-    slowest
+    let slower = requests.copied().coalesce(|last, next| match column(last.0) >= column(next.0) {
+        true if power(next.1) > power(last.1) => Ok(next),
+        true => Ok(last),
+        false => Err((last, next)),
+    });
+    slower.collect()
 }
 
 fn marks(chart: &mut Chart<'_, '_>, requests: Vec<(f64, Latency)>, top: f64) -> Drawn {

@@ -36,26 +36,12 @@ pub(crate) enum Trace {
 }
 
 impl Trace {
-    /// In pixels.
-    fn height(&self) -> u32 {
+    /// How high it is, in pixels, and how many numbers its axis has at most, so that they do not touch each other.
+    fn size(&self) -> (u32, usize) {
         match self {
-            Self::Curve(_) => 72,
-            Self::Steps(_) => 48,
-            Self::Level(_) | Self::Marks(_) => 20,
-        }
-    }
-
-    /// What is free above and below, in pixels: a number at an end of the axis keeps away from that of the next strip.
-    fn gap(&self) -> u32 {
-        if self.numbers() == 0 { 1 } else { NUMBER / 2 }
-    }
-
-    /// How many numbers the axis has at most, so that they do not touch each other.
-    fn numbers(&self) -> usize {
-        match self {
-            Self::Curve(_) => 4,
-            Self::Steps(_) => 2,
-            Self::Level(_) | Self::Marks(_) => 0,
+            Self::Curve(_) => (72, 4),
+            Self::Steps(_) => (48, 2),
+            Self::Level(_) | Self::Marks(_) => (20, 0),
         }
     }
 
@@ -84,12 +70,12 @@ impl Trace {
 
 /// Draws strips over the time from 0 to `end`, in seconds.
 pub(crate) fn strips(end: f64, strips: &[Strip]) -> Picture {
-    let height: u32 = strips.iter().map(|strip| strip.trace.height()).sum();
+    let height: u32 = strips.iter().map(|strip| strip.trace.size().0).sum();
     picture((WIDTH, height + AXIS), |page| {
         let mut rest = page.clone();
         for (at, strip) in strips.iter().enumerate() {
             let axis = if at + 1 == strips.len() { AXIS } else { 0 };
-            let (area, below) = rest.split_vertically(px(strip.trace.height() + axis));
+            let (area, below) = rest.split_vertically(px(strip.trace.size().0 + axis));
             draw(&area, strip, end, axis)?;
             rest = below;
         }
@@ -98,14 +84,16 @@ pub(crate) fn strips(end: f64, strips: &[Strip]) -> Picture {
 }
 
 fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
-    let (low, high) = strip.trace.range();
-    let mut chart = chart(area, end, (low, high), [strip.trace.gap(), axis])?;
+    let ((low, high), (height, numbers)) = (strip.trace.range(), strip.trace.size());
+    // A number at an end of the axis keeps away from that of the next strip.
+    let gap = if numbers == 0 { 1 } else { NUMBER / 2 };
+    let mut chart = chart(area, end, (low, high), [gap, axis])?;
     let labels: [Label<'_>; 2] = [&|time| label(*time, end), &|value| label(*value, high - low)];
-    mesh(&mut chart, [TIMES, strip.trace.numbers()], labels, None)?;
+    mesh(&mut chart, [TIMES, numbers], labels, None)?;
     for curve in strip.trace.curves(end) {
         line(&mut chart, curve)?;
     }
-    title(area, &strip.title, strip.trace.height())
+    title(area, &strip.title, height)
 }
 
 /// A chart whose time axis is where that of all others is, with what is free above and below it, and the height of the axis.

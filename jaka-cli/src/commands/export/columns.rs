@@ -92,13 +92,7 @@ pub(super) fn wider(one: Value, other: Value) -> Value {
             }
             Value::Array(longer)
         }
-        (whole, other) => {
-            if whole.is_object() || whole.is_array() {
-                other
-            } else {
-                whole
-            }
-        }
+        (Value::Object(_) | Value::Array(_), whole) | (whole, _) => whole,
     }
 }
 

@@ -1,9 +1,9 @@
 //! A recording as text.
 
+use std::cmp::Reverse;
 use std::collections::HashMap;
-use std::fmt;
-use std::time::Duration;
 
+use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Event, Port, Recording};
 
@@ -26,7 +26,7 @@ pub(super) fn print(recording: &Recording, filter: &Filter) -> Result<(), Failur
     for entry in recording.entries.iter().filter(|entry| filter.shows(entry)) {
         output::line(&line(entry))?;
     }
-    output::lines(&format!("\n{}", Summary::new(recording, filter)))
+    output::lines(&format!("\n{}", summary(recording, filter)))
 }
 
 fn line(entry: &Entry) -> String {
@@ -46,121 +46,57 @@ fn describe(event: &Event) -> String {
     }
 }
 
-/// Counts of what a recording has in it. Displays a line for each that is not 0.
-#[derive(Debug)]
-struct Summary {
-    requests: usize,
-    refused: usize,
-    /// The slowest first.
-    replies: Vec<ListedRequest>,
-    /// The first first.
-    unanswered: Vec<ListedRequest>,
-    packets: usize,
-    /// Between two packets of a connection, and when it ended.
-    longest_gap: Option<(Duration, Duration)>,
-    dropped: u64,
-}
-
-/// A request in a list.
-#[derive(Debug)]
-struct ListedRequest {
-    command: String,
-    sent: Duration,
-    after: Duration,
-}
-
-impl Summary {
-    /// Sums up what a filter shows.
-    fn new(recording: &Recording, filter: &Filter) -> Self {
-        let answers = filter.answers(recording);
-        let (mut replies, mut unanswered) = (Vec::new(), Vec::new());
-        let mut refused = 0;
-        for answered in &answers {
-            if let Answer::Reply { reply, after } = &answered.answer {
-                refused += usize::from(refusal_of(reply).is_some());
-                replies.push(ListedRequest::new(answered, *after));
-            } else {
-                unanswered.push(ListedRequest::new(answered, Duration::ZERO));
-            }
-        }
-        replies.sort_by_key(|line| std::cmp::Reverse(line.after));
-        let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
-        let packets: Vec<_> = shown().filter(|entry| is_packet(entry)).collect();
-        let missing = |entry: &Entry| if let Event::Dropped { count } = entry.event { count } else { 0 };
-        Self {
-            requests: answers.len(),
-            refused,
-            replies,
-            unanswered,
-            packets: packets.len(),
-            longest_gap: longest_gap(&packets),
-            dropped: shown().map(missing).sum(),
+/// What is shown in numbers: a line for each that is not 0.
+fn summary(recording: &Recording, filter: &Filter) -> String {
+    let (mut replies, mut unanswered, mut refused) = (Vec::new(), Vec::new(), 0);
+    for Answered { request, sent, answer, .. } in filter.answers(recording) {
+        let name = command_of(&request).unwrap_or_else(|| "a request without a name".to_owned());
+        let line = format!("{:12.6}  {}", sent.as_secs_f64(), visible(&name));
+        if let Answer::Reply { reply, after } = answer {
+            refused += usize::from(refusal_of(&reply).is_some());
+            replies.push((after, format!("{line} after {:.6} s", after.as_secs_f64())));
+        } else {
+            unanswered.push(line);
         }
     }
-}
-
-impl ListedRequest {
-    fn new(answered: &Answered, after: Duration) -> Self {
-        let command = command_of(&answered.request).unwrap_or_else(|| "a request without a name".to_owned());
-        Self { command: visible(&command).into_owned(), sent: answered.sent, after }
+    replies.sort_by_key(|(after, _)| Reverse(*after));
+    let slowest: Vec<_> = replies.into_iter().map(|(_, line)| line).collect();
+    let mut text = String::new();
+    let requests = slowest.len() + unanswered.len();
+    if requests > 0 {
+        let (requests, done) = (count(requests, "request"), slowest.len() - refused);
+        text = format!("{requests}: {done} carried out, {refused} refused, {} without reply\n", unanswered.len());
     }
+    text + &list("slowest replies", &slowest) + &list("without reply", &unanswered) + &entries(recording, filter)
 }
 
-fn is_packet(entry: &Entry) -> bool {
-    entry.port == Port::Status && matches!(entry.event, Event::Received(_))
+/// The first of some requests, if there are any.
+fn list(title: &str, lines: &[String]) -> String {
+    let more = lines.len().saturating_sub(LISTED);
+    let more = (more > 0).then(|| format!("{:12}  and {more} more", ""));
+    let title = (!lines.is_empty()).then(|| format!("{title}:"));
+    title.iter().chain(lines.iter().take(LISTED)).chain(&more).map(|line| line.clone() + "\n").join("")
 }
 
-fn longest_gap(packets: &[&Entry]) -> Option<(Duration, Duration)> {
-    let mut last = HashMap::new();
-    let gaps = packets.iter().filter_map(|entry| {
-        let before = last.insert(entry.connection, entry.time)?;
-        Some((entry.time.saturating_sub(before), entry.time))
-    });
-    gaps.max_by_key(|(gap, _)| *gap)
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { requests, refused, replies, unanswered, .. } = self;
-        if *requests > 0 {
-            let (done, lost) = (replies.len() - refused, unanswered.len());
-            writeln!(
-                f,
-                "{}: {done} carried out, {refused} refused, {lost} without reply",
-                count(*requests, "request")
-            )?;
-        }
-        list(f, "slowest replies", replies, |ListedRequest { command, sent, after }| {
-            format!("{:12.6}  {command} after {:.6} s", sent.as_secs_f64(), after.as_secs_f64())
-        })?;
-        list(f, "without reply", unanswered, |line| format!("{:12.6}  {}", line.sent.as_secs_f64(), line.command))?;
-        if self.packets > 0 {
-            write!(f, "{}", count(self.packets, "status packet"))?;
-            if let Some((gap, at)) = self.longest_gap {
-                write!(f, ", the longest gap {:.6} s before {:.6}", gap.as_secs_f64(), at.as_secs_f64())?;
-            }
-            writeln!(f)?;
-        }
-        match self.dropped {
-            0 => Ok(()),
-            dropped => writeln!(f, "{dropped} entries are missing, because the file could not be written fast enough"),
-        }
+/// How many status packets there are, with the longest time between two of a connection, and how many entries are missing.
+fn entries(recording: &Recording, filter: &Filter) -> String {
+    let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
+    let is_packet = |entry: &&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));
+    let mut text = String::new();
+    let packets = shown().filter(is_packet).count();
+    if packets > 0 {
+        let mut last = HashMap::new();
+        let gaps = shown().filter(is_packet).filter_map(|entry| {
+            let before = last.insert(entry.connection, entry.time)?;
+            Some((entry.time.saturating_sub(before).as_secs_f64(), entry.time.as_secs_f64()))
+        });
+        let longest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
+        let longest = longest.map(|(gap, at)| format!(", the longest gap {gap:.6} s before {at:.6}"));
+        text = format!("{}{}\n", count(packets, "status packet"), longest.unwrap_or_default());
     }
-}
-
-/// Writes the first of some requests, if there are any.
-fn list(
-    f: &mut fmt::Formatter<'_>,
-    title: &str,
-    lines: &[ListedRequest],
-    text: impl Fn(&ListedRequest) -> String,
-) -> fmt::Result {
-    if !lines.is_empty() {
-        writeln!(f, "{title}:")?;
-    }
-    lines.iter().take(LISTED).try_for_each(|line| writeln!(f, "{}", text(line)))?;
-    match lines.len().saturating_sub(LISTED) {
-        0 => Ok(()),
-        more => writeln!(f, "{:12}  and {more} more", ""),
+    let missing = shown().map(|entry| if let Event::Dropped { count } = entry.event { count } else { 0 });
+    match missing.sum::<u64>() {
+        0 => text,
+        missing => format!("{text}{missing} entries are missing, because the file could not be written fast enough\n"),
     }
 }

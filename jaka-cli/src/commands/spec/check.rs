@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use jaka_spec::{Command, Error, Source, Spec, tools};
 
-use super::files::Files;
+use super::files;
 use crate::failure::Failure;
 use crate::number::count;
 use crate::{output, packs};
@@ -81,8 +81,8 @@ fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
 
 /// Checks a folder that is a whole spec; without its spec, packs could not be checked.
 fn whole(folder: &Path, findings: &mut ErrorCount) -> Result<Spec, Failure> {
-    let files = Files::read(folder)?;
-    let sources = files.sources();
+    let files = files::read(folder)?;
+    let sources = files::sources(&files);
     let spec = match jaka_spec::load(&sources) {
         Ok(spec) => spec,
         Err(errors) => {

@@ -11,30 +11,23 @@ use crate::packs;
 /// What stands for the built-in spec on a command line.
 const BUILTIN_NAME: &str = "builtin";
 
-/// The TOML files of a folder, each with its path and text.
-#[derive(Debug)]
-pub(super) struct Files(Vec<(String, String)>);
-
-impl Files {
-    /// Reads a folder's files: those that the built-in spec has in its order, then the others by name.
-    ///
-    /// A `Cargo.toml` is not part of the spec: the folder of its crate has one.
-    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
-        let listed = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let listed = listed.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", folder.display())))?;
-        let mut paths: Vec<_> = listed.iter().map(fs::DirEntry::path).filter(|path| is_topic(path)).collect();
-        if paths.is_empty() {
-            return Err(Failure::Usage(format!("the folder {} has no TOML files", folder.display())));
-        }
-        paths.sort_by_cached_key(|path| (place(path), path.clone()));
-        let file = |path: PathBuf| Ok((path.display().to_string(), packs::read(&path)?));
-        paths.into_iter().map(file).collect::<Result<_, _>>().map(Self)
+/// The TOML files of a folder, each with its path and text: those that the built-in spec has in its order, then the others by name.
+///
+/// A `Cargo.toml` is not part of the spec: the folder of its crate has one.
+pub(super) fn read(folder: &Path) -> Result<Vec<(String, String)>, Failure> {
+    let listed = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let listed = listed.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", folder.display())))?;
+    let mut paths: Vec<_> = listed.iter().map(fs::DirEntry::path).filter(|path| is_topic(path)).collect();
+    if paths.is_empty() {
+        return Err(Failure::Usage(format!("the folder {} has no TOML files", folder.display())));
     }
+    paths.sort_by_cached_key(|path| (place(path), path.clone()));
+    paths.into_iter().map(|path| Ok((path.display().to_string(), packs::read(&path)?))).collect()
+}
 
-    /// The files, in the order of the spec's topics.
-    pub(super) fn sources(&self) -> Vec<Source<'_>> {
-        self.0.iter().map(|(path, text)| Source { path, text }).collect()
-    }
+/// Files as the spec loads them.
+pub(super) fn sources(files: &[(String, String)]) -> Vec<Source<'_>> {
+    files.iter().map(|(path, text)| Source { path, text }).collect()
 }
 
 fn is_topic(path: &Path) -> bool {
@@ -55,6 +48,6 @@ pub(super) fn spec(word: &Path) -> Result<Spec, Failure> {
     if !word.is_dir() {
         return packs::add(&packs::builtin(), word);
     }
-    jaka_spec::load(&Files::read(word)?.sources())
+    jaka_spec::load(&sources(&read(word)?))
         .map_err(|errors| Failure::Usage(format!("the spec in {} has errors:\n{errors}", word.display())))
 }
