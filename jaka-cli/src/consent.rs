@@ -3,6 +3,7 @@
 use std::io::{IsTerminal, stdin};
 use std::slice::from_ref;
 
+use itertools::Itertools as _;
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::proto;
@@ -47,7 +48,8 @@ impl<'s> Intent<'s> {
         format!("  {}\n", visible_json_line(&self.text))
     }
 
-    fn effect(&self) -> &'static str {
+    /// What it does to the robot, in words.
+    pub(crate) fn effect(&self) -> &'static str {
         self.command.map_or("is not known", |command| effect(command.effect))
     }
 }
@@ -92,9 +94,9 @@ fn not_allowed(invalid: &InvalidArgument) -> Failure {
 }
 
 fn not_sent(intents: &[Intent<'_>], why: &str) -> Failure {
-    let names: Vec<_> = intents.iter().map(|intent| format!("`{}`", intent.name)).collect();
+    let names = intents.iter().map(|intent| format!("`{}`", intent.name)).join(" and ");
     let was = if let [_] = intents { "was" } else { "were" };
-    Failure::Usage(format!("{} {was} not sent{why}", names.join(" and ")))
+    Failure::Usage(format!("{names} {was} not sent{why}"))
 }
 
 /// Makes sure that the user wants the arm of the robot of this title to do this.

@@ -1,6 +1,7 @@
 //! A motion of `jaka move` and `jaka jog` before it is sent: what it does in words, and how it compares with limits as far as that needs no command
 //! port.
 
+use itertools::Itertools as _;
 use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointPace, Limits};
 use jaka_sync::types::JointPosition;
 
@@ -148,7 +149,7 @@ fn in_tenths(degrees: f64) -> f64 {
 }
 
 fn list(numbers: &[f64]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+    numbers.iter().join(", ")
 }
 
 #[cfg(test)]

@@ -23,7 +23,6 @@ use jaka_spec::{Command, Effect, Spec};
 
 use self::outline::Outline;
 use self::parser::Parser;
-use self::request::Request;
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::Protocol;
@@ -69,7 +68,7 @@ impl Call {
                 }
             };
         }
-        match Request::of(spec, command, name, &line)? {
+        match request::of_line(spec, command, name, &line)? {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),
             None => output::lines(&help::list(spec, "")?),
         }

@@ -7,7 +7,7 @@ use jaka_sync::proto;
 use super::options::Options;
 use super::reply;
 use super::request::Request;
-use crate::consent::{self, Intent};
+use crate::consent;
 use crate::failure::Failure;
 use crate::seat;
 
@@ -26,14 +26,14 @@ pub(super) fn obtain(spec: &Spec, request: &Request<'_>, options: &Options, titl
         }
         return Ok(());
     }
-    let Request { command, name, text } = request;
     if options.raw {
+        let name = &request.name;
         return Err(Failure::Usage(format!(
             "`{name}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it"
         )));
     }
-    let fields = command.map(|command| reply::of_request(spec, command, text)).unwrap_or_default();
-    consent::obtain(&Intent { command: *command, name: name.clone(), text: text.clone() }, &fields, title)
+    let fields = request.command.map(|command| reply::of_request(spec, command, &request.text)).unwrap_or_default();
+    consent::obtain(request, &fields, title)
 }
 
 /// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,

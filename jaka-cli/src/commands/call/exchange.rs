@@ -4,7 +4,7 @@ use jaka_dynamic::{DepartureKind, Reading, departures};
 use jaka_spec::{Command, Spec};
 use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::DecodeError;
-use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation};
+use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation, Robot};
 use serde_json::json;
 
 use super::options::{Keys, Options};
@@ -12,6 +12,7 @@ use super::request::Request;
 use super::{consent, firmware, named, reply, wait};
 use crate::failure::Failure;
 use crate::interrupt::UnderWay;
+use crate::motion::{self, Form};
 use crate::output;
 use crate::packs::Protocol;
 use crate::target::Target;
@@ -26,14 +27,17 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     let under_way = UnderWay::begin()?;
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(&protocol.spec, request, options, target.title())?;
-    if let Some(motion) = motion {
-        return wait::carry_out(protocol, options, request, &target, &motion, &under_way);
-    }
-    let mut client = target.client()?;
+    let mut connection = Connection::open(&target, options)?;
     if options.check_firmware {
-        firmware::check(&mut client, &protocol.spec, request)?;
+        firmware::check(connection.client(), &protocol.spec, request)?;
     }
-    match send(&mut client, request, &target, &under_way) {
+    if let (Connection::Robot(robot), Some(motion)) = (&mut connection, motion) {
+        let patience = target.patience(motion::PATIENCE);
+        let end = motion::end(robot, |robot| motion(robot, patience), &protocol.spec, &under_way)?;
+        return motion::print(&request.name, end, Form::of(options.json.is_some()));
+    }
+    let client = connection.client();
+    match send(client, request, &target, &under_way) {
         Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
@@ -41,6 +45,30 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
             let raw = client.last_reply().filter(|_| is_wire && answered(&error));
             raw.map_or(Ok(()), json_line)?;
             Err(explained(&protocol.spec, &target, error))
+        }
+    }
+}
+
+/// The connection for requests.
+pub(super) enum Connection {
+    Client(Box<Client>),
+    /// Motions are waited for.
+    Robot(Box<Robot>),
+}
+
+impl Connection {
+    pub(super) fn open(target: &Target, options: &Options) -> Result<Self, Failure> {
+        if options.wait {
+            Ok(Self::Robot(Box::new(target.robot()?)))
+        } else {
+            Ok(Self::Client(Box::new(target.client()?)))
+        }
+    }
+
+    pub(super) fn client(&mut self) -> &mut Client {
+        match self {
+            Self::Client(client) => client,
+            Self::Robot(robot) => robot.client(),
         }
     }
 }

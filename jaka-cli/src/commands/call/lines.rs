@@ -3,13 +3,12 @@
 use std::io::{BufRead, stdin};
 
 use jaka_spec::COMMAND_NAME;
-use jaka_sync::{Client, Robot};
 use serde_json::{Map, Value, json};
 
+use super::exchange::Connection;
 use super::options::Options;
 use super::request::Request;
-use super::{consent, exchange, named, wait};
-use crate::consent::effect;
+use super::{consent, exchange, named, request, wait};
 use crate::exit;
 use crate::failure::{Failure, chain};
 use crate::interrupt::UnderWay;
@@ -27,11 +26,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     if !options.yes {
         seat::warn(&options.robot);
     }
-    let connection = if options.wait {
-        Connection::Robot(Box::new(target.robot()?))
-    } else {
-        Connection::Client(Box::new(target.client()?))
-    };
+    let connection = Connection::open(&target, options)?;
     let mut session = Session { protocol, options, target, connection, under_way };
     let mut first = Ok(());
     session.under_way.idle();
@@ -51,13 +46,6 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
         }
     }
     first
-}
-
-/// The connection for all lines.
-enum Connection {
-    Client(Box<Client>),
-    /// Motions are waited for.
-    Robot(Box<Robot>),
 }
 
 struct Session<'s> {
@@ -85,7 +73,7 @@ impl Session<'_> {
 
     fn carry_out(&mut self, line: &str, answer: &mut Map<String, Value>) -> Result<(), Failure> {
         let spec = &self.protocol.spec;
-        let request = Request::of_text(spec, None, line, self.options.advisory_ranges)?;
+        let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer.insert("command".to_owned(), request.name.clone().into());
         self.allow(&request)?;
         let motion = if self.options.wait { wait::motion(&request)? } else { None };
@@ -97,11 +85,7 @@ impl Session<'_> {
                 end.reached().map_err(Failure::NotReached)
             }
             (connection, _) => {
-                let client = match connection {
-                    Connection::Client(client) => client,
-                    Connection::Robot(robot) => robot.client(),
-                };
-                let sent = exchange::send(client, &request, &self.target, &self.under_way);
+                let sent = exchange::send(connection.client(), &request, &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
                 let text = reply.as_deref();
                 answer.insert(
@@ -118,10 +102,10 @@ impl Session<'_> {
         if self.options.yes || self.options.robot.is_simulated() || consent::is_harmless(request) {
             return Ok(());
         }
-        let effect = request.command.map_or("is not known", |command| effect(command.effect));
         Err(Failure::Usage(format!(
-            "`{}` was not sent: it {effect}; use --yes to send such commands from standard input",
-            request.name
+            "`{}` was not sent: it {}; use --yes to send such commands from standard input",
+            request.name,
+            request.effect()
         )))
     }
 }

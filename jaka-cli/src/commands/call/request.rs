@@ -7,68 +7,63 @@ use jaka_spec::{COMMAND_NAME, Command, Effect, Spec};
 use serde_json::{Map, Value};
 
 use super::parser::CommandLine;
+pub(super) use crate::consent::Intent as Request;
 use crate::failure::Failure;
 use crate::units::other_unit;
 
-/// A request that can be sent.
-#[derive(Debug)]
-pub(super) struct Request<'s> {
-    /// The command in the spec; none for a request that is sent unchecked.
-    pub(super) command: Option<&'s Command>,
-    /// `cmdName`.
-    pub(super) name: String,
-    /// What is sent, byte for byte.
-    pub(super) text: String,
+/// The request that a line asks for; none if it names no command.
+///
+/// # Errors
+/// Everything that the spec forbids.
+pub(super) fn of_line<'s>(
+    spec: &'s Spec,
+    command: Option<&'s Command>,
+    name: Option<&str>,
+    line: &CommandLine,
+) -> Result<Option<Request<'s>>, Failure> {
+    let options = &line.options;
+    let params = options.params.as_deref().map(read).transpose()?;
+    if options.raw {
+        return unchecked(name, params.as_deref().unwrap_or("{}")).map(Some);
+    }
+    let ranges = options.advisory_ranges;
+    match (command, params) {
+        (_, Some(text)) => of_text(spec, command, &text, ranges).map(Some),
+        (Some(command), None) => of_fields(spec, command, &line.fields, ranges).map(Some),
+        (None, None) => Ok(None),
+    }
 }
 
-impl<'s> Request<'s> {
-    /// The request that a line asks for; none if it names no command.
-    ///
-    /// # Errors
-    /// Everything that the spec forbids.
-    pub(super) fn of(
-        spec: &'s Spec,
-        command: Option<&'s Command>,
-        name: Option<&str>,
-        line: &CommandLine,
-    ) -> Result<Option<Self>, Failure> {
-        let options = &line.options;
-        let params = options.params.as_deref().map(read).transpose()?;
-        if options.raw {
-            return unchecked(name, params.as_deref().unwrap_or("{}")).map(Some);
-        }
-        let ranges = options.advisory_ranges;
-        match (command, params) {
-            (_, Some(text)) => Self::of_text(spec, command, &text, ranges).map(Some),
-            (Some(command), None) => Self::of_fields(spec, command, &line.fields, ranges).map(Some),
-            (None, None) => Ok(None),
-        }
-    }
+/// The request of a JSON object, which names the command if that is not known.
+///
+/// # Errors
+/// Everything that the spec forbids.
+pub(super) fn of_text<'s>(
+    spec: &'s Spec,
+    command: Option<&'s Command>,
+    text: &str,
+    ranges: AdvisoryRanges,
+) -> Result<Request<'s>, Failure> {
+    let (name, fields) = object(text)?;
+    let command = match (command, &name) {
+        (Some(command), None) => command,
+        (Some(command), Some(name)) if *name == command.wire => command,
+        (Some(command), Some(name)) => return Err(two_names(&command.wire, name)),
+        (None, Some(Value::String(name))) => super::find(spec, name)?,
+        (None, _) => return Err(nameless()),
+    };
+    of_fields(spec, command, &fields, ranges)
+}
 
-    /// The request of a JSON object, which names the command if that is not known.
-    ///
-    /// # Errors
-    /// Everything that the spec forbids.
-    pub(super) fn of_text(
-        spec: &'s Spec,
-        command: Option<&'s Command>,
-        text: &str,
-        ranges: AdvisoryRanges,
-    ) -> Result<Self, Failure> {
-        let (command, fields) = of_params(spec, command, text)?;
-        Self::of_fields(spec, command, &fields, ranges)
-    }
-
-    fn of_fields(
-        spec: &Spec,
-        command: &'s Command,
-        fields: &Map<String, Value>,
-        ranges: AdvisoryRanges,
-    ) -> Result<Self, Failure> {
-        let text =
-            jaka_dynamic::request(spec, command, fields, ranges).map_err(|problems| forbidden(command, &problems))?;
-        Ok(Self { command: Some(command), name: command.wire.clone(), text })
-    }
+fn of_fields<'s>(
+    spec: &Spec,
+    command: &'s Command,
+    fields: &Map<String, Value>,
+    ranges: AdvisoryRanges,
+) -> Result<Request<'s>, Failure> {
+    let text =
+        jaka_dynamic::request(spec, command, fields, ranges).map_err(|problems| forbidden(command, &problems))?;
+    Ok(Request { command: Some(command), name: command.wire.clone(), text })
 }
 
 /// The text of `--params`.
@@ -88,22 +83,6 @@ fn object(text: &str) -> Result<(Option<Value>, Map<String, Value>), Failure> {
     let mut fields: Map<String, Value> = serde_json::from_str(text)
         .map_err(|error| Failure::Usage(format!("the request is not a JSON object: {error}")))?;
     Ok((fields.remove(COMMAND_NAME), fields))
-}
-
-fn of_params<'s>(
-    spec: &'s Spec,
-    command: Option<&'s Command>,
-    text: &str,
-) -> Result<(&'s Command, Map<String, Value>), Failure> {
-    let (name, fields) = object(text)?;
-    let command = match (command, &name) {
-        (Some(command), None) => command,
-        (Some(command), Some(name)) if *name == command.wire => command,
-        (Some(command), Some(name)) => return Err(two_names(&command.wire, name)),
-        (None, Some(Value::String(name))) => super::find(spec, name)?,
-        (None, _) => return Err(nameless()),
-    };
-    Ok((command, fields))
 }
 
 /// A request as it is given, with the command's name if that is not in it.

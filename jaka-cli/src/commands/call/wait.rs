@@ -7,14 +7,8 @@ use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_sync::proto::{self, Command, CommandInfo, RequestError};
 use jaka_sync::{Error, Motion, MotionEnd, Path, Robot};
 
-use super::firmware;
-use super::options::Options;
 use super::request::Request;
 use crate::failure::Failure;
-use crate::interrupt::UnderWay;
-use crate::motion::{self, Form};
-use crate::packs::Protocol;
-use crate::target::Target;
 
 /// Runs a motion, for no longer than a time.
 type Run = dyn Fn(&mut Robot, Duration) -> Result<MotionEnd, Error>;
@@ -54,24 +48,6 @@ pub(super) fn must_be_motion(request: &Request<'_>) -> Result<Box<Run>, Failure>
 fn run<M: Motion + 'static>(motion: M, text: &str) -> Box<Run> {
     let motion = WithText { motion, text: text.to_owned() };
     Box::new(move |robot, patience| robot.run(&motion, patience))
-}
-
-/// Sends the request, waits for the end of its motion, and prints it.
-pub(super) fn carry_out(
-    protocol: &Protocol,
-    options: &Options,
-    request: &Request<'_>,
-    target: &Target,
-    motion: &Run,
-    under_way: &UnderWay,
-) -> Result<(), Failure> {
-    let mut robot = target.robot()?;
-    if options.check_firmware {
-        firmware::check(robot.client(), &protocol.spec, request)?;
-    }
-    let patience = target.patience(motion::PATIENCE);
-    let end = motion::end(&mut robot, |robot| motion(robot, patience), &protocol.spec, under_way)?;
-    motion::print(&request.name, end, Form::of(options.json.is_some()))
 }
 
 /// A motion that goes out as its request was written, with what a pack adds to it. The request was checked by the packs before.
