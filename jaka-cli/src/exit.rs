@@ -106,6 +106,7 @@ pub(crate) fn of_motion(outcome: &Outcome) -> (u8, &'static str) {
         Outcome::ControllerError { .. } => (CONTROLLER_ERROR, "controller_error"),
         Outcome::Deadline => (DEADLINE, "deadline"),
         Outcome::StatusLost { .. } => (STATUS_LOST, "status_lost"),
+        Outcome::ConnectionLost { .. } => (MAY_HAVE_RUN, "connection_lost"),
         _ => (MAY_HAVE_RUN, "other"),
     }
 }
@@ -144,6 +145,7 @@ fn exit_code(error: &Error) -> u8 {
             ErrorKind::StateTimeout { .. } => DEADLINE,
             ErrorKind::NotReady { .. }
             | ErrorKind::NotAcknowledged { .. }
+            | ErrorKind::Stopped { .. }
             | ErrorKind::StatusUnknown { .. }
             | ErrorKind::BeyondLimit { .. }
             | ErrorKind::NotChecked { .. }

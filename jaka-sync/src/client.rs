@@ -279,9 +279,9 @@ impl Client {
         self.config.reply_timeout
     }
 
-    /// What broke the connection, if something did.
+    /// What broke the connection, if something did: also if the controller has ended it by now, and no call has noticed.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
-        self.link.broken()
+        self.link.lost()
     }
 
     /// A handle that stops the running motion or program from another thread, also while a call waits.

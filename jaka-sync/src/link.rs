@@ -118,6 +118,16 @@ impl Link {
         self.state.lock().broken.clone()
     }
 
+    /// The same, also if the controller has ended the connection and nothing has read that yet: one system call, for who waits for packets while
+    /// nothing is outstanding.
+    pub(crate) fn lost(&self) -> Option<Arc<Disconnect>> {
+        let mut state = self.state.lock();
+        if let Err(cause) = self.notice_end(&mut state) {
+            self.break_off(&mut state, cause);
+        }
+        state.broken.clone()
+    }
+
     /// Fails where the connection is broken, for a command that is not sent.
     pub(crate) fn check_open(&self, command: &str) -> Result<(), Error> {
         self.check(&self.state.lock(), command, Progress::NotSent)

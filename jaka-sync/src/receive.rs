@@ -63,6 +63,18 @@ pub(crate) fn chunk(
     arrived(stream, tap, framer, left)
 }
 
+/// Fails if the other end of a socket that does not block has ended the connection, and nothing is left to read.
+pub(crate) fn check_end(stream: &Socket, framer: &Framer) -> Result<(), Disconnect> {
+    match stream.peek() {
+        Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
+        Ok(_) => Ok(()),
+        Err(error) => match error.kind() {
+            ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted => Ok(()),
+            _ => Err(Disconnect::Read(error)),
+        },
+    }
+}
+
 /// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a simulated clock, for `left`.
 pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Chunk, Disconnect> {
     let room = framer.spare().len();

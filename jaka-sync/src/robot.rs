@@ -293,12 +293,14 @@ impl<S: MotionStatus> Robot<S> {
         if outcome.latches() {
             self.latch.set(&outcome);
         }
-        if matches!(outcome, Outcome::Deadline) {
+        if matches!(outcome, Outcome::Deadline | Outcome::ConnectionLost { .. }) {
             // The motions may go on: they can be waited for again.
             self.batch = Some(wait.batch);
         }
         let (waited, packets) = (since.passed(), wait.packets.into());
-        MotionEnd { outcome, waited, packets, not_answered: wait.failure, stop: None }
+        // A connection that is lost is the outcome.
+        let not_answered = wait.failure.filter(|failure| !failure.is_disconnected());
+        MotionEnd { outcome, waited, packets, not_answered, stop: None }
     }
 
     /// The program is told of the stops that have ended a motion, if they have.

@@ -1,5 +1,7 @@
 //! Motions that are waited for, with a clock that the test moves on: each outcome, and many at random.
 
+use std::cell::RefCell;
+use std::net::TcpStream;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -149,17 +151,21 @@ fn a_stop_ends_the_wait_immediately() {
 }
 
 #[test]
-fn a_stop_that_fails_ends_no_wait() {
-    let (controller, mut robot) = ready();
-    let stop = robot.stop_handle();
-    let end = disturbed(&controller, &mut robot, || {
-        controller.take_over().expect("the simulator connects to itself");
-        assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
-    });
-    // The controller can no longer be asked where the arm is.
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
-    assert!(end.not_answered.is_some_and(|error| error.is_disconnected()));
-    assert!((controller.state().joint_position.0[0] - 100.0).abs() < 1e-6, "it has not stopped before");
+fn a_client_that_takes_the_seat_ends_the_wait_while_the_arm_moves() {
+    for stops in [false, true] {
+        let (controller, mut robot) = ready();
+        let stop = robot.stop_handle();
+        let seat = RefCell::new(None);
+        let end = disturbed(&controller, &mut robot, || {
+            let other = TcpStream::connect(controller.command_addr()).expect("the controller listens");
+            seat.replace(Some(other));
+            if stops {
+                assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
+            }
+        });
+        assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{:?}", end.outcome);
+        assert!(!controller.state().at_rest, "it goes on: {:?}", controller.state().joint_position);
+    }
 }
 
 #[test]
@@ -338,7 +344,8 @@ fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
 fn a_lost_status_is_reported_and_latches() {
     let (controller, mut robot) = ready();
     robot.start(&to(40.0)).expect("it is accepted");
-    controller.disconnect();
+    controller.status_fault(StatusFault::CloseAfter(10));
+    controller.advance(CYCLE);
     let end = robot.wait(LONG);
     assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_), .. }), "{:?}", end.outcome);
     assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));

@@ -108,6 +108,14 @@ pub enum ErrorKind {
         /// Why the status is not known, and what helps.
         problem: StatusProblem,
     },
+    /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
+    /// again when the robot's state is known.
+    CommandsLost {
+        /// What was waited for, in words.
+        what: String,
+        /// What broke the connection.
+        cause: Arc<Disconnect>,
+    },
     /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is not known.
     NotGuarded {
         /// `cmdName` of the motion.
@@ -230,6 +238,14 @@ pub enum ErrorKind {
         /// What happened.
         outcome: Outcome,
     },
+    /// A stop of the program's own has ended a call that sends one step after the other, such as
+    /// [`Robot::power_up`](crate::Robot::power_up): no further step was sent.
+    Stopped {
+        /// `cmdName` of the steps that had been accepted by then, in their order.
+        accepted: Vec<String>,
+        /// `cmdName` of the steps that were not sent.
+        not_sent: Vec<String>,
+    },
     /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the connection is
     /// broken ([`Error::is_disconnected`]), no stop can be sent on it either.
     ServoModeNotLeft {
@@ -284,7 +300,7 @@ impl ErrorKind {
             | Self::NotSentInTime { .. }
             | Self::StateTimeout { .. }
             | Self::StatusTimeout { .. } => Group::Timeout,
-            Self::Disconnected { .. } => Group::Disconnected,
+            Self::Disconnected { .. } | Self::CommandsLost { .. } => Group::Disconnected,
             Self::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Group::Disconnected,
             Self::NotStopped { stopping, .. } if stopping.is_disconnected() => Group::Disconnected,
             Self::ServoModeNotLeft { .. }
@@ -295,6 +311,7 @@ impl ErrorKind {
             | Self::SetPointsUnanswered { .. }
             | Self::SessionEnded { .. }
             | Self::NotAcknowledged { .. }
+            | Self::Stopped { .. }
             | Self::RestNotSeen { .. }
             | Self::NotLanded { .. }
             | Self::NotShown { .. }
@@ -339,9 +356,11 @@ impl ErrorKind {
             | Self::SessionEnded { .. }
             | Self::StatusTimeout { .. }
             | Self::NotAcknowledged { .. }
+            | Self::Stopped { .. }
             | Self::NotShown { .. }
             | Self::NotGuarded { .. }
             | Self::WaitEnded { .. }
+            | Self::CommandsLost { .. }
             | Self::Thread { .. }
             | Self::UnexpectedStatus { .. } => false,
             #[cfg(feature = "motion")]
@@ -360,7 +379,7 @@ impl ErrorKind {
         match self {
             Self::Connect { source, .. } | Self::Thread { source } => Some(source),
             Self::UnexpectedReply { source, .. } | Self::UnexpectedStatus { source } => Some(source),
-            Self::Disconnected { cause, .. } => Some(&**cause),
+            Self::Disconnected { cause, .. } | Self::CommandsLost { cause, .. } => Some(&**cause),
             Self::ServoModeNotLeft { leaving, .. } => leaving.source(),
             Self::RestNotSeen { first, .. } => first.as_ref().and_then(|first| first.source()),
             Self::NotLanded { first, .. } => first.source(),
@@ -391,6 +410,7 @@ impl ErrorKind {
             | Self::NotShown { .. }
             | Self::NotGuarded { .. }
             | Self::GuardTripped { .. }
+            | Self::Stopped { .. }
             | Self::StatusTimeout { .. } => None,
         }
     }
@@ -410,6 +430,12 @@ impl ErrorKind {
             Self::NotShown { what, reason } => write!(f, "it is not known whether {what}: {reason}"),
             Self::WaitEnded { what, problem } => {
                 write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
+            }
+            Self::CommandsLost { what, .. } => {
+                write!(
+                    f,
+                    "the wait has ended before {what}: the command connection was lost, and no stop can be sent on it any more"
+                )
             }
             Self::NotGuarded { command, reason } => write!(f, "`{command}` was not sent under a guard: {reason}"),
             Self::GuardTripped { trip } => write!(f, "the guard tripped: {trip}"),
@@ -467,6 +493,7 @@ impl fmt::Display for ErrorKind {
             | Self::StatusUnknown { .. }
             | Self::NotShown { .. }
             | Self::WaitEnded { .. }
+            | Self::CommandsLost { .. }
             | Self::NotGuarded { .. }
             | Self::GuardTripped { .. }
             | Self::NotStopped { .. } => self.fmt_of_status(&mut f),
@@ -478,6 +505,14 @@ impl fmt::Display for ErrorKind {
             Self::SessionEnded { because } => write!(f, "not sent, because the servo session has ended: {because}"),
             Self::NotAcknowledged { outcome } => {
                 write!(f, "not sent: {outcome}; when somebody has checked the robot, call `acknowledge`")
+            }
+            Self::Stopped { accepted, not_sent } => {
+                let (accepted, not_sent) = (named(accepted), named(not_sent));
+                write!(
+                    f,
+                    "ended by a stop of this program (accepted before it: {accepted}; not sent: {not_sent}); when somebody has checked the \
+                     robot, call `acknowledge`"
+                )
             }
             Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
@@ -518,6 +553,14 @@ impl fmt::Display for ErrorKind {
             ),
         }
     }
+}
+
+/// Names of commands, in words.
+fn named(commands: &[String]) -> String {
+    if commands.is_empty() {
+        return "nothing".to_owned();
+    }
+    commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(feature = "stream")]

@@ -14,6 +14,7 @@ use super::state::{Mode, State};
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::socket::Socket;
+use crate::sync::MutexGuard;
 use crate::{Disconnect, ports};
 
 /// What a panic leaves.
@@ -121,6 +122,15 @@ impl Link {
         self.with_inbound(state, |inbound, state| self.attribute_all(inbound, state))
     }
 
+    /// The state, once what has come is read, without waiting.
+    pub(super) fn arrived(&self) -> MutexGuard<'_, State> {
+        let mut state = self.state.lock();
+        if let Err(cause) = self.attribute_arrived(&mut state) {
+            self.break_off(&mut state, cause);
+        }
+        state
+    }
+
     /// Reads what has come, without waiting, and attributes it.
     pub(super) fn attribute_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
@@ -137,6 +147,22 @@ impl Link {
                     return Ok(());
                 }
             }
+        })
+    }
+
+    /// Finds out whether the controller has ended the connection, without waiting, where no thread sends or reads. A reply that nobody waits for is not read
+    /// where nothing is outstanding: it breaks the connection, and a stop may have to go out first. An end behind it is not seen then.
+    pub(super) fn notice_end(&self, state: &mut State) -> Result<(), Disconnect> {
+        if state.outbound.is_none() {
+            return Ok(());
+        }
+        if state.exchange.outstanding() > 0 {
+            return self.attribute_arrived(state);
+        }
+        self.with_inbound(state, |inbound, state| {
+            Self::switch(state, Mode::Nonblocking).map_err(Disconnect::Read)?;
+            let Some(stream) = state.stream.clone() else { return Ok(()) };
+            receive::check_end(&stream, &inbound.framer)
         })
     }
 

@@ -26,10 +26,7 @@ impl Link {
     /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection is
     /// broken. Where another thread is reading, what it has read so far has to do.
     pub(crate) fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
-        let mut state = self.state.lock();
-        if let Err(cause) = self.attribute_arrived(&mut state) {
-            self.break_off(&mut state, cause);
-        }
+        let mut state = self.arrived();
         (self.take_answers(&mut state), self.check(&state, command, Progress::Sent))
     }
 

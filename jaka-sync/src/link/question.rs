@@ -30,12 +30,7 @@ impl Link {
         reader: &mut dyn ReadReply,
     ) -> Result<bool, Error> {
         let (since, mut waiter) = (self.clock.now(), Waiter::new(question.request, text, reader));
-        let mut state = self.state.lock();
-        if slice.is_zero() {
-            if let Err(cause) = self.attribute_arrived(&mut state) {
-                self.break_off(&mut state, cause);
-            }
-        }
+        let state = if slice.is_zero() { self.arrived() } else { self.state.lock() };
         let (state, outcome) = self.outcome(state, question.command, &mut waiter, since, slice);
         drop(state);
         outcome.transpose().map(|answered| answered.is_some()).map_err(|error| self.attach(error))

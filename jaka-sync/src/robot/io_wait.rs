@@ -27,8 +27,8 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if
-    /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, cannot be read, or their connection is lost, and
-    /// [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
+    /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, cannot be read, or their connection is lost,
+    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), "wait_for_input", timeout)
     }
@@ -49,11 +49,14 @@ impl<S: MotionStatus> Robot<S> {
         let blind = |problem: StatusProblem| attach(ErrorKind::WaitEnded { what: what.clone(), problem });
         let before = self.monitor.statistics().packets;
         let armed = self.arm(guard, timeout).map_err(blind)?;
-        let left = since.left_of(timeout);
-        let trip = match vigil::keep(&self.monitor, &armed, (left, Duration::MAX), || false) {
+        let (left, link) = (since.left_of(timeout), self.client.link());
+        let trip = match vigil::keep(&self.monitor, &armed, (left, Duration::MAX), || link.lost().is_some()) {
             Vigil::Tripped(trip) => trip,
             Vigil::Blind(problem) => return Err(blind(problem)),
             Vigil::Over(newest) => {
+                if let Some(cause) = link.broken() {
+                    return Err(attach(ErrorKind::CommandsLost { what, cause }));
+                }
                 let packets = self.monitor.statistics().packets.saturating_sub(before);
                 let says = guard.conditions.iter().find_map(|condition| condition.says(&newest));
                 return Err(attach(ErrorKind::StateTimeout { after: timeout, packets, says }));

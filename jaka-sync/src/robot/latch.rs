@@ -86,6 +86,11 @@ impl Latch {
         self.stops.taken() > self.reported
     }
 
+    /// The number of the latest stop that has been reported to the program.
+    pub(super) fn reported(&self) -> u64 {
+        self.reported
+    }
+
     /// One stop is reported to the program. One before it that was not, or one after it, keeps motions back as before.
     pub(super) fn report_stop(&mut self, number: u64) {
         if number == self.reported + 1 {

@@ -48,6 +48,12 @@ pub enum Outcome {
     Deadline,
     /// The guard of [`Robot::run_until`](crate::Robot::run_until) has tripped: the arm was stopped, or nothing was sent.
     Guard(Arc<GuardTrip>),
+    /// The command connection was lost: another client may have taken it over, or the controller has shut down. The motion may go on, and
+    /// cannot be stopped over this connection: use the emergency stop, or connect again and stop it. Nothing reconnects on its own.
+    ConnectionLost {
+        /// What ended the connection.
+        cause: Arc<Disconnect>,
+    },
     /// Status packets that can be read no longer come; the arm may still move.
     StatusLost {
         /// What ended the connection; `None` if it is open.
@@ -70,7 +76,10 @@ impl Outcome {
 
     /// What is below the error whose text is part of this one's.
     pub(crate) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
-        if let Self::StatusLost { cause: Some(cause), .. } = self { cause.source() } else { None }
+        match self {
+            Self::ConnectionLost { cause } | Self::StatusLost { cause: Some(cause), .. } => cause.source(),
+            _ => None,
+        }
     }
 
     /// True if the robot must not move again before somebody has checked it.
@@ -97,6 +106,11 @@ impl fmt::Display for Outcome {
             Self::ControllerError { code, message, .. } => write!(f, "the controller reports code {code}: {message}"),
             Self::Guard(trip) => write!(f, "the guard tripped: {trip}"),
             Self::Deadline => f.write_str("the motion has not ended in time; the arm may still move"),
+            Self::ConnectionLost { cause } => write!(
+                f,
+                "the command connection was lost during the motion: it may go on, and cannot be stopped over this connection; use the \
+                 emergency stop, or connect again and stop it: {cause}"
+            ),
             Self::StatusLost { cause: None, unreadable: None } => {
                 f.write_str("status packets stopped coming; the arm may still move")
             }

@@ -1,13 +1,15 @@
 //! Powering and enabling the arm, and the way back.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
 
 use super::status::told;
+use super::stops::Stops;
 use super::{Explanation, MotionStatus, Robot};
-use crate::clock::Stopwatch;
+use crate::clock::{Clock, Stopwatch};
 use crate::{Error, ErrorKind, monitor};
 
 /// How often the state is asked for.
@@ -16,16 +18,34 @@ const QUERY_PERIOD: Duration = Duration::from_millis(100);
 /// How the time until the next query passes: it may end with an error.
 type Pause<R> = fn(&mut R, Duration) -> Result<(), Error>;
 
-/// When a call has begun, and how long all of it may take.
+/// The steps of a call, how long all of them may take, and the stop after which no other is sent.
 #[derive(Debug)]
-struct Limit {
+struct Steps {
     since: Stopwatch,
     timeout: Duration,
+    /// The number of the latest stop of the program's own that does not count.
+    stop: u64,
+    accepted: Vec<String>,
+    /// Those that are yet to be sent.
+    rest: Vec<&'static str>,
 }
 
-impl Limit {
+impl Steps {
+    fn new(clock: &Clock, timeout: Duration, stop: u64) -> Self {
+        Self { since: clock.stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
+    }
+
     fn left(&self) -> Duration {
         self.since.left_of(self.timeout)
+    }
+
+    /// Fails once a stop has begun that counts. As a gate it lets no step out after that.
+    fn check_stops(&self, stops: &Stops) -> Result<(), Error> {
+        if stops.begun() == self.stop {
+            return Ok(());
+        }
+        let not_sent = self.rest.iter().map(|&name| name.to_owned()).collect();
+        Err(ErrorKind::Stopped { accepted: self.accepted.clone(), not_sent }.into())
     }
 }
 
@@ -35,24 +55,28 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
+    ///   step is sent then, until [`acknowledge`](Self::acknowledge).
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
-        let limit = Limit { since: self.clock().stopwatch(), timeout };
+        let mut steps = Steps::new(self.clock(), timeout, self.latch.reported());
         self.monitor.wait_until(|_| true, timeout)?;
         self.check_emergency_stop(Duration::ZERO)?;
-        let state = self.client.call_within(&GetRobotState::new(), limit.left())?;
+        let state = self.client.call_within(&GetRobotState::new(), steps.left())?;
+        steps.rest.extend((!state.powered_on).then_some(PowerOn::INFO.name));
+        steps.rest.extend((!state.enabled).then_some(EnableRobot::INFO.name));
         if !state.powered_on {
-            self.switch(&PowerOn::new(), |state| state.powered_on, &limit, Self::check_emergency_stop)?;
+            self.switch(&PowerOn::new(), |state| state.powered_on, &mut steps, Self::check_emergency_stop)?;
         }
         if !state.enabled {
-            self.switch(&EnableRobot::new(), |state| state.enabled, &limit, Self::check_emergency_stop)?;
+            self.switch(&EnableRobot::new(), |state| state.enabled, &mut steps, Self::check_emergency_stop)?;
         }
         let is_up = |status: &S| {
             told(status).is_ok_and(|status| status.powered_on != Some(false) && status.enabled != Some(false))
         };
-        self.monitor.wait_until(is_up, limit.left()).map(drop)
+        self.monitor.wait_until(is_up, steps.left()).map(drop)
     }
 
     /// Disables the arm and switches its power off, each step when the controller says that the one before is done (`get_robot_state`,
@@ -60,42 +84,48 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
-        let limit = Limit { since: self.clock().stopwatch(), timeout };
-        let state = self.client.call_within(&GetRobotState::new(), limit.left())?;
+        let mut steps = Steps::new(self.clock(), timeout, self.latch.stops().begun());
+        let state = self.client.call_within(&GetRobotState::new(), steps.left())?;
+        steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
+        steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
         if state.enabled {
-            self.switch(&DisableRobot::new(), |state| !state.enabled, &limit, Self::pause)?;
+            self.switch(&DisableRobot::new(), |state| !state.enabled, &mut steps, Self::pause)?;
         }
         if state.powered_on {
-            self.switch(&PowerOff::new(), |state| !state.powered_on, &limit, Self::pause)?;
+            self.switch(&PowerOff::new(), |state| !state.powered_on, &mut steps, Self::pause)?;
         }
         let is_down = |status: &S| {
             told(status).is_ok_and(|status| status.powered_on != Some(true) && status.enabled != Some(true))
         };
-        self.monitor.wait_until(is_down, limit.left()).map(drop)
+        self.monitor.wait_until(is_down, steps.left()).map(drop)
     }
 
-    /// Sends a command, and waits until the controller says that it has done it.
+    /// Sends the next step, and waits until the controller says that it has done it.
     fn switch<C: Command>(
         &mut self,
         command: &C,
         is_done: impl Fn(&GetRobotStateReply) -> bool,
-        limit: &Limit,
+        steps: &mut Steps,
         pause: Pause<Self>,
     ) -> Result<(), Error> {
-        let since = self.monitor.statistics().packets;
-        if limit.left().is_zero() {
-            return Err(self.not_in_time(limit.timeout, since));
+        let (since, stops) = (self.monitor.statistics().packets, Arc::clone(self.latch.stops()));
+        if steps.left().is_zero() {
+            return Err(self.not_in_time(steps.timeout, since));
         }
-        let accepted = self.client.call_within(command, limit.left());
-        accepted.map_err(|error| self.explained(error, limit.left()))?;
-        while !is_done(&self.client.call_within(&GetRobotState::new(), limit.left())?) {
-            pause(self, QUERY_PERIOD.min(limit.left()))?;
-            if limit.left().is_zero() {
-                return Err(self.not_in_time(limit.timeout, since));
+        let gate = || steps.check_stops(&stops);
+        let accepted = self.client.call_through(Some(&gate), command, steps.left());
+        accepted.map_err(|error| self.explained(error, steps.left()))?;
+        steps.accepted.push(steps.rest.remove(0).to_owned());
+        while !is_done(&self.client.call_within(&GetRobotState::new(), steps.left())?) {
+            pause(self, QUERY_PERIOD.min(steps.left()))?;
+            steps.check_stops(&stops)?;
+            if steps.left().is_zero() {
+                return Err(self.not_in_time(steps.timeout, since));
             }
         }
         Ok(())

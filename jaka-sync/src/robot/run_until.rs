@@ -28,7 +28,7 @@ impl<S: MotionStatus> Robot<S> {
     /// first.
     ///
     /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when
-    /// the status is lost or stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
+    /// the command connection is lost, which no stop passes any more, when the status is lost or stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
     /// [`MotionEnd::stop`] tells whether the stop was accepted.
     ///
     /// ```no_run
@@ -125,16 +125,23 @@ impl<S: MotionStatus> Robot<S> {
 
     /// How the motion ended, by the wait for it and by what the sentry did; and a stop where the arm may still move.
     fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: MotionEnd, stopped: Option<Stopped>) -> MotionEnd {
-        let may_move =
-            matches!(end.outcome, Outcome::Deadline | Outcome::StatusLost { .. } | Outcome::ControllerError { .. });
+        let may_move = matches!(
+            end.outcome,
+            Outcome::Deadline
+                | Outcome::StatusLost { .. }
+                | Outcome::ConnectionLost { .. }
+                | Outcome::ControllerError { .. }
+        );
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else {
             self.report(&end);
             return end;
         };
         let is_accepted = self.take(&stopped.stop);
         // What packets show against the arm itself counts before that.
-        let is_by_sentry =
-            matches!(end.outcome, Outcome::Deadline | Outcome::Stopped | Outcome::Reached | Outcome::AtRest);
+        let is_by_sentry = matches!(
+            end.outcome,
+            Outcome::Deadline | Outcome::Stopped | Outcome::Reached | Outcome::AtRest | Outcome::ConnectionLost { .. }
+        );
         match stopped.why.filter(|_| is_by_sentry) {
             Some(Why::Trip(trip)) => {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::position::Answer;
 use super::wait::Wait;
 use super::{MotionStatus, Outcome, Robot, trouble};
-use crate::Snapshot;
+use crate::{Disconnect, Snapshot};
 
 /// How long the wait for an answer lasts before packets and stops are checked again.
 const SLICE: Duration = Duration::from_millis(10);
@@ -28,7 +28,7 @@ struct Heard {
 }
 
 impl<S: MotionStatus> Robot<S> {
-    /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error and the deadline end
+    /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error, a lost connection and the deadline end
     /// the wait at once, also while an answer is outstanding; and so does `gives_up`, as the deadline does.
     pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration, gives_up: &dyn Fn() -> bool) -> Outcome {
         let since = self.clock().stopwatch();
@@ -63,16 +63,24 @@ impl<S: MotionStatus> Robot<S> {
         wait.query_in(self.clock().now())
     }
 
-    /// Checks the newest packet and the stops: what is next, if they show it.
+    /// Checks the newest packet, the stops, and whether the connection lives on which the arm could be stopped: what is next, if they show it.
     fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Next> {
         if self.latch.has_unreported_stop() {
             return Some(Next::Ended(Outcome::Stopped));
         }
-        let outcome = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
-        match outcome {
-            Some(outcome) => Some(Next::Ended(outcome)),
-            None => (self.query.is_some() || wait.query(self.clock().now()).is_some()).then_some(Next::Query),
+        let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
+        match (shown, self.lost()) {
+            // That the arm rests, packets alone do not prove.
+            (None | Some(Outcome::AtRest), Some(cause)) => Some(Next::Ended(Outcome::ConnectionLost { cause })),
+            (Some(outcome), _) => Some(Next::Ended(outcome)),
+            (None, None) => (self.query.is_some() || wait.query(self.clock().now()).is_some()).then_some(Next::Query),
         }
+    }
+
+    /// What broke the connection over which the arm could be stopped, if something did. A query that is outstanding reads by itself.
+    fn lost(&self) -> Option<Arc<Disconnect>> {
+        let link = self.client.link();
+        if self.query.is_some() { link.broken() } else { link.lost() }
     }
 
     /// Queries the arm's position, if it is time, and takes the answer, if it has come.

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
 
 use super::course::Course;
@@ -33,7 +33,9 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         }
         check(robot)?;
         if let Some(filter) = &config.filter {
-            robot.client().call(filter)?;
+            let gate = robot.gate();
+            let client = robot.client();
+            client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO))?;
         }
         let mut session = Self {
             pace: Pace::new(robot.clock(), config.period(), config.busy_wait),

@@ -250,6 +250,7 @@ fn ended(outcome: &Outcome) -> &'static str {
         Outcome::Stopped => "motions stopped",
         Outcome::Deadline => "motions at their deadline",
         Outcome::StatusLost { .. } => "motions without status",
+        Outcome::ConnectionLost { .. } => "motions without connection",
         _ => "motions ended otherwise",
     }
 }

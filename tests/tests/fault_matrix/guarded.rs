@@ -189,6 +189,7 @@ impl<'t> Arm<'t> {
                 assert!(!trip.is_at_rest || state.at_rest, "{what}: {state:?}");
             }
             Ended::StatusLost { .. } => assert!(!self.has_packets(), "{what}"),
+            Ended::ConnectionLost { .. } => assert!(!self.has_replies(), "{what}"),
             _ => panic!("{what}"),
         }
         let accepted = end.stop.as_ref().unwrap_or_else(|| panic!("{what}: nobody has stopped it"));

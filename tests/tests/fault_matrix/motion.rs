@@ -10,7 +10,7 @@ use jaka_sync::{Command, Error, ErrorKind, MotionEnd, Outcome as Ended, Robot};
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
-use crate::outcome::Outcome;
+use crate::outcome::{Cause, Outcome};
 use crate::robot::{MOTION, Witness, notice, recover, robot, while_time_goes_on};
 use crate::troubles::Trouble;
 
@@ -103,7 +103,7 @@ fn outcome(cell: &Cell<'_>, ended: &Ended, target: JointPosition) -> Outcome {
             assert!(state.tcp_speed == 0.0, "{cell}: the arm moves");
             Outcome::Ok
         }
-        Ended::AtRest => Outcome::AtRest,
+        Ended::ConnectionLost { cause, .. } => Outcome::Broken(Cause::of(cause)),
         Ended::StatusLost { .. } => Outcome::StatusLost,
         Ended::Deadline => Outcome::Deadline,
         other => panic!("{cell}: no fault may end a motion with {other:?}"),

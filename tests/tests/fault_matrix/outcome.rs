@@ -25,8 +25,6 @@ pub(crate) enum Outcome {
     StatusLost,
     /// The motion was accepted, and its end is not known at the deadline.
     Deadline,
-    /// The motion was accepted, the arm is at rest, and the controller could not be asked where.
-    AtRest,
     /// Nothing that moves the arm was sent, since the status is not known.
     StatusUnknown,
     /// It is not known whether servo mode was left, and the connection works on.
@@ -81,7 +79,7 @@ impl From<()> for Outcome {
 }
 
 impl Cause {
-    fn of(cause: &Disconnect) -> Self {
+    pub(crate) fn of(cause: &Disconnect) -> Self {
         match cause {
             Disconnect::Closed { .. } | Disconnect::Read(_) | Disconnect::Write(_) => Self::End,
             Disconnect::Frame(FrameError::Garbage { .. }) => Self::Garbage,
@@ -107,7 +105,6 @@ impl fmt::Display for Outcome {
             Self::Broken(cause) => write!(f, "**{cause}**"),
             Self::StatusLost => f.write_str("status lost"),
             Self::Deadline => f.write_str("deadline"),
-            Self::AtRest => f.write_str("at rest"),
             Self::StatusUnknown => f.write_str("status unknown"),
             Self::NotLeft => f.write_str("not left"),
         }

@@ -42,7 +42,7 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
 
 /// Does something while the controller's time goes on; where packets are not to come, for as long as a motion takes.
 pub(crate) fn while_time_goes_on<T: Send>(cell: &Cell<'_>, expected: Outcome, work: impl FnOnce() -> T + Send) -> T {
-    let most = if matches!(expected, Outcome::Ok | Outcome::AtRest) { u32::MAX } else { MOTION };
+    let most = if matches!(expected, Outcome::Ok | Outcome::Broken(_)) { u32::MAX } else { MOTION };
     thread::scope(|scope| {
         let working = scope.spawn(work);
         for _ in 0..most {

@@ -103,6 +103,7 @@ fn run(case: Case) -> Option<()> {
         Outcome::Guard(trip) if !case.has_packets() => panic!("{case:?}: no packet can have shown it: {trip:?}"),
         Outcome::Guard(_) => {}
         Outcome::StatusLost { .. } => assert!(!case.has_packets(), "{case:?}: {:?}", end.outcome),
+        Outcome::ConnectionLost { .. } => assert!(!case.has_replies(), "{case:?}: {:?}", end.outcome),
         other => panic!("{case:?}: {other:?}"),
     }
     // Whether a stop was accepted is told as it was: what was not may not be taken for it.

@@ -1,10 +1,11 @@
 //! The other messages of the page, in its order: made with a simulated controller where it can make them, and otherwise by themselves.
 
 use std::io;
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::{Client, Config, Error, ErrorKind, Explanation, Monitor, Outcome};
+use jaka_sync::{Client, Config, Disconnect, Error, ErrorKind, Explanation, Monitor, Outcome};
 
 use super::{LONG, connect, refusal, robot, said, turn};
 
@@ -73,9 +74,12 @@ fn of_the_state() -> Vec<String> {
 fn of_ends() -> Vec<String> {
     let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::Disabled];
     let lost = Outcome::StatusLost { cause: None, unreadable: None };
+    let seat_lost = Outcome::ConnectionLost { cause: Arc::new(Disconnect::Closed { partial: 0 }) };
+    let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
+    let stopped = ErrorKind::Stopped { accepted, not_sent };
     let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };
     let denied = io::ErrorKind::PermissionDenied.into();
     let priority = ErrorKind::RealtimePriority { priority: 20, source: denied };
-    let ends = ends.iter().chain([&lost]).map(ToString::to_string);
-    ends.chain([kind(late), kind(priority)]).collect()
+    let ends = ends.iter().chain([&lost, &seat_lost]).map(ToString::to_string);
+    ends.chain([kind(stopped), kind(late), kind(priority)]).collect()
 }

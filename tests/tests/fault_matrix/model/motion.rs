@@ -11,9 +11,9 @@ pub(super) fn sent(replies: &Replies, packets: Packets) -> Expected {
         return unknown(replies, packets);
     }
     let expected = call(replies, Kind::Motion);
-    // What is left meets the query for the arm's position, without which it is not known that the target is reached.
+    // What is left is found while the motion is waited for, or meets the query for the arm's position.
     match (expected.first, expected.other) {
-        (Outcome::Ok, Outcome::Broken(_)) => Expected { first: Outcome::AtRest, ..expected },
+        (Outcome::Ok, broken @ Outcome::Broken(_)) => Expected { first: broken, ..expected },
         _ => expected,
     }
 }
@@ -30,7 +30,7 @@ pub(super) fn end(replies: &Replies, packets: Packets) -> Expected {
     match (replies.when, answer) {
         // There is no second query before the first is answered.
         (When::WithNext | When::Released | When::Never, _) => Expected::new(Outcome::Deadline, next, next),
-        (_, Outcome::Broken(_)) => Expected::new(Outcome::AtRest, answer, answer),
+        (_, Outcome::Broken(_)) => Expected::new(answer, answer, answer),
         // A query that was answered without a position is asked again.
         _ => {
             let left = ends(&replies.found[taken..], Kind::Query).map_or(next, |(broken, _)| broken);
