@@ -17,6 +17,15 @@ pub(crate) fn resolve(address: &str, port: u16) -> io::Result<Vec<SocketAddr>> {
     found.map(Iterator::collect)
 }
 
+/// `address` with a port: its own, or this one.
+pub(crate) fn with_port(address: &str, port: u16) -> String {
+    match ip(address) {
+        Some(ip) => SocketAddr::new(ip, port).to_string(),
+        None if address.contains(':') => address.to_owned(),
+        None => format!("{address}:{port}"),
+    }
+}
+
 fn ip(address: &str) -> Option<IpAddr> {
     address.trim_matches(['[', ']']).parse().ok()
 }
@@ -27,16 +36,17 @@ mod tests {
 
     #[test]
     fn ports_are_distinguished_from_parts_of_addresses() {
-        for (address, expected) in [
-            ("10.5.5.100", false),
-            ("10.5.5.100:10001", true),
-            ("robot.local", false),
-            ("robot.local:10001", true),
-            ("fe80::1", false),
-            ("[fe80::1]", false),
-            ("[fe80::1]:10001", true),
+        for (address, expected, with_port) in [
+            ("10.5.5.100", false, "10.5.5.100:10000"),
+            ("10.5.5.100:10001", true, "10.5.5.100:10001"),
+            ("robot.local", false, "robot.local:10000"),
+            ("robot.local:10001", true, "robot.local:10001"),
+            ("fe80::1", false, "[fe80::1]:10000"),
+            ("[fe80::1]", false, "[fe80::1]:10000"),
+            ("[fe80::1]:10001", true, "[fe80::1]:10001"),
         ] {
             assert_eq!(names_a_port(address), expected, "{address}");
+            assert_eq!(super::with_port(address, 10000), with_port);
         }
     }
 }

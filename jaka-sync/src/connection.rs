@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::recording::Port;
 use socket2::{SockRef, TcpKeepalive};
 
-use crate::address::resolve;
+use crate::address::{resolve, with_port};
 use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::socket::Socket;
@@ -23,14 +23,15 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Soc
         Port::Command => (COMMAND_PORT, "commands"),
         Port::Status => (STATUS_PORT, "status packets"),
     };
-    let tap = Tap::new(port, config);
+    let place = with_port(address, number);
+    let tap = Tap::new(&place, port, config);
     match connect_to(address, number, config) {
         Ok(stream) => {
-            log::debug!(target: "jaka_sync", "connected to {address} (port for {what})");
+            log::debug!(target: "jaka_sync", "connected to {place} (port for {what})");
             tap.connected(&stream);
             Ok((stream, tap))
         }
-        Err(source) => Err(tap.attach(ErrorKind::Connect { address: address.to_owned(), source }.into())),
+        Err(source) => Err(tap.attach(ErrorKind::Connect { address: place, port, source }.into())),
     }
 }
 

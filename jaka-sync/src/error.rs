@@ -180,8 +180,13 @@ mod tests {
     #[test]
     fn an_error_of_leaving_servo_mode_has_the_cause_and_the_connection_of_what_failed() {
         let cause = Arc::new(Disconnect::Read(io::ErrorKind::ConnectionReset.into()));
-        let leaving: Error =
-            ErrorKind::Disconnected { command: Some("servo_move".to_owned()), sent: true, cause }.into();
+        let leaving: Error = ErrorKind::Disconnected {
+            address: String::new(),
+            command: Some("servo_move".to_owned()),
+            sent: true,
+            cause,
+        }
+        .into();
         let error: Error = ErrorKind::ServoModeNotLeft { first: None, leaving }.into();
         assert!(error.is_disconnected() && error.may_have_run());
         assert_eq!(error.source().map(ToString::to_string).as_deref(), Some("receiving failed"));

@@ -28,8 +28,8 @@ use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUser
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo};
 
+use self::failure::Progress;
 pub(crate) use self::failure::unexpected;
-use self::failure::{Progress, disconnected};
 use self::inbound::Inbound;
 pub(crate) use self::outbound::Dispatched;
 pub(crate) use self::outgoing::{Gate, Outgoing, Right};
@@ -103,6 +103,11 @@ impl Link {
         }
     }
 
+    /// Where the connection leads, with the port.
+    pub(crate) fn address(&self) -> String {
+        self.tap.address()
+    }
+
     /// The clock of its connection.
     pub(crate) fn clock(&self) -> &Clock {
         &self.clock
@@ -136,7 +141,7 @@ impl Link {
     /// Fails where the connection is broken.
     fn check(&self, state: &State, command: &str, progress: Progress) -> Result<(), Error> {
         let broken = state.broken.clone();
-        broken.map_or(Ok(()), |cause| Err(self.attach(disconnected(command, progress, cause))))
+        broken.map_or(Ok(()), |cause| Err(self.attach(self.disconnected(command, progress, cause))))
     }
 
     /// How often commands have gone out that change what poses refer to.

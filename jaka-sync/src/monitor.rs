@@ -17,6 +17,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
@@ -166,13 +167,17 @@ impl Monitor<RobotStatus> {
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
     pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
         let packets = Packets::connect(address, config)?;
+        let source_address = packets.tap.address();
         let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
         let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let place = config.clock.servant();
         let thread = builder.spawn(move || place.run(|| worker.run(packets)));
-        let thread = thread.map_err(|source| ErrorKind::Connect { address: address.to_owned(), source })?;
+        let thread = thread.map_err(|source| {
+            let (address, port) = (source_address, Port::Status);
+            ErrorKind::Connect { address, port, source }
+        })?;
         let (timeout, stale_after) = (config.reply_timeout, config.stale_after);
         Ok(Self { board, clock: config.clock.clone(), thread: Some(thread), timeout, stale_after })
     }
@@ -206,7 +211,7 @@ impl<S: 'static> Monitor<S> {
         if let Some(source) = state.unfit.clone() {
             return Err(StatusProblem::Unreadable { source });
         }
-        let latest = state.latest.clone().ok_or(StatusProblem::Missing)?;
+        let latest = state.latest.clone().ok_or_else(|| StatusProblem::Missing { address: state.tap.address() })?;
         let age = latest.age();
         if age > self.stale_after {
             return Err(StatusProblem::Stale { age });
@@ -304,7 +309,7 @@ impl<S: 'static> Monitor<S> {
         let kind = match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => ErrorKind::UnexpectedStatus { source },
             (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: describe(last) },
-            _ => ErrorKind::StatusTimeout { after },
+            _ => ErrorKind::StatusTimeout { address: state.tap.address(), after },
         };
         state.tap.attach(kind.into())
     }
@@ -382,7 +387,8 @@ pub(crate) fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
 }
 
 fn ended<S>(state: &State<S>) -> Result<(), Error> {
-    let disconnected = |cause| ErrorKind::Disconnected { command: None, sent: false, cause };
+    let disconnected =
+        |cause| ErrorKind::Disconnected { address: state.tap.address(), command: None, sent: false, cause };
     state.ended.clone().map_or(Ok(()), |cause| Err(state.tap.attach(disconnected(cause).into())))
 }
 

@@ -140,7 +140,8 @@ impl StatusStream {
             }
             let left = since.left_of(self.timeout);
             if left.is_zero() {
-                return Err(self.packets.tap.attach(ErrorKind::StatusTimeout { after: self.timeout }.into()));
+                let (tap, after) = (&self.packets.tap, self.timeout);
+                return Err(tap.attach(ErrorKind::StatusTimeout { address: tap.address(), after }.into()));
             }
             if let Err(cause) = self.packets.read(left) {
                 return Err(self.break_off(cause));
@@ -201,7 +202,9 @@ impl StatusStream {
     }
 
     fn disconnected(&self, cause: Arc<Disconnect>) -> Error {
-        self.packets.tap.attach(ErrorKind::Disconnected { command: None, sent: false, cause }.into())
+        let tap = &self.packets.tap;
+        let address = tap.address();
+        tap.attach(ErrorKind::Disconnected { address, command: None, sent: false, cause }.into())
     }
 }
 

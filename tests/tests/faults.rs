@@ -45,7 +45,8 @@ fn assert_broken(controller: &Controller, client: &mut Client, cause: &str) {
     for _ in 0..2 {
         let error = client.get_robot_state().expect_err("the connection is broken");
         assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
-        assert_eq!(error.to_string(), "`get_robot_state` was not sent: the connection is broken");
+        let text = format!("`get_robot_state` was not sent: the connection to {} is broken", controller.command_addr());
+        assert!(error.to_string().starts_with(&text), "{error}");
         let source = std::error::Error::source(&error).expect("the cause is told");
         assert!(source.to_string().contains(cause), "`{source}` does not say `{cause}`");
     }
@@ -68,7 +69,9 @@ fn refused_connect() {
     let address = nobody.address();
     let error = Client::connect(address).expect_err("nobody listens");
     assert!(error.is_connect() && !error.may_have_run());
-    assert_eq!(error.to_string(), format!("cannot connect to {address}"));
+    let seat =
+        "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat";
+    assert_eq!(error.to_string(), format!("cannot connect to {address}; {seat}"));
     let ErrorKind::Connect { source, .. } = error.kind() else { panic!("it is a connect error") };
     assert_eq!(source.kind(), std::io::ErrorKind::ConnectionRefused);
 }
@@ -77,7 +80,7 @@ fn refused_connect() {
 fn connect_to_a_name_that_does_not_exist() {
     let error = Client::connect("no such host").expect_err("blanks are in no host name");
     assert!(error.is_connect());
-    assert_eq!(error.to_string(), "cannot connect to no such host");
+    assert_eq!(error.to_string(), "cannot connect to no such host:10001");
 }
 
 #[test]
@@ -304,7 +307,7 @@ fn eof_before_the_reply() {
     let error = client.get_joint_pos().expect_err("the connection is closed");
     assert!(error.may_have_run());
     assert!(cause_of(error).contains("Closed { partial: 0 }"));
-    assert_broken(&controller, &mut client, "another client may have taken the command port");
+    assert_broken(&controller, &mut client, "the controller closed the connection");
 }
 
 #[test]

@@ -47,7 +47,17 @@ fn no_error_shows_a_controller_s_text_raw() {
     for cause in causes {
         let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)), unreadable: None };
         kinds.push(ErrorKind::NotAcknowledged { outcome });
-        kinds.push(ErrorKind::Disconnected { command: Some(command.clone()), sent: true, cause });
+        kinds.push(ErrorKind::Disconnected {
+            address: HOSTILE.to_owned(),
+            command: Some(command.clone()),
+            sent: true,
+            cause: Arc::clone(&cause),
+        });
+        let (address, what) = (HOSTILE.to_owned(), HOSTILE.to_owned());
+        kinds.push(ErrorKind::NotAcknowledged {
+            outcome: Outcome::ConnectionLost { address: address.clone(), cause: Arc::clone(&cause) },
+        });
+        kinds.push(ErrorKind::CommandsLost { address, what, cause });
     }
     let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
     assert_visible("an outcome", &outcome.to_string());

@@ -54,7 +54,7 @@ fn connections_that_cannot_be_made_are_recorded() {
         assert!(error.exchanges().is_empty());
     });
     let [Entry { event: Event::Error { text }, .. }] = &recording.entries[..] else { panic!("{recording:?}") };
-    assert!(text.starts_with(&format!("cannot connect to {address}: ")), "{text}");
+    assert!(text.starts_with(&format!("cannot connect to {address}; ")), "{text}");
 }
 
 #[test]

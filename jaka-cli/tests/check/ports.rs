@@ -26,15 +26,15 @@ fn nobody_listens() {
         nobody.address(),
         controller.status_addr(),
         &expect![[r#"
-        command_port: wrong: nothing listens at 127.0.0.1:PORT (Connection refused (os error 111))
-          check the address and the port, and wait until the controller has started
+        command_port: wrong: 127.0.0.1:PORT takes no connection (Connection refused (os error 111))
+          check the address and the port, wait until the controller has started, and end other programs that are connected to this port, such as the vendor's app: it serves one client
     "#]],
     );
     assert_at(
         controller.command_addr(),
         nobody.address(),
         &expect![[r#"
-        status_port: wrong: nothing listens at 127.0.0.1:PORT (Connection refused (os error 111))
+        status_port: wrong: 127.0.0.1:PORT takes no connection (Connection refused (os error 111))
           check the address and the port, and wait until the controller has started
     "#]],
     );
@@ -107,7 +107,7 @@ fn a_controller_that_says_nothing() {
         controller.command_addr(),
         controller.status_addr(),
         &expect![[r#"
-        status_port: wrong: no status packet within 2s
+        status_port: wrong: no status packet from 127.0.0.1:PORT within 2s
           check that this is port 10000 and not 10001, which sends nothing without being asked, and the network
     "#]],
     );
@@ -136,7 +136,7 @@ fn packets_that_are_none() {
         controller.command_addr(),
         controller.status_addr(),
         &expect![[r#"
-            status_port: wrong: no status packet within 2s; what came is something else
+            status_port: wrong: no status packet from 127.0.0.1:PORT within 2s; what came is something else
               check the address and the port: something else may listen there, or a controller that expects TLS
         "#]],
     );

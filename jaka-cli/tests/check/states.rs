@@ -246,7 +246,7 @@ fn a_query_without_an_answer() {
     assert_found(
         |controller| controller.inject_for("get_payload", Fault::Close),
         &expect![[r#"
-            payload: wrong: the connection broke at `get_payload`: the controller closed the connection; it may have shut down, or another client may have taken the command port
+            payload: wrong: the connection broke at `get_payload`: the controller closed the connection
               the command port serves one client: look for another program that is connected to it, and end that one
         "#]],
     );

@@ -59,7 +59,7 @@ impl fmt::Display for Disconnect {
                 if *partial > 0 {
                     write!(f, " in the middle of a message, after {partial} bytes of it")?;
                 }
-                f.write_str("; it may have shut down, or another client may have taken the command port")
+                Ok(())
             }
             Self::Write(_) => f.write_str("sending failed"),
             Self::Read(_) => f.write_str("receiving failed"),
@@ -83,6 +83,29 @@ impl fmt::Display for Disconnect {
                 "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
             ),
             Self::Ended { by } => write!(f, "`{by}` ended the session"),
+        }
+    }
+}
+
+impl Disconnect {
+    /// What may be behind the end of a command connection, for the text of an error, if the controller has ended it.
+    pub(crate) fn seat_hint(&self) -> &'static str {
+        if self.is_by_controller() {
+            "; the controller may have shut down, or another client, such as the vendor's app, may hold its one seat"
+        } else {
+            ""
+        }
+    }
+
+    /// True if the controller has ended the connection, in order or not.
+    pub(crate) fn is_by_controller(&self) -> bool {
+        use io::ErrorKind::{BrokenPipe, ConnectionAborted, ConnectionReset};
+        match self {
+            Self::Closed { .. } => true,
+            Self::Read(error) | Self::Write(error) => {
+                matches!(error.kind(), ConnectionReset | ConnectionAborted | BrokenPipe)
+            }
+            _ => false,
         }
     }
 }

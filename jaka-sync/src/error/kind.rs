@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::check::InvalidArgument;
+use jaka_proto::recording::Port;
 use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
@@ -25,9 +26,13 @@ pub enum ErrorKind {
     /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
     NotInFirmware(NotInFirmware),
     /// No connection could be made. Check the address, the cable, and whether the controller is on.
+    ///
+    /// A controller may refuse a second client of its command port, which serves one.
     Connect {
-        /// The address given.
+        /// The address given, with the port.
         address: String,
+        /// Which of the ports it was to be.
+        port: Port,
         /// Why not, in the system's words.
         source: io::Error,
     },
@@ -77,6 +82,8 @@ pub enum ErrorKind {
     },
     /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is known.
     Disconnected {
+        /// Where the connection led, with the port.
+        address: String,
         /// `cmdName` of the command of this call; none for a status connection.
         command: Option<String>,
         /// True if the command had been sent, at least in part, and may have run.
@@ -111,6 +118,8 @@ pub enum ErrorKind {
     /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
     /// again when the robot's state is known.
     CommandsLost {
+        /// Where the connection led, with the port.
+        address: String,
         /// What was waited for, in words.
         what: String,
         /// What broke the connection.
@@ -229,6 +238,8 @@ pub enum ErrorKind {
     },
     /// No status packet came in time. The stream can still be used.
     StatusTimeout {
+        /// Where the packets were to come from, with the port.
+        address: String,
         /// How long the call waited.
         after: Duration,
     },
@@ -431,12 +442,16 @@ impl ErrorKind {
             Self::WaitEnded { what, problem } => {
                 write!(f, "the wait has ended, because it is not known any more whether {what}: {problem}")
             }
-            Self::CommandsLost { what, .. } => {
-                write!(
-                    f,
-                    "the wait has ended before {what}: the command connection was lost, and no stop can be sent on it any more"
-                )
-            }
+            Self::CommandsLost { address, what, cause } => write!(
+                f,
+                "the wait has ended before {what}: the command connection to {address} was lost, and no stop can be sent on it any more{}",
+                cause.seat_hint()
+            ),
+            Self::StatusTimeout { address, after } => write!(
+                f,
+                "no status packet from {address} within {after:?}; check that this is the status port, 10000, and that the controller has \
+                 started"
+            ),
             Self::NotGuarded { command, reason } => write!(f, "`{command}` was not sent under a guard: {reason}"),
             Self::GuardTripped { trip } => write!(f, "the guard tripped: {trip}"),
             Self::NotStopped { first, stopping } => {
@@ -454,7 +469,7 @@ impl fmt::Display for ErrorKind {
         match self {
             Self::InvalidArgument(invalid) => write!(f, "{invalid}"),
             Self::NotInFirmware(missing) => write!(f, "{missing}"),
-            Self::Connect { address, .. } => write!(f, "cannot connect to {address}"),
+            Self::Connect { address, port, source } => fmt_connect(&mut f, address, *port, source),
             Self::PortInAddress { address } => write!(
                 f,
                 "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
@@ -472,13 +487,19 @@ impl fmt::Display for ErrorKind {
             Self::UnexpectedReply { command, .. } => {
                 write!(f, "`{command}` was not refused, but its reply does not fit the spec")
             }
-            Self::Disconnected { command: None, .. } => f.write_str("the status connection is broken"),
-            Self::Disconnected { command: Some(command), sent: false, .. } => {
-                write!(f, "`{command}` was not sent: the connection is broken")
+            Self::Disconnected { address, command: None, cause, .. } => {
+                let hint =
+                    if cause.is_by_controller() { "; check the network, and that the controller is on" } else { "" };
+                write!(f, "the status connection to {address} is broken{hint}")
             }
-            Self::Disconnected { command: Some(command), .. } => {
-                write!(f, "the connection broke during `{command}`, which may have run")
+            Self::Disconnected { address, command: Some(command), sent: false, cause } => {
+                write!(f, "`{command}` was not sent: the connection to {address} is broken{}", cause.seat_hint())
             }
+            Self::Disconnected { address, command: Some(command), cause, .. } => write!(
+                f,
+                "the connection to {address} broke during `{command}`, which may have run{}",
+                cause.seat_hint()
+            ),
             Self::ServoModeNotLeft { first, leaving } => {
                 first.as_ref().map_or(Ok(()), |first| write!(f, "{first}; and "))?;
                 write!(f, "servo mode may be on, because leaving it failed or was not confirmed: {leaving}")?;
@@ -490,6 +511,7 @@ impl fmt::Display for ErrorKind {
             }
             Self::NotLanded { first, landing } => write!(f, "{first}; and the arm was not braked to rest: {landing}"),
             Self::StateTimeout { .. }
+            | Self::StatusTimeout { .. }
             | Self::StatusUnknown { .. }
             | Self::NotShown { .. }
             | Self::WaitEnded { .. }
@@ -514,7 +536,6 @@ impl fmt::Display for ErrorKind {
                      robot, call `acknowledge`"
                 )
             }
-            Self::StatusTimeout { after } => write!(f, "no status packet within {after:?}"),
             Self::UnexpectedStatus { .. } => f.write_str("a status packet does not fit the spec"),
             #[cfg(feature = "stream")]
             Self::Trajectory { source } => write!(f, "the trajectory was not started: {source}"),
@@ -553,6 +574,16 @@ impl fmt::Display for ErrorKind {
             ),
         }
     }
+}
+
+fn fmt_connect(f: &mut impl Write, address: &str, port: Port, source: &io::Error) -> fmt::Result {
+    write!(f, "cannot connect to {address}")?;
+    if port == Port::Command && source.kind() == io::ErrorKind::ConnectionRefused {
+        f.write_str(
+            "; check that the controller is on, and that no other client, such as the vendor's app, holds its one seat",
+        )?;
+    }
+    Ok(())
 }
 
 /// Names of commands, in words.

@@ -6,6 +6,7 @@ use std::time::Duration;
 use jaka_proto::exchange::Failure;
 use jaka_proto::wire::DecodeError;
 
+use super::Link;
 use crate::{Disconnect, Error, ErrorKind};
 
 /// Whether a command was on the wire when its connection was broken.
@@ -44,8 +45,10 @@ pub(super) fn not_sent_in_time(command: &str, after: Duration) -> Error {
     ErrorKind::NotSentInTime { command: command.to_owned(), after }.into()
 }
 
-/// The error for a command whose connection is broken.
-pub(super) fn disconnected(command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
-    let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
-    ErrorKind::Disconnected { command, sent, cause }.into()
+impl Link {
+    /// The error for a command whose connection is broken.
+    pub(super) fn disconnected(&self, command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
+        let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
+        ErrorKind::Disconnected { address: self.address(), command, sent, cause }.into()
+    }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
 
-use super::failure::{Progress, disconnected};
+use super::failure::Progress;
 use super::outgoing::{Outgoing, Right};
 use super::state::{Mode, State};
 use super::turn::Passing;
@@ -176,7 +176,7 @@ impl Link {
             )),
             Err(source) => Disconnect::Write(source),
         };
-        Err(disconnected(outgoing.command, Progress::Sent, self.break_off(state, cause)))
+        Err(self.disconnected(outgoing.command, Progress::Sent, self.break_off(state, cause)))
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, Waiter};
 
-use super::failure::{Progress, disconnected, failed, timed_out};
+use super::failure::{Progress, failed, timed_out};
 use super::state::{Mode, State};
 use super::{Link, Sent};
 use crate::sync::MutexGuard;
@@ -36,7 +36,7 @@ impl Link {
                 return (state, Some(outcome.map_err(|failure| failed(command, failure))));
             }
             if let Some(cause) = state.broken.clone() {
-                return (state, Some(Err(disconnected(command, Progress::Sent, cause))));
+                return (state, Some(Err(self.disconnected(command, Progress::Sent, cause))));
             }
             let left = timeout.saturating_sub(self.clock.elapsed(since));
             if left.is_zero() {
@@ -85,7 +85,7 @@ impl Link {
             Ok(()) => timed_out(sent.command, sent.timeout),
             Err(out_of_sync) => {
                 let cause = self.break_off(state, Disconnect::OutOfSync(out_of_sync));
-                disconnected(sent.command, Progress::Sent, cause)
+                self.disconnected(sent.command, Progress::Sent, cause)
             }
         }
     }

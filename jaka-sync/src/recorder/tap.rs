@@ -13,9 +13,12 @@ use crate::socket::Socket;
 use crate::sync::lock;
 use crate::{Config, Disconnect, Error};
 
-/// What a connection reports to its recorder; nothing where there is none.
+/// A connection's address, for errors, and what it reports to its recorder; nothing where there is none.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Tap(Option<Arc<Connection>>);
+pub(crate) struct Tap {
+    address: Arc<str>,
+    connection: Option<Arc<Connection>>,
+}
 
 /// A connection that is recorded.
 #[derive(Debug)]
@@ -33,17 +36,23 @@ struct State {
 }
 
 impl Tap {
-    /// What a connection reports to the recorder of the configuration, if there is one.
-    pub(crate) fn new(port: Port, config: &Config) -> Self {
-        Self(config.recorder.as_ref().map(|recorder| {
+    /// What a connection to this address reports to the recorder of the configuration, if there is one.
+    pub(crate) fn new(address: &str, port: Port, config: &Config) -> Self {
+        let connection = config.recorder.as_ref().map(|recorder| {
             let track = recorder.track_by(&config.clock, port, config.status_sampling);
             Arc::new(Connection { track, state: Mutex::default() })
-        }))
+        });
+        Self { address: address.into(), connection }
+    }
+
+    /// Where the connection leads, with the port.
+    pub(crate) fn address(&self) -> String {
+        self.address.as_ref().to_owned()
     }
 
     /// The connection is made.
     pub(crate) fn connected(&self, stream: &Socket) {
-        let Some(connection) = &self.0 else { return };
+        let Some(connection) = &self.connection else { return };
         lock(&connection.state).is_open = true;
         let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();
         connection.track.record(Event::Connected { address });
@@ -51,21 +60,21 @@ impl Tap {
 
     /// A request goes out.
     pub(crate) fn sent(&self, text: &str) {
-        if let Some(connection) = &self.0 {
+        if let Some(connection) = &self.connection {
             connection.message(connection.track.now(), Event::Sent(Message::new(text)));
         }
     }
 
     /// Bytes have come, in which there may be messages.
     pub(crate) fn arrived(&self) {
-        if let Some(connection) = &self.0 {
+        if let Some(connection) = &self.connection {
             lock(&connection.state).arrived = connection.track.now();
         }
     }
 
     /// A message was found in the bytes that came.
     pub(crate) fn received(&self, message: &[u8]) {
-        if let Some(connection) = &self.0 {
+        if let Some(connection) = &self.connection {
             let time = lock(&connection.state).arrived;
             connection.message(time, Event::Received(Message::new(message)));
         }
@@ -73,7 +82,7 @@ impl Tap {
 
     /// A status packet was found in the bytes that came.
     pub(crate) fn packet(&self, packet: &[u8]) {
-        let Some(connection) = &self.0 else { return };
+        let Some(connection) = &self.connection else { return };
         let time = lock(&connection.state).arrived;
         let entry = connection.track.entry(time, Event::Received(Message::new(packet)));
         connection.keep(&entry);
@@ -89,7 +98,7 @@ impl Tap {
 
     /// A copy of bytes that may have to be recorded later; nothing where nothing is recorded.
     pub(crate) fn copy(&self, bytes: &[u8]) -> Vec<u8> {
-        if self.0.is_some() { bytes.to_vec() } else { Vec::new() }
+        if self.connection.is_some() { bytes.to_vec() } else { Vec::new() }
     }
 
     /// The connection is broken for good.
@@ -109,7 +118,7 @@ impl Tap {
 
     /// Only the first end counts.
     fn closed(&self, by: Ending, why: impl FnOnce() -> String) {
-        let Some(connection) = &self.0 else { return };
+        let Some(connection) = &self.connection else { return };
         if std::mem::take(&mut lock(&connection.state).is_open) {
             connection.track.record(Event::Closed { by, why: why() });
         }
@@ -117,7 +126,7 @@ impl Tap {
 
     /// The same error, with the last messages. It is recorded if no other entry shows it.
     pub(crate) fn attach(&self, error: Error) -> Error {
-        let Some(connection) = &self.0 else { return error };
+        let Some(connection) = &self.connection else { return error };
         if !error.is_refused() && !error.is_disconnected() {
             connection.track.record(Event::Error { text: with_source(&error) });
         }

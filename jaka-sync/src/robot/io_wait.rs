@@ -55,7 +55,7 @@ impl<S: MotionStatus> Robot<S> {
             Vigil::Blind(problem) => return Err(blind(problem)),
             Vigil::Over(newest) => {
                 if let Some(cause) = link.broken() {
-                    return Err(attach(ErrorKind::CommandsLost { what, cause }));
+                    return Err(attach(ErrorKind::CommandsLost { address: link.address(), what, cause }));
                 }
                 let packets = self.monitor.statistics().packets.saturating_sub(before);
                 let says = guard.conditions.iter().find_map(|condition| condition.says(&newest));

@@ -51,6 +51,8 @@ pub enum Outcome {
     /// The command connection was lost: another client may have taken it over, or the controller has shut down. The motion may go on, and
     /// cannot be stopped over this connection: use the emergency stop, or connect again and stop it. Nothing reconnects on its own.
     ConnectionLost {
+        /// Where the connection led, with the port.
+        address: String,
         /// What ended the connection.
         cause: Arc<Disconnect>,
     },
@@ -77,7 +79,7 @@ impl Outcome {
     /// What is below the error whose text is part of this one's.
     pub(crate) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
-            Self::ConnectionLost { cause } | Self::StatusLost { cause: Some(cause), .. } => cause.source(),
+            Self::ConnectionLost { cause, .. } | Self::StatusLost { cause: Some(cause), .. } => cause.source(),
             _ => None,
         }
     }
@@ -106,10 +108,11 @@ impl fmt::Display for Outcome {
             Self::ControllerError { code, message, .. } => write!(f, "the controller reports code {code}: {message}"),
             Self::Guard(trip) => write!(f, "the guard tripped: {trip}"),
             Self::Deadline => f.write_str("the motion has not ended in time; the arm may still move"),
-            Self::ConnectionLost { cause } => write!(
+            Self::ConnectionLost { address, cause } => write!(
                 f,
-                "the command connection was lost during the motion: it may go on, and cannot be stopped over this connection; use the \
-                 emergency stop, or connect again and stop it: {cause}"
+                "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection; \
+                 use the emergency stop, or connect again and stop it{}: {cause}",
+                cause.seat_hint()
             ),
             Self::StatusLost { cause: None, unreadable: None } => {
                 f.write_str("status packets stopped coming; the arm may still move")

@@ -15,7 +15,10 @@ use crate::{Disconnect, Error, ErrorKind, Monitor, Snapshot};
 #[non_exhaustive]
 pub enum StatusProblem {
     /// No status packet has come since the monitor connected.
-    Missing,
+    Missing {
+        /// Where it is connected to, with the port.
+        address: String,
+    },
     /// No status packet has come for longer than [`Config::stale_after`](crate::Config::stale_after).
     Stale {
         /// How long ago the last one came.
@@ -40,9 +43,10 @@ pub enum StatusProblem {
 impl fmt::Display for StatusProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Missing => {
-                f.write_str("no status packet has come; check whether the controller sends them on port 10000")
-            }
+            Self::Missing { address } => write!(
+                f,
+                "no status packet has come from {address}; check that this is the status port, 10000, and that the controller has started"
+            ),
             Self::Stale { age } => {
                 write!(
                     f,
@@ -76,7 +80,7 @@ impl<S: MotionStatus> Robot<S> {
     /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
     pub(super) fn status_now(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.monitor.fresh_packet();
-        if !matches!(now, Err(StatusProblem::Missing | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
+        if !matches!(now, Err(StatusProblem::Missing { .. } | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable::<S>(now);
         }
         let patience = self.monitor.stale_after().min(timeout);

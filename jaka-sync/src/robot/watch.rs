@@ -71,7 +71,10 @@ impl<S: MotionStatus> Robot<S> {
         let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
         match (shown, self.lost()) {
             // That the arm rests, packets alone do not prove.
-            (None | Some(Outcome::AtRest), Some(cause)) => Some(Next::Ended(Outcome::ConnectionLost { cause })),
+            (None | Some(Outcome::AtRest), Some(cause)) => {
+                let address = self.client.link().address();
+                Some(Next::Ended(Outcome::ConnectionLost { address, cause }))
+            }
             (Some(outcome), _) => Some(Next::Ended(outcome)),
             (None, None) => (self.query.is_some() || wait.query(self.clock().now()).is_some()).then_some(Next::Query),
         }

@@ -131,8 +131,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 Err(error) if unanswered > 0 && matches!(error.kind(), ErrorKind::Timeout { .. }) => {
                     let link = client.link();
                     let cause = link.reset(Disconnect::Reset { unanswered });
-                    let command = Some(SetServoMode::INFO.name.to_owned());
-                    return Err(link.attach(ErrorKind::Disconnected { command, sent: true, cause }.into()));
+                    let (address, command) = (link.address(), Some(SetServoMode::INFO.name.to_owned()));
+                    return Err(link.attach(ErrorKind::Disconnected { address, command, sent: true, cause }.into()));
                 }
                 Err(error) => return Err(error),
             }

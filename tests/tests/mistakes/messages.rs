@@ -74,7 +74,10 @@ fn of_the_state() -> Vec<String> {
 fn of_ends() -> Vec<String> {
     let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::Disabled];
     let lost = Outcome::StatusLost { cause: None, unreadable: None };
-    let seat_lost = Outcome::ConnectionLost { cause: Arc::new(Disconnect::Closed { partial: 0 }) };
+    let seat_lost = Outcome::ConnectionLost {
+        address: "10.5.5.100:10001".to_owned(),
+        cause: Arc::new(Disconnect::Closed { partial: 0 }),
+    };
     let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
     let stopped = ErrorKind::Stopped { accepted, not_sent };
     let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };

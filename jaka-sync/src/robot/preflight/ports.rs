@@ -10,6 +10,9 @@ use crate::{Disconnect, Error, ErrorCode, ErrorKind};
 const REMOTE_CONTROL: &str = "grant remote control at the pendant: the controller may be in local mode";
 const ANOTHER_CLIENT: &str =
     "the command port serves one client: look for another program that is connected to it, and end that one";
+const NO_STATUS: &str = "check the address and the port, and wait until the controller has started";
+const NO_COMMANDS: &str = "check the address and the port, wait until the controller has started, and end other programs that are connected to \
+                           this port, such as the vendor's app: it serves one client";
 const NOT_A_CONTROLLER: &str =
     "check the address and the port: something else may listen there, or a controller that expects TLS";
 
@@ -22,7 +25,7 @@ pub(super) fn is_unusable(error: &Error) -> bool {
 /// Why the command port cannot be used.
 pub(super) fn of_commands(error: &Error) -> Judgement {
     let (seen, advice) = match error.kind() {
-        ErrorKind::Connect { address, source } => not_connected(address, source),
+        ErrorKind::Connect { address, source, .. } => not_connected(address, source, NO_COMMANDS),
         ErrorKind::Timeout { .. } => {
             (failure(error), "check that this is port 10001 of a controller that has started, and the network")
         }
@@ -35,12 +38,12 @@ pub(super) fn of_commands(error: &Error) -> Judgement {
 /// Why the status port cannot be used. `dropped` is how many bytes came that do not belong to a packet.
 pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     let (seen, advice) = match error.kind() {
-        ErrorKind::Connect { address, source } => not_connected(address, source),
-        ErrorKind::StatusTimeout { .. } if dropped > 0 => {
-            (format!("{error}; what came is something else"), NOT_A_CONTROLLER)
+        ErrorKind::Connect { address, source, .. } => not_connected(address, source, NO_STATUS),
+        ErrorKind::StatusTimeout { address, after } if dropped > 0 => {
+            (format!("no status packet from {address} within {after:?}; what came is something else"), NOT_A_CONTROLLER)
         }
-        ErrorKind::StatusTimeout { .. } => (
-            error.to_string(),
+        ErrorKind::StatusTimeout { address, after } => (
+            format!("no status packet from {address} within {after:?}"),
             "check that this is port 10000 and not 10001, which sends nothing without being asked, and the network",
         ),
         ErrorKind::Disconnected { cause, .. } => {
@@ -73,12 +76,9 @@ pub(super) fn advice(error: &Error) -> &'static str {
     }
 }
 
-fn not_connected(address: &str, source: &io::Error) -> (String, &'static str) {
+fn not_connected(address: &str, source: &io::Error, refused: &'static str) -> (String, &'static str) {
     match source.kind() {
-        io::ErrorKind::ConnectionRefused => (
-            format!("nothing listens at {address} ({source})"),
-            "check the address and the port, and wait until the controller has started",
-        ),
+        io::ErrorKind::ConnectionRefused => (format!("{address} takes no connection ({source})"), refused),
         io::ErrorKind::TimedOut
         | io::ErrorKind::WouldBlock
         | io::ErrorKind::HostUnreachable
