@@ -8,7 +8,7 @@ use std::{process, thread};
 use jaka_sync::{FollowHandle, RobotStop};
 
 use crate::failure::{Failure, chain};
-use crate::{exit, logging, output, record};
+use crate::{exit, logging, output, raw, record};
 
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -36,13 +36,16 @@ pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) -> Result
 pub(crate) fn end_on_interrupt(code: u8) -> Result<(), Failure> {
     handle(move || {
         // Not here, since the reader of the output may never continue.
-        thread::spawn(move || {
-            let _whole = stdout().lock();
-            end(code);
-        });
+        thread::spawn(move || end_whole(code));
         thread::sleep(PATIENCE);
         end(code);
     })
+}
+
+/// Ends the program with this code, but not in the middle of what it writes.
+pub(crate) fn end_whole(code: u8) -> ! {
+    let _whole = stdout().lock();
+    end(code)
 }
 
 /// What has gone to the robot, for when Ctrl-C comes. The program says then what it means, and stops a motion that it waits for.
@@ -160,6 +163,7 @@ fn end_with(code: u8, text: &str) -> ! {
 
 /// Ends the program, with another code if what it recorded cannot be written.
 fn end(code: u8) -> ! {
+    raw::end();
     logging::finish();
     if let Err(failure) = record::finish() {
         exit::report(&failure);

@@ -29,6 +29,7 @@ mod planned;
 mod plots;
 mod proxy;
 mod question;
+mod raw;
 mod record;
 mod recorded;
 mod report;

@@ -13,6 +13,7 @@ use itertools::Itertools as _;
 use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 
 use crate::failure::Failure;
+use crate::raw::with_returns;
 
 /// What people read in place of a value that a packet does not have.
 pub(crate) const ABSENT: &str = "–";
@@ -20,7 +21,7 @@ pub(crate) const ABSENT: &str = "–";
 /// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as there is one.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
-    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::output)
+    out.write_all(&with_returns(bytes)).and_then(|()| out.flush()).map_err(Failure::output)
 }
 
 /// Writes a line.
@@ -82,7 +83,8 @@ pub(crate) fn urgent_note(text: &str) {
 
 /// Writes to standard error, with colours where they are used. The reader may be gone.
 fn tell(style: Style, kind: &str, text: &str) {
-    writeln!(anstream::stderr().lock(), "{style}{kind}:{style:#} {}", visible_lines(text)).ok();
+    let text = format!("{style}{kind}:{style:#} {}\n", visible_lines(text));
+    anstream::stderr().lock().write_all(&with_returns(text.as_bytes())).ok();
 }
 
 /// Rows of two columns, the second of which begins at the same place in all of them.

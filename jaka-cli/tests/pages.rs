@@ -1,13 +1,16 @@
 //! The commands that pages show: each line of `jaka` runs as it stands, and each line of cargo names what there is.
 //!
 //! Robots of the pages are names in a config file that leads to a simulated controller. A person answers yes where a command asks; here `--yes` does.
-//! What listens at the ports of a real controller listens at free ones. A page names what is not run in a comment: `<!-- not run: jaka monitor -->`.
+//! What listens at the ports of a real controller listens at free ones, `jaka jitter` takes a moment in place of minutes, and `jaka monitor` gets a terminal of its
+//! own, on which `q` is typed.
 
 #![cfg(unix)]
 
 mod named;
 
 use std::fs;
+#[cfg(target_os = "linux")]
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
@@ -18,6 +21,8 @@ use jaka_sim::{Controller, Delays};
 
 use crate::common::{end, interrupt};
 use crate::program::{jaka, scratch};
+#[cfg(target_os = "linux")]
+use crate::pseudo;
 
 const LONG: Duration = Duration::from_secs(60);
 
@@ -77,12 +82,6 @@ fn without_comment(line: &str) -> &str {
     line.split_once(" #").map_or(line, |(line, _)| line).trim()
 }
 
-/// What the page says is not run here: how the lines begin.
-fn not_run(page: &str) -> Vec<&str> {
-    let marks = page.split("<!-- not run: ").skip(1).filter_map(|rest| rest.split(" -->").next());
-    marks.flat_map(|mark| mark.split(", ")).collect()
-}
-
 /// A folder with the files that the pages name.
 fn folder() -> PathBuf {
     let folder = scratch("pages");
@@ -129,7 +128,15 @@ fn runnable(line: &str, yes: &str) -> String {
     } else {
         ""
     };
+    let command = if command.starts_with("jaka jitter") { in_a_moment(command) } else { command.to_owned() };
     format!("exec {command}{ports}{yes}{file}")
+}
+
+/// The line with a short time in place of its own.
+fn in_a_moment(line: &str) -> String {
+    let (before, after) = line.split_once(" --seconds ").unwrap_or((line, ""));
+    let rest = after.split_once(' ').map_or(String::new(), |(_, rest)| format!(" {rest}"));
+    format!("{before}{rest} --seconds 0.4")
 }
 
 /// True if the command goes on until it is interrupted.
@@ -140,15 +147,43 @@ fn goes_on(line: &str) -> bool {
 
 /// The line at work in a shell, in this folder, with its output in files.
 fn start(folder: &Path, line: &str) -> Child {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", line]).stdin(Stdio::null());
+    prepare(&mut shell, folder).spawn().expect("there is a shell")
+}
+
+/// The command in this folder, with its output in files.
+fn prepare<'c>(command: &'c mut Command, folder: &Path) -> &'c mut Command {
     let file = |name: &str| fs::File::create(folder.join(name)).expect("it can be written");
     let program = Path::new(env!("CARGO_BIN_EXE_jaka")).parent().expect("it is in a folder").to_owned();
     let paths = std::env::var_os("PATH").expect("there is one");
     let path = std::env::join_paths(std::iter::once(program).chain(std::env::split_paths(&paths)));
-    let mut shell = Command::new("sh");
-    shell.args(["-c", line]).current_dir(folder).env("PATH", path.expect("it has no colon"));
-    shell.env("JAKA_CONFIG", folder.join("config.toml")).env_remove("JAKA_ROBOT").env_remove("JAKA_PACK");
-    shell.stdin(Stdio::null()).stdout(file("out")).stderr(file("err"));
-    shell.spawn().expect("there is a shell")
+    command.current_dir(folder).env("PATH", path.expect("it has no colon"));
+    command.env("JAKA_CONFIG", folder.join("config.toml")).env_remove("JAKA_ROBOT").env_remove("JAKA_PACK");
+    command.stdout(file("out")).stderr(file("err"))
+}
+
+/// A dashboard on a terminal: a picture of packets that come, and `q`. None where the machine has no such terminal.
+#[cfg(target_os = "linux")]
+fn run_monitor(folder: &Path, line: &str) -> Option<(Option<i32>, String)> {
+    let mut terminal = pseudo::terminal(&format!("exec {line}"));
+    prepare(&mut terminal, folder);
+    let mut child = pseudo::started(terminal)?;
+    let shown = || fs::read_to_string(folder.join("out")).unwrap_or_default();
+    let since = Instant::now();
+    while !shown().contains("live") && child.try_wait().expect("it is a child").is_none() {
+        assert!(since.elapsed() < LONG, "{line} shows nothing: {}", shown());
+        thread::sleep(Duration::from_millis(10));
+    }
+    let mut keys = child.stdin.take().expect("it is piped");
+    keys.write_all(b"q").ok();
+    Some((end(child).code(), shown()))
+}
+
+/// Terminals are other systems' in other ways.
+#[cfg(not(target_os = "linux"))]
+fn run_monitor(_folder: &Path, _line: &str) -> Option<(Option<i32>, String)> {
+    None
 }
 
 /// Waits until a command that goes on has something to show, and interrupts it.
@@ -191,11 +226,7 @@ fn assert_runs(page: &str, text: &str) {
     // Set-points come in real time.
     let (quick, steady) = (controller(5.0), controller(1.0));
     let folder = folder();
-    let not_run = not_run(text);
     for line in lines(text).into_iter().filter(|line| line.starts_with("jaka ")) {
-        if not_run.iter().any(|begin| line.starts_with(begin)) {
-            continue;
-        }
         let controller = if line.starts_with("jaka follow") { &steady } else { &quick };
         write_config(&folder, controller);
         controller.set_state(|state| (state.powered, state.enabled) = (true, true));
@@ -206,7 +237,9 @@ fn assert_runs(page: &str, text: &str) {
         for name in named::written(line) {
             fs::remove_file(folder.join(name)).ok();
         }
-        let mut ended = run(&folder, line, "");
+        let ended =
+            if line.starts_with("jaka monitor") { run_monitor(&folder, line) } else { Some(run(&folder, line, "")) };
+        let Some(mut ended) = ended else { continue };
         if ended.0 == Some(2) && ended.1.contains("--yes") {
             ended = run(&folder, line, " --yes");
         }
@@ -221,12 +254,6 @@ fn every_line_of_jaka_runs_as_it_stands() {
     let pages = pages();
     let all: Vec<_> = pages.iter().flat_map(|(_, text)| lines(text)).collect();
     assert!(all.iter().filter(|line| line.starts_with("jaka ")).count() > 50, "{all:?}");
-    for (page, text) in &pages {
-        let lines = lines(text);
-        for begin in not_run(text) {
-            assert!(lines.iter().any(|line| line.starts_with(begin)), "{page}: nothing begins with `{begin}`");
-        }
-    }
     // Lines wait for arms. The code of the Chinese README is that of the English one.
     let left = Mutex::new(pages.iter().filter(|(page, _)| page != "README.zh.md"));
     thread::scope(|scope| {

@@ -18,6 +18,7 @@ mod others;
 mod pages;
 mod probe;
 mod program;
+mod pseudo;
 mod record;
 mod replay;
 mod report;

@@ -1,5 +1,7 @@
 //! The commands that do one thing to a robot: `up`, `down`, `stop`, `clear`, `move` and `jog`.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 use std::io::Write;
 use std::net::TcpStream;
 

@@ -1,6 +1,7 @@
 //! `jaka sim`: a simulated controller for clients in any language.
 
 mod fault_list;
+mod keys;
 mod schedule;
 
 use std::fs;
@@ -78,6 +79,9 @@ pub(crate) struct Sim {
     /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
     #[arg(long)]
     stdin: bool,
+    /// Have keys of the terminal say what happens, without Enter: a line lists them at the beginning, and when `?` is pressed
+    #[arg(long, conflicts_with = "stdin")]
+    keys: bool,
     /// Print each message received and sent
     #[arg(long)]
     log: bool,
@@ -97,14 +101,23 @@ impl Sim {
         if self.log {
             logging::print("jaka_sim");
         }
+        if self.keys {
+            keys::must_have_terminal()?;
+        }
         end_on_interrupt(0)?;
         let controller = self.listen.start(self.builder()?, |controller| {
             if self.powered {
                 controller.set_state(|state| (state.powered, state.enabled) = (true, true));
             }
         })?;
-        let lines = if self.stdin { schedule::lines() } else { mpsc::channel().1 };
-        schedule::run(&controller, self.schedule, &lines)?;
+        let (sender, typed) = mpsc::channel();
+        let _raw = if self.keys { Some(keys::begin(sender.clone())?) } else { None };
+        if self.stdin {
+            schedule::begin_lines(sender);
+        } else {
+            drop(sender);
+        }
+        schedule::run(&controller, self.schedule, &typed)?;
         loop {
             thread::park();
         }

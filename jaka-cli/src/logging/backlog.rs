@@ -6,6 +6,8 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use crate::raw::with_returns;
+
 /// How many lines may wait; further ones are only counted.
 const MOST: usize = 10_000;
 /// How long the end of the program waits for them.
@@ -56,7 +58,7 @@ fn write() {
         let missing = std::mem::take(&mut backlog.missing);
         drop(backlog);
         // The reader may be gone.
-        stderr().write_all(text.as_bytes()).ok();
+        stderr().write_all(&with_returns(text.as_bytes())).ok();
         if missing > 0 {
             writeln!(stderr(), "{missing} lines are missing here: they came faster than they could be written").ok();
         }

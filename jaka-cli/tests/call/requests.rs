@@ -123,13 +123,13 @@ fn what_no_arm_does_is_refused() {
     );
     check(
         "joint_move --mode absolute --joint-position 0,0,0,0,0,0 --speed 9000 --dry-run",
-        &expect![[r#"
-            error: `joint_move` was not sent:
-              field `speed` is 9000.0; allowed is a number, more than 0, at most 265 deg/s; this is advisory
-            hint: motions of joints take deg/s, lines of the tool mm/s: 9000 was perhaps meant in mm/s
-            hint: `--advisory-ranges ignore` leaves it to the controller
-            exit code 2
-        "#]],
+        &expect![[r"
+        error: `joint_move` was not sent:
+          field `speed` is 9000.0; allowed is a number, more than 0, at most 265 deg/s; this is advisory
+        hint: motions of joints take deg/s, lines of the tool mm/s: 9000 was perhaps meant in mm/s
+        hint: `--advisory-ranges ignore` leaves it to the controller
+        exit code 2
+    "]],
     );
     check(
         "moveL --mode relative --pose 0,0,50,0,0,0 --speed 0 --acceleration 9000 --dry-run",

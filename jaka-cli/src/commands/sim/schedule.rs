@@ -1,24 +1,30 @@
 //! What happens to the simulated arm and its inputs, and says so.
 
 use std::io::{BufRead, stdin};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
 use jaka_sim::{ArmEvent, Controller};
+use ratatui::crossterm::event::KeyEvent;
 
+use super::keys::{self, Effect};
 use crate::failure::Failure;
+use crate::interrupt::end_whole;
 use crate::output;
 
 /// How often it is checked whether something is due.
 const TICK: Duration = Duration::from_millis(10);
 
-/// Has happen all that is scheduled, and what lines add to it, and says when; until there is nothing more to come.
-pub(super) fn run(
-    controller: &Controller,
-    scheduled: Vec<ArmEvent>,
-    lines: &Receiver<ArmEvent>,
-) -> Result<(), Failure> {
+/// What somebody types: a line, or a key.
+#[derive(Debug)]
+pub(super) enum Typed {
+    Event(ArmEvent),
+    Key(KeyEvent),
+}
+
+/// Has happen all that is scheduled, and what is typed, and says when; until there is nothing more to come.
+pub(super) fn run(controller: &Controller, scheduled: Vec<ArmEvent>, typed: &Receiver<Typed>) -> Result<(), Failure> {
     let mut ahead = Vec::new();
     for event in scheduled {
         schedule(controller, event, &mut ahead);
@@ -28,8 +34,14 @@ pub(super) fn run(
         for ArmEvent { fault, at } in ahead.extract_if(.., |event| event.at <= now) {
             output::line(&format!("{:.3} s: {fault}", at.as_secs_f64()))?;
         }
-        match lines.recv_timeout(TICK) {
-            Ok(line) => schedule(controller, line, &mut ahead),
+        match typed.recv_timeout(TICK) {
+            Ok(Typed::Event(event)) => schedule(controller, event, &mut ahead),
+            Ok(Typed::Key(key)) => match keys::effect(key, &controller.state()) {
+                Effect::Happens(fault) => schedule(controller, ArmEvent { fault, at: Duration::ZERO }, &mut ahead),
+                Effect::Lists => keys::show()?,
+                Effect::Quits => end_whole(0),
+                Effect::Nothing => {}
+            },
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) if ahead.is_empty() => return Ok(()),
             Err(RecvTimeoutError::Disconnected) => thread::sleep(TICK),
@@ -47,17 +59,15 @@ fn schedule(controller: &Controller, event: ArmEvent, ahead: &mut Vec<ArmEvent>)
     ahead.sort_by_key(|event| event.at);
 }
 
-/// The lines of standard input, from a thread that reads them. What is not understood is told, and nothing happens.
-pub(super) fn lines() -> Receiver<ArmEvent> {
-    let (sender, lines) = mpsc::channel();
+/// Sends the lines of standard input, from a thread that reads them. What is not understood is told, and nothing happens.
+pub(super) fn begin_lines(sender: Sender<Typed>) {
     thread::spawn(move || read(&sender));
-    lines
 }
 
-fn read(sender: &Sender<ArmEvent>) {
+fn read(sender: &Sender<Typed>) {
     for line in stdin().lock().lines().map_while(Result::ok).filter(|line| !line.trim().is_empty()) {
         match line.parse() {
-            Ok(event) if sender.send(event).is_err() => return,
+            Ok(event) if sender.send(Typed::Event(event)).is_err() => return,
             Ok(_) => {}
             Err(error) => output::error(&format!("{error}")),
         }

@@ -1,0 +1,162 @@
+//! What happens to the simulated arm by single keys: the words of `--schedule` and `--stdin`, each under a key.
+
+use std::io::{IsTerminal, stdin, stdout};
+use std::sync::mpsc::Sender;
+use std::thread;
+
+use jaka_sim::{ArmFault, State};
+use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+
+use super::schedule::Typed;
+use crate::failure::Failure;
+use crate::output;
+use crate::raw::{self, Raw};
+
+/// What keys from the first to the last have happen, by their number from 0: this, and where it has happened, the opposite.
+struct Row {
+    keys: (char, char),
+    does: fn(usize) -> ArmFault,
+    undoes: Option<fn(usize) -> ArmFault>,
+}
+
+const ROWS: [Row; 5] = [
+    Row { keys: ('c', 'c'), does: |_| ArmFault::Collide, undoes: None },
+    Row { keys: ('e', 'e'), does: |_| ArmFault::PressEmergencyStop, undoes: Some(|_| ArmFault::ReleaseEmergencyStop) },
+    Row { keys: ('p', 'p'), does: |_| ArmFault::CutPower, undoes: None },
+    Row { keys: ('0', '9'), does: ArmFault::InputHigh, undoes: Some(ArmFault::InputLow) },
+    Row { keys: ('t', 't'), does: |_| ArmFault::ToolInputHigh(0), undoes: Some(|_| ArmFault::ToolInputLow(0)) },
+];
+
+/// What a key is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effect {
+    Happens(ArmFault),
+    Lists,
+    Quits,
+    Nothing,
+}
+
+/// What a key does to an arm in this state.
+pub(super) fn effect(key: KeyEvent, state: &State) -> Effect {
+    let KeyCode::Char(sign) = key.code else { return Effect::Nothing };
+    if key.kind == KeyEventKind::Release {
+        return Effect::Nothing;
+    }
+    if key.modifiers.contains(KeyModifiers::CONTROL) {
+        // The terminal does not send the signal, nor the end of its input.
+        return if matches!(sign, 'c' | 'd') { Effect::Quits } else { Effect::Nothing };
+    }
+    match sign {
+        'q' => Effect::Quits,
+        '?' => Effect::Lists,
+        _ => fault(sign, state).map_or(Effect::Nothing, Effect::Happens),
+    }
+}
+
+fn fault(sign: char, state: &State) -> Option<ArmFault> {
+    let row = ROWS.iter().find(|row| (row.keys.0..=row.keys.1).contains(&sign))?;
+    let number = sign.to_digit(10).map_or(0, |digit| digit as usize);
+    let does = (row.does)(number);
+    Some(match row.undoes {
+        Some(undoes) if is_so(does, state) => undoes(number),
+        _ => does,
+    })
+}
+
+/// Whether this has happened, and the opposite has not.
+fn is_so(fault: ArmFault, state: &State) -> bool {
+    match fault {
+        ArmFault::PressEmergencyStop => state.emergency_stop,
+        ArmFault::InputHigh(index) => state.digital_inputs.get(index) == Some(&true),
+        ArmFault::ToolInputHigh(index) => state.tool_digital_inputs.get(index) == Some(&true),
+        _ => false,
+    }
+}
+
+/// All keys in a line.
+pub(super) fn list() -> String {
+    let rows = ROWS.iter().map(|row| {
+        let (first, last) = row.keys;
+        let keys = if first == last { first.to_string() } else { format!("{first} to {last}") };
+        let undoes = row.undoes.map_or_else(String::new, |undoes| format!(" or {}", undoes(0)));
+        format!("{keys} {}{undoes}", (row.does)(0))
+    });
+    format!("{}, ? this list, q quit", rows.collect::<Vec<_>>().join(", "))
+}
+
+pub(super) fn must_have_terminal() -> Result<(), Failure> {
+    if stdin().is_terminal() && stdout().is_terminal() {
+        return Ok(());
+    }
+    Err(Failure::Usage("`jaka sim --keys` needs a terminal; --stdin reads words".to_owned()))
+}
+
+/// Prints all keys.
+pub(super) fn show() -> Result<(), Failure> {
+    output::line(&format!("keys: {}", list()))
+}
+
+/// Prints the keys, and sends each that is pressed, from a thread that reads them; for as long as the result lives.
+pub(super) fn begin(sender: Sender<Typed>) -> Result<Raw, Failure> {
+    let raw = Raw::begin().map_err(|error| Failure::local("the terminal cannot be used", error))?;
+    show()?;
+    thread::spawn(move || {
+        loop {
+            match event::read() {
+                Ok(Event::Key(key)) if sender.send(Typed::Key(key)).is_ok() => {}
+                Ok(Event::Key(_)) => return,
+                Ok(_) => {}
+                Err(_) => return raw::end(),
+            }
+        }
+    });
+    Ok(raw)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use jaka_sim::Controller;
+
+    use super::*;
+
+    fn key(sign: char) -> KeyEvent {
+        KeyEvent::new(KeyCode::Char(sign), KeyModifiers::NONE)
+    }
+
+    #[test]
+    fn each_fault_has_a_key() {
+        let controller = Controller::start().expect("loopback has free ports");
+        let before = controller.state();
+        let mut after = before.clone();
+        after.emergency_stop = true;
+        after.digital_inputs.fill(true);
+        after.tool_digital_inputs.fill(true);
+        let effects = (' '..='~').flat_map(|sign| [effect(key(sign), &before), effect(key(sign), &after)]);
+        let found: Vec<_> = effects.collect();
+        for fault in ArmFault::one_of_each(0) {
+            assert!(found.contains(&Effect::Happens(fault)), "{fault} has no key");
+        }
+    }
+
+    #[test]
+    fn keys_are_listed_and_end_it() {
+        expect!["c collide, e press-emergency-stop or release-emergency-stop, p cut-power, 0 to 9 input 0 high or input 0 low, t tool-input 0 high or tool-input 0 low, ? this list, q quit"].assert_eq(&list());
+        let controller = Controller::start().expect("loopback has free ports");
+        let state = controller.state();
+        let control = |sign| KeyEvent::new(KeyCode::Char(sign), KeyModifiers::CONTROL);
+        for (pressed, expected) in [
+            (key('?'), Effect::Lists),
+            (key('q'), Effect::Quits),
+            (control('c'), Effect::Quits),
+            (control('d'), Effect::Quits),
+            (control('e'), Effect::Nothing),
+            (key('x'), Effect::Nothing),
+            (KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE), Effect::Nothing),
+            (KeyEvent { kind: KeyEventKind::Release, ..key('c') }, Effect::Nothing),
+            (KeyEvent::new(KeyCode::Char('7'), KeyModifiers::NONE), Effect::Happens(ArmFault::InputHigh(7))),
+        ] {
+            assert_eq!(effect(pressed, &state), expected, "{pressed:?}");
+        }
+    }
+}
