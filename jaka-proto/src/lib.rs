@@ -13,7 +13,6 @@ mod firmware;
 pub mod framing;
 pub mod geometry;
 mod near;
-pub mod python;
 pub mod recording;
 mod refusal;
 mod reply;
@@ -35,6 +34,7 @@ pub use messages::Request;
 pub use refusal::Refusal;
 pub use reply::{Reply, read_envelope, read_payload, read_reply, write_refusal, write_reply};
 pub use request::RequestError;
+pub use wire::python;
 
 /// What macros of this crate name; no part of the interface.
 #[doc(hidden)]

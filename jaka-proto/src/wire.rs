@@ -8,6 +8,7 @@ mod decode;
 mod encode;
 mod error;
 mod number;
+pub mod python;
 mod reader;
 mod serde_impls;
 mod typed;

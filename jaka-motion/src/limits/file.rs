@@ -124,8 +124,8 @@ fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
             }
         }
     }
-    each(file, speeds, limits, |limits| limits.joint_speeds, Limits::with_joint_speeds);
-    each(file, accelerations, limits, |limits| limits.joint_accelerations, Limits::with_joint_accelerations);
+    each(file, speeds.as_ref(), limits, |limits| limits.joint_speeds, Limits::with_joint_speeds);
+    each(file, accelerations.as_ref(), limits, |limits| limits.joint_accelerations, Limits::with_joint_accelerations);
 }
 
 /// One number for each joint.
@@ -134,12 +134,12 @@ type Six<'s> = [Placed<'s, f64>; 6];
 /// Applies six numbers one by one, so that an error stands at the one that is wrong.
 fn each(
     file: &Item<'_, '_>,
-    given: Option<Six<'_>>,
+    given: Option<&Six<'_>>,
     limits: &mut Limits,
     now: impl Fn(&Limits) -> [f64; 6],
     with: impl Fn(Limits, [f64; 6]) -> Result<Limits, InvalidLimit>,
 ) {
-    for (index, given) in given.iter().flatten().enumerate() {
+    for (index, given) in given.into_iter().flatten().enumerate() {
         let mut values = now(limits);
         values[index] = given.value;
         if !apply(file, given.at, limits, |limits| with(limits, values)) {

@@ -137,7 +137,7 @@ impl Writer {
         let mut inner = Self::new();
         write(&mut inner);
         // What a writer wrote is JSON; if it were not, the text itself is the best that can be sent.
-        let literal = crate::python::from_json(inner.as_str()).unwrap_or(inner.text);
+        let literal = crate::wire::python::from_json(inner.as_str()).unwrap_or(inner.text);
         self.text(&literal);
     }
 }

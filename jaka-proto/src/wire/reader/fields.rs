@@ -183,7 +183,7 @@ impl Reader<'_> {
     pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
         self.field_with(name, slot, |reader| {
             let literal = reader.text()?;
-            let json = crate::python::to_json(&literal)
+            let json = crate::wire::python::to_json(&literal)
                 .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
             T::decode(&mut Reader::new(&json))
         })

@@ -9,7 +9,7 @@ use std::fmt::{self, Write};
 
 use serde_json::Value;
 
-use crate::wire::{DecodeError, Reader};
+use super::{DecodeError, Reader};
 
 /// The most brackets that may be open at once.
 const MAX_DEPTH: usize = 64;
@@ -243,10 +243,10 @@ impl<'a> Transcoder<'a> {
             'n' => Ok('\n'),
             't' => Ok('\t'),
             'r' => Ok('\r'),
-            'x' => self.hex(2).and_then(|code| self.code_point(code, begin)),
+            'x' => self.hex(2).and_then(|code| Self::code_point(code, begin)),
             'u' => self.utf16(begin),
-            'U' => self.hex(8).and_then(|code| self.code_point(code, begin)),
-            _ => Err(self.expected_at(begin, "an escape")),
+            'U' => self.hex(8).and_then(|code| Self::code_point(code, begin)),
+            _ => Err(PythonError { position: begin, expected: "an escape" }),
         }
     }
 
@@ -296,7 +296,7 @@ impl<'a> Transcoder<'a> {
         let fraction = self.fraction();
         let exponent = self.exponent()?;
         if !self.out[written..].parse().is_ok_and(f64::is_finite) {
-            return Err(self.expected_at(begin, "a finite number"));
+            return Err(PythonError { position: begin, expected: "a finite number" });
         }
         if !fraction && !exponent && !self.eat(b'L') {
             self.eat(b'l');
@@ -313,7 +313,7 @@ impl<'a> Transcoder<'a> {
         let zero = self.peek() == Some(b'0');
         match self.digits() {
             0 => Err(self.expected("a digit")),
-            2.. if zero => Err(self.expected_at(begin, "a number without leading zeros")),
+            2.. if zero => Err(PythonError { position: begin, expected: "a number without leading zeros" }),
             _ => Ok(()),
         }
     }
@@ -377,11 +377,11 @@ impl<'a> Transcoder<'a> {
                 code = 0x1_0000 + ((code - 0xd800) << 10) + (low - 0xdc00);
             }
         }
-        self.code_point(code, begin)
+        Self::code_point(code, begin)
     }
 
-    fn code_point(&self, code: u32, begin: usize) -> Result<char, PythonError> {
-        char::from_u32(code).ok_or_else(|| self.expected_at(begin, "an escape of a character"))
+    fn code_point(code: u32, begin: usize) -> Result<char, PythonError> {
+        char::from_u32(code).ok_or(PythonError { position: begin, expected: "an escape of a character" })
     }
 
     fn next_char(&mut self) -> Result<char, PythonError> {
@@ -413,11 +413,7 @@ impl<'a> Transcoder<'a> {
     }
 
     fn expected(&self, expected: &'static str) -> PythonError {
-        self.expected_at(self.at, expected)
-    }
-
-    fn expected_at(&self, position: usize, expected: &'static str) -> PythonError {
-        PythonError { position, expected }
+        PythonError { position: self.at, expected }
     }
 }
 
