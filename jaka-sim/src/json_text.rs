@@ -42,7 +42,9 @@ pub(crate) fn respace(json: &str, separators: Separators) -> String {
     let blank = if separators == Separators::Spaced { " " } else { "" };
     let mut out = String::with_capacity(json.len() * 3 / 2);
     let mut rest = json;
-    while let Some(at) = rest.find(['"', ',', ':', ' ', '\t', '\r', '\n']) {
+    // By bytes, since it goes through every packet: all of these are characters of one.
+    while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b',' | b':' | b' ' | b'\t' | b'\r' | b'\n'))
+    {
         out.push_str(&rest[..at]);
         let end = at + if rest[at..].starts_with('"') { string(&rest[at..]) } else { 1 };
         let part = &rest[at..end];
@@ -59,7 +61,7 @@ pub(crate) fn respace(json: &str, separators: Separators) -> String {
 /// Length of the string with which `json` begins, with its quotes; all of `json` if the string does not end.
 fn string(json: &str) -> usize {
     let mut at = 1;
-    while let Some(found) = json[at..].find(['"', '\\']) {
+    while let Some(found) = json[at..].bytes().position(|byte| matches!(byte, b'"' | b'\\')) {
         at += found + 1;
         if json.as_bytes()[at - 1] == b'"' {
             return at;

@@ -2,6 +2,7 @@
 
 mod extio;
 mod keys;
+mod last;
 mod values;
 
 use jaka_proto::wire::{Encode, Writer};
@@ -12,6 +13,8 @@ use crate::firmware::{Shape, Values};
 use crate::json_text::{Separators, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, ReplyStyle, State};
+
+pub(crate) use self::last::LastPacket;
 
 /// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the user's value.
 pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> String {
