@@ -1,18 +1,20 @@
-//! Trajectories, followed: what the controller receives, read as JSON and compared with a curve that is computed here.
+//! Trajectories, followed: what the controller receives, read as JSON and compared with a curve that is computed here. By simulated clocks, where nothing
+//! is about real ones.
 
 mod curve;
 mod ends;
 mod filters;
 mod random;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use jaka_sim::{Builder, Controller, Delays};
+use jaka_sim::{Builder, Controller, Delays, SimulatedClock};
 use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, Trajectory};
 use jaka_sync::types::JointPosition;
 use jaka_sync::{
     Config, ErrorKind, FollowConfig, FollowEnd, FollowHandle, FollowOutcome, Robot, ServoConfig, Unchecked,
 };
+use jaka_tests::simulated::clock_of;
 use serde_json::Value;
 
 use self::curve::Curve;
@@ -33,15 +35,32 @@ fn limits() -> Limits {
 }
 
 fn ready() -> (Controller, Robot) {
-    ready_of(Controller::builder(), &Config::new().stale_after(LONG))
+    ready_of(Controller::builder(), Config::new())
 }
 
-fn ready_of(builder: Builder, config: &Config) -> (Controller, Robot) {
-    let (controller, robot) = plain(builder, config);
+fn ready_of(builder: Builder, config: Config) -> (Controller, Robot) {
+    with_limits(plain_of(builder, config))
+}
+
+/// By the clock of the system.
+fn ready_in_real_time() -> (Controller, Robot) {
+    with_limits(connected(Controller::builder(), &Config::new().stale_after(LONG)))
+}
+
+fn with_limits((controller, robot): (Controller, Robot)) -> (Controller, Robot) {
     (controller, robot.with_limits(limits()).expect("it is this arm"))
 }
 
-fn plain(builder: Builder, config: &Config) -> (Controller, Robot) {
+fn plain() -> (Controller, Robot) {
+    plain_of(Controller::builder(), Config::new())
+}
+
+fn plain_of(builder: Builder, config: Config) -> (Controller, Robot) {
+    let clock = SimulatedClock::new();
+    connected(builder.clock(&clock), &config.clock(&clock))
+}
+
+fn connected(builder: Builder, config: &Config) -> (Controller, Robot) {
     let controller = builder.delays(Delays::NONE).status_period(Duration::from_millis(10)).start();
     let controller = controller.expect("loopback has free ports");
     controller.set_state(|state| {
@@ -123,11 +142,17 @@ fn apart(one: &[f64; 6], other: &[f64; 6]) -> f64 {
 }
 
 /// Waits until the trajectory is followed for so long of its own time.
-fn wait_for(run: &FollowHandle, time_s: f64) {
-    let since = Instant::now();
-    while run.progress().time.as_secs_f64() < time_s && !run.has_ended() {
-        assert!(since.elapsed() < LONG, "{:?}", run.progress());
-        std::thread::sleep(Duration::from_millis(5));
+fn wait_for(controller: &Controller, run: &FollowHandle, time_s: f64) {
+    wait_until(controller, || run.progress().time.as_secs_f64() >= time_s || run.has_ended());
+}
+
+/// Waits until this is so.
+fn wait_until(controller: &Controller, is_so: impl Fn() -> bool) {
+    let clock = clock_of(controller);
+    let since = clock.elapsed();
+    while !is_so() {
+        assert!(clock.elapsed().saturating_sub(since) < LONG);
+        clock.sleep(Duration::from_millis(5));
     }
 }
 
@@ -148,7 +173,7 @@ fn assert_nothing_sent(controller: &Controller) {
 
 #[test]
 fn a_trajectory_is_followed_to_its_end() {
-    let (controller, mut robot) = ready();
+    let (controller, mut robot) = ready_in_real_time();
     let curve = to_and_fro();
     let config = patient().deadline(LONG);
     let end = robot.start_follow(&made(&curve), &config).expect("the arm is at its start").wait();
@@ -173,20 +198,16 @@ fn it_pauses_goes_slower_and_goes_on_along_the_trajectory() {
     let curve = to_and_fro();
     let run = robot.start_follow(&made(&curve), &patient().speed_scale(0.8)).expect("the arm is at its start");
     let handle = run.handle();
-    wait_for(&handle, 0.7);
+    wait_for(&controller, &handle, 0.7);
     handle.pause().expect("it goes on");
-    let since = Instant::now();
-    while run.progress().rate > 0.0 {
-        assert!(since.elapsed() < LONG);
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    wait_until(&controller, || run.progress().rate == 0.0);
     let stands = run.progress();
     // A pause goes on whatever the speed is.
     handle.set_speed_scale(0.4).expect("it goes on");
-    std::thread::sleep(Duration::from_millis(200));
+    clock_of(&controller).sleep(Duration::from_millis(200));
     assert_eq!(run.progress(), stands);
     handle.resume().expect("it goes on");
-    wait_for(&handle, 1.5);
+    wait_for(&controller, &handle, 1.5);
     assert!(run.progress().rate <= 0.4 + 1e-12);
     handle.set_speed_scale(1.0).expect("it goes on");
     let end = run.wait();
@@ -238,7 +259,7 @@ fn a_start_elsewhere_is_refused_unless_an_approach_is_asked_for() {
 
 #[test]
 fn an_approach_that_does_not_get_to_the_start_ends() {
-    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    let (controller, robot) = plain();
     controller.set_state(|state| state.joint_position.0[5] = 14.0);
     let narrow = limits().with_joint_range(6, -15.0, 15.0).expect("a range");
     let mut robot = robot.with_limits(narrow).expect("it is this arm");
@@ -269,7 +290,7 @@ fn a_hundredth_of_a_degree_is_what_controllers_round_off() {
 
 #[test]
 fn what_is_beyond_a_limit_is_refused_before_anything_is_sent() {
-    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    let (controller, robot) = plain();
     let narrow = limits().with_joint_range(6, -15.0, 15.0).expect("a range");
     let mut robot = robot.with_limits(narrow).expect("it is this arm");
     let error = robot.start_follow(&made(&to_and_fro()), &patient()).expect_err("joint 6 goes to -20 deg");
@@ -288,7 +309,7 @@ fn what_is_beyond_a_limit_is_refused_before_anything_is_sent() {
 
 #[test]
 fn a_robot_without_limits_follows_nothing() {
-    let (controller, mut robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    let (controller, mut robot) = plain();
     let error = robot.start_follow(&made(&to_and_fro()), &patient()).expect_err("it has none");
     assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::NoLimits, .. }), "{error:?}");
     assert_nothing_sent(&controller);

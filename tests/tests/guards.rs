@@ -11,7 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_sim::{Contact, Controller, Delays, Fault, StatusFault};
+use jaka_sim::{Builder, Contact, Controller, Delays, Fault, StatusFault};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::status::RobotStatus;
@@ -42,7 +42,11 @@ fn stand_above_a_plane(controller: &Controller, above_mm: f64, stiffness: f64) {
 
 /// A controller that sends a packet each 10 ms, and a robot that is powered up.
 fn ready(config: &Config) -> (Controller, Robot) {
-    let builder = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(10));
+    ready_of(Controller::builder(), config)
+}
+
+fn ready_of(builder: Builder, config: &Config) -> (Controller, Robot) {
+    let builder = builder.delays(Delays::NONE).status_period(Duration::from_millis(10));
     let controller = builder.start().expect("loopback has free ports");
     controller.set_state(|state| (state.powered, state.enabled) = (true, true));
     let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the controller listens");

@@ -4,11 +4,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Builder, Controller, Delays, Port, Trip, Underrun};
+use jaka_sim::{Builder, Controller, Delays, Port, SimulatedClock, Trip, Underrun};
 use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
 use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{Config, ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
+use jaka_tests::simulated::clock_of;
 use serde_json::Value;
 
 use crate::limits::random::Random;
@@ -113,11 +114,15 @@ fn turned(joint: usize, by: f64) -> [f64; 6] {
 
 /// Until joint 6 is on its way to 60 deg further.
 fn speed_up(stream: &StreamHandle) {
+    speed_up_by(stream, thread::sleep);
+}
+
+fn speed_up_by(stream: &StreamHandle, sleep: impl Fn(Duration)) {
     stream.set_joints(turned(6, 60.0)).expect("within its range");
     let since = Instant::now();
     while stream.joints()[5] - START[5] < 5.0 {
         assert!(since.elapsed() < LONG);
-        thread::sleep(Duration::from_millis(5));
+        sleep(Duration::from_millis(5));
     }
 }
 
@@ -294,25 +299,19 @@ pub(crate) fn filters() -> [SetServoMoveFilter; 6] {
     ]
 }
 
-/// By each filter of 4.60, or none, on an arm that lags.
+/// By each filter of 4.60, or none, on an arm that lags, by simulated clocks.
 #[test]
 fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_then() {
     let filters = filters();
     let underruns = [Underrun::Hold, Underrun::Fault(Duration::from_millis(500)), Underrun::RunOut(300.0)];
-    thread::scope(|scope| {
-        scope.spawn(|| {
-            filters
-                .iter()
-                .zip(underruns.iter().cycle())
-                .for_each(|(filter, underrun)| lands_with_lag(filter, *underrun));
-        });
-        scope.spawn(|| filters.iter().for_each(trips_by_deviation));
-    });
+    filters.iter().zip(underruns.iter().cycle()).for_each(|(filter, underrun)| lands_with_lag(filter, *underrun));
+    filters.iter().for_each(trips_by_deviation);
 }
 
 fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Controller, Robot, StreamConfig) {
-    let builder = Controller::builder().lag(Duration::from_millis(80)).underrun(underrun).trips([trip]);
-    let (controller, robot) = of_builder(builder, &Config::new().stale_after(LONG));
+    let clock = SimulatedClock::new();
+    let builder = Controller::builder().clock(&clock).lag(Duration::from_millis(80)).underrun(underrun).trips([trip]);
+    let (controller, robot) = of_builder(builder, &Config::new().clock(&clock));
     let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG).filter(*filter);
     let robot = robot.with_limits(limits()).expect("it is this arm");
     (controller, robot, StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0))
@@ -321,7 +320,7 @@ fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Cont
 fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
     let (controller, mut robot, config) = lagging(filter, underrun, Trip::Deviation(60.0));
     let stream = robot.stream(&config).expect("the arm is ready");
-    speed_up(&stream);
+    speed_up_by(&stream, |time| clock_of(&controller).sleep(time));
     stream.land().unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
     let (state, (set_points, _)) = (controller.state(), set_points(&controller));
     let last = set_points.last().expect("there are some");

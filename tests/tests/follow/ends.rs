@@ -1,7 +1,6 @@
 //! How trajectories end before their end.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::thread;
 
 use jaka_sim::{Fault, Port};
 use jaka_sync::jaka_motion::TimedPoint;
@@ -15,7 +14,7 @@ use super::*;
 fn ended_by(config: &FollowConfig, act: impl FnOnce(&Controller, &FollowHandle)) -> (Controller, Robot, FollowEnd) {
     let (controller, mut robot) = ready();
     let run = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start");
-    wait_for(&run, 0.5);
+    wait_for(&controller, &run, 0.5);
     act(&controller, &run);
     let end = run.wait();
     (controller, robot, end)
@@ -59,7 +58,7 @@ fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
     let (controller, mut robot) = ready();
     controller.set_state(|state| state.joint_position.0[0] += 60.0);
     let run = robot.start_follow(&made(&to_and_fro()), &patient().approach(20.0)).expect("the way is free");
-    thread::sleep(Duration::from_millis(300));
+    clock_of(&controller).sleep(Duration::from_millis(300));
     assert!(run.progress().time.is_zero() && run.progress().rate == 0.0);
     run.stop().expect("it goes on");
     let end = run.wait();
@@ -84,7 +83,7 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
     let (controller, mut robot) = ready();
     let stop = robot.stop_handle();
     let run = robot.start_follow(&made(&to_and_fro()), &patient()).expect("the arm is at its start");
-    wait_for(&run, 0.5);
+    wait_for(&controller, &run, 0.5);
     stop.stop().expect("the controller takes it");
     let end = run.wait();
     assert_ended_on_the_way(&end, FollowOutcome::Stopped);
@@ -109,10 +108,9 @@ fn a_protective_stop_ends_it_at_once() {
 
 #[test]
 fn a_status_that_is_no_longer_known_brakes_it_along_the_trajectory() {
-    let (controller, mut robot) =
-        ready_of(Controller::builder(), &Config::new().stale_after(Duration::from_millis(500)));
-    // So busy a machine shows the same by itself.
-    let Ok(run) = robot.start_follow(&made(&to_and_fro().slower(2.0)), &patient()) else { return };
+    let config = Config::new().stale_after(Duration::from_millis(500));
+    let (controller, mut robot) = ready_of(Controller::builder(), config);
+    let run = robot.start_follow(&made(&to_and_fro().slower(2.0)), &patient()).expect("the arm is at its start");
     controller.link(Port::Status).to_client().hold();
     let end = run.wait();
     assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
@@ -134,7 +132,7 @@ fn a_refused_set_point_ends_it_on_the_trajectory() {
 #[test]
 fn a_set_point_that_is_too_late_is_an_underrun() {
     let config = patient().max_gap(Duration::from_nanos(1));
-    let (controller, mut robot) = ready();
+    let (controller, mut robot) = ready_in_real_time();
     let end = robot.start_follow(&made(&to_and_fro()), &config).expect("the arm is at its start").wait();
     assert_eq!(end.outcome, FollowOutcome::Underrun, "{end}");
     assert!(!end.has_left_curve, "{end:?}");
@@ -146,7 +144,7 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
 #[test]
 fn an_arm_that_does_not_follow_departs_and_one_that_lags_shows_by_how_much() {
     let run = |lag: Duration, config: &FollowConfig| {
-        let (controller, mut robot) = ready_of(Controller::builder().lag(lag), &Config::new().stale_after(LONG));
+        let (controller, mut robot) = ready_of(Controller::builder().lag(lag), Config::new());
         let end = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start").wait();
         judge(&controller, &to_and_fro(), &end);
         end
@@ -169,7 +167,7 @@ fn a_link_that_is_held_or_cut_ends_it() {
         let config = patient().servo(ServoConfig::new().step_count(CYCLES));
         let (controller, mut robot) = ready();
         let run = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config).expect("the arm is at its start");
-        wait_for(&run, 0.2);
+        wait_for(&controller, &run, 0.2);
         if cut {
             controller.disconnect();
         } else {
@@ -189,7 +187,7 @@ fn a_run_that_is_dropped_or_unwinds_stops_along_the_trajectory() {
         let (controller, mut robot) = ready();
         let end = catch_unwind(AssertUnwindSafe(|| {
             let run = robot.start_follow(&made(&to_and_fro()), &patient()).expect("the arm is at its start");
-            wait_for(&run, 0.5);
+            wait_for(&controller, &run, 0.5);
             assert!(!panics, "a bug in the user's program");
         }));
         assert_eq!(end.is_err(), panics);
@@ -219,12 +217,12 @@ fn without_reserve() -> (Limits, [TimedPoint; 4]) {
 /// stood meanwhile: then there is room.
 fn stopped_without_reserve(by_robot: bool) -> Option<(FollowEnd, f64)> {
     let (limits, points) = without_reserve();
-    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    let (controller, robot) = plain();
     let mut robot = robot.with_limits(limits).expect("it is this arm");
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
     let stop = robot.stop_handle();
     let run = robot.start_follow(&trajectory, &patient()).expect("the arm is at its start");
-    wait_for(&run, 1.9);
+    wait_for(&controller, &run, 1.9);
     if by_robot {
         stop.stop().expect("the controller takes it");
     } else {
@@ -260,13 +258,13 @@ fn stopped_at_speed() -> Option<(FollowEnd, Vec<[f64; 6]>)> {
         TimedPoint::new(time_s, joints).with_velocity(speeds)
     };
     let points = [at(0.0, -220.0, 0.0), at(2.5, -1.25, 175.0), at(5.0, 217.5, 0.0)];
-    let (controller, robot) = plain(Controller::builder(), &Config::new().stale_after(LONG));
+    let (controller, robot) = plain();
     controller.set_state(|state| state.joint_position = points[0].joints);
     let mut robot = robot.with_limits(limits).expect("it is this arm");
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
     let stop = robot.stop_handle();
     let run = robot.start_follow(&trajectory, &patient()).expect("the arm is at its start");
-    wait_for(&run, 1.6);
+    wait_for(&controller, &run, 1.6);
     stop.stop().expect("the controller takes it");
     let end = run.wait();
     (end.report.gaps == 0).then(|| (end, set_points(&controller).0))
@@ -304,7 +302,7 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
 #[test]
 fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let far = |packet: &RobotStatus| packet.joint_actual_position.is_some_and(|joints| joints.0[0] > START[0] + 14.5);
-    let lags = || ready_of(Controller::builder().lag(Duration::from_millis(800)), &Config::new().stale_after(LONG));
+    let lags = || ready_of(Controller::builder().lag(Duration::from_millis(800)), Config::new());
     let (_controller, mut robot) = lags();
     let there = turned([15.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let curve = Curve::through(&[(0.0, START), (1.0, there)]);
@@ -314,14 +312,12 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
     assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
     // A stream likewise.
-    let (_controller, mut robot) = lags();
+    let (controller, mut robot) = lags();
     let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(LONG);
     let config = StreamConfig::new().servo(servo).max_gap(LONG).max_departure(1000.0);
     let stream = robot.stream_until(&config, Guard::when("joint 1 is far", far)).expect("it is not far yet");
     stream.set_joints(there).expect("within the limits");
-    while stream.joints().max_distance(&JointPosition(there)) > 0.2 {
-        thread::sleep(Duration::from_millis(5));
-    }
+    wait_until(&controller, || stream.joints().max_distance(&JointPosition(there)) <= 0.2);
     let error = stream.land().expect_err("the guard has tripped");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{error:?}");
 }
@@ -332,7 +328,7 @@ fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_brak
     let servo = ServoConfig::new().step_count(CYCLES).max_unanswered(LONG).rest_timeout(Duration::from_millis(500));
     let curve = to_and_fro().slower(2.0);
     let run = robot.start_follow(&made(&curve), &patient().servo(servo)).expect("the arm is at its start");
-    wait_for(&run, 0.2);
+    wait_for(&controller, &run, 0.2);
     controller.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
     let end = run.wait();
     assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");

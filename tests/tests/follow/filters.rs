@@ -1,9 +1,8 @@
-//! Trajectories on an arm that lags behind its set-points, by each filter of 4.60 or none, by a simulated clock.
+//! Trajectories on an arm that lags behind its set-points, by each filter of 4.60 or none.
 
-use jaka_sim::{DigitalInput, SimulatedClock};
+use jaka_sim::DigitalInput;
 use jaka_sync::Numbering;
 use jaka_sync::servo::SetServoMoveFilter;
-use jaka_tests::simulated::clock_of;
 
 use super::*;
 use crate::stream::filters;
@@ -11,9 +10,8 @@ use crate::stream::filters;
 const INPUT: Numbering = Numbering::FromZero;
 
 fn lagging(filter: &SetServoMoveFilter, lag_ms: u64) -> (Controller, Robot, FollowConfig) {
-    let clock = SimulatedClock::new();
-    let builder = Controller::builder().clock(&clock).lag(Duration::from_millis(lag_ms));
-    let (controller, robot) = ready_of(builder, &Config::new().clock(&clock));
+    let builder = Controller::builder().lag(Duration::from_millis(lag_ms));
+    let (controller, robot) = ready_of(builder, Config::new());
     let servo = ServoConfig::new().step_count(CYCLES).filter(*filter);
     (controller, robot, FollowConfig::new().servo(servo))
 }

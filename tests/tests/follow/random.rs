@@ -148,7 +148,7 @@ fn follow_at_random(seed: u32) {
         if told.is_err() || number > 12 {
             break;
         }
-        thread::sleep(Duration::from_secs_f64(random.between(0.0, 0.3)));
+        clock_of(&controller).sleep(Duration::from_secs_f64(random.between(0.0, 0.3)));
     }
     let _ = run.resume().and_then(|()| run.set_speed_scale(1.0));
     let end = run.wait();

@@ -1,14 +1,14 @@
 //! What goes wrong on a link while a motion runs under a guard.
 
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use jaka_sim::{Direction, LinkFault, Port};
+use jaka_sim::{Controller, Direction, LinkFault, Port, SimulatedClock};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
-use jaka_sync::{Command, Config, Error, ErrorKind, MotionEnd, Outcome};
+use jaka_sync::{Command, Config, Outcome};
+use jaka_tests::simulated::beside;
 
-use super::{IO, LONG, count, names, ready, wait_for_motion};
+use super::{IO, LONG, count, names, ready_of};
 
 /// Within which status packets are fresh, and replies come.
 const SHORT: Duration = Duration::from_millis(1500);
@@ -64,36 +64,31 @@ impl Case {
     }
 }
 
-/// Runs a motion, which something befalls on its way together with an input that trips the guard; none where the machine was so busy that packets which pass were
-/// stale.
-fn run(case: Case) -> Option<()> {
-    let config = Config::new().stale_after(SHORT).reply_timeout(SHORT);
-    let (controller, mut robot) = ready(&config);
+/// Runs a motion, which something befalls on its way together with an input that trips the guard.
+fn run(case: Case) {
+    let clock = SimulatedClock::new();
+    let config = Config::new().clock(&clock).stale_after(SHORT).reply_timeout(SHORT);
+    let (controller, mut robot) = ready_of(Controller::builder().clock(&clock), &config);
     let motion = JointMove::absolute([100.0, 90.0, 90.0, 90.0, -90.0, 0.0], 12.0).acceleration(500.0);
-    let since = Instant::now();
-    let end: Result<MotionEnd, Error> = thread::scope(|scope| {
-        scope.spawn(|| {
-            wait_for_motion(&controller);
-            controller.link(case.port).direction(case.direction).set(case.fault);
-            controller.set_state(|state| state.digital_inputs[0] = true);
-        });
-        robot.run_until(&motion, IO.cabinet(1).rises(), DEADLINE)
-    });
-    assert!(since.elapsed() < LONG, "{case:?}: {:?}", since.elapsed());
-    let end = match end {
-        Err(error) if matches!(error.kind(), ErrorKind::StatusUnknown { .. }) => return None,
-        end => end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}")),
+    let strike = || {
+        while controller.state().joint_position.0[0] < 1.0 {
+            clock.sleep(SHORT / 100);
+        }
+        controller.link(case.port).direction(case.direction).set(case.fault);
+        controller.set_state(|state| state.digital_inputs[0] = true);
     };
-    if case.has_packets() && matches!(end.outcome, Outcome::StatusLost { .. }) {
-        return None;
-    }
+    let since = clock.elapsed();
+    let end = beside(&clock, strike, || robot.run_until(&motion, IO.cabinet(1).rises(), DEADLINE));
+    let took = clock.elapsed().saturating_sub(since);
+    assert!(took < DEADLINE + 3 * SHORT, "{case:?}: {took:?}");
+    let end = end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}"));
     assert!(!end.outcome.is_at_rest(), "{case:?}: {:?}", end.outcome);
     if case.has_requests() {
         assert_eq!(count(&controller, StopProgram::INFO.name), 1, "{case:?}: {:?}", names(&controller));
-        let since = Instant::now();
+        let since = clock.elapsed();
         while !controller.state().at_rest {
-            assert!(since.elapsed() < LONG, "{case:?}: the arm goes on");
-            thread::sleep(Duration::from_millis(1));
+            assert!(clock.elapsed().saturating_sub(since) < LONG, "{case:?}: the arm goes on");
+            clock.sleep(Duration::from_millis(1));
         }
         assert!(controller.state().joint_position.0[0] < 99.0, "{case:?}: the arm went on to its target");
     } else {
@@ -110,13 +105,9 @@ fn run(case: Case) -> Option<()> {
     let is_accepted = matches!(&end.stop, Some(Ok(())));
     assert_eq!(is_accepted, case.has_requests() && case.has_replies(), "{case:?}: {:?}", end.outcome);
     assert_eq!(end.guarded().is_ok(), is_accepted && case.has_packets(), "{case:?}");
-    Some(())
 }
 
 #[test]
 fn no_fault_of_a_link_leaves_an_arm_unstopped_that_can_be_reached() {
-    let try_again = |case| (0..10).find_map(|_| run(case)).expect("this machine is too busy");
-    for some in cases().chunks(6) {
-        thread::scope(|scope| some.iter().for_each(|case| drop(scope.spawn(move || try_again(*case)))));
-    }
+    cases().into_iter().for_each(run);
 }
