@@ -1,5 +1,7 @@
 //! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing begins.
 
+use std::sync::LazyLock;
+
 use jaka_sim::{Controller, Delays};
 use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type};
 use proptest::prelude::*;
@@ -88,7 +90,8 @@ pub fn reliability_times() -> u32 {
 /// # Panics
 /// It has errors.
 pub fn spec() -> Spec {
-    jaka_spec::builtin().expect("the built-in spec is correct")
+    static READ: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the built-in spec is correct"));
+    READ.clone()
 }
 
 /// True if two JSON values are the same, where 1 and 1.0 are the same number.

@@ -1,6 +1,5 @@
 //! A user's crate with a pack, as cargo builds it: what the compiler says, and that an edit of the TOML file is noticed.
 
-#[path = "user_crate/grown.rs"]
 mod grown;
 
 use std::fs;
