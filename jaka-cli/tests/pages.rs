@@ -218,15 +218,22 @@ fn run(folder: &Path, line: &str, yes: &str) -> (Option<i32>, String) {
     (code, text("out") + &text("err"))
 }
 
-/// Runs the lines of a page in order, each on an arm that is powered and enabled.
-fn assert_runs(page: &str, text: &str) {
+/// The lines of `jaka` of a page. Those in one list run in order; a motion along a trajectory takes its time, whatever the lines before it did.
+fn runs(text: &str) -> Vec<Vec<&str>> {
+    let all = lines(text).into_iter().filter(|line| line.starts_with("jaka "));
+    let (alone, others): (Vec<_>, _) = all.partition(|line| line.starts_with("jaka follow"));
+    alone.into_iter().map(|line| vec![line]).chain([others]).collect()
+}
+
+/// Runs lines of a page in order, each on an arm that is powered and enabled.
+fn assert_run(page: &str, lines: &[&str]) {
     let controller = |time_scale: f64| {
         Controller::builder().delays(Delays::NONE).time_scale(time_scale).start().expect("loopback has free ports")
     };
     // Set-points come in real time.
     let (quick, steady) = (controller(5.0), controller(1.0));
     let folder = folder();
-    for line in lines(text).into_iter().filter(|line| line.starts_with("jaka ")) {
+    for line in lines {
         let controller = if line.starts_with("jaka follow") { &steady } else { &quick };
         write_config(&folder, controller);
         controller.set_state(|state| (state.powered, state.enabled) = (true, true));
@@ -255,13 +262,14 @@ fn every_line_of_jaka_runs_as_it_stands() {
     let all: Vec<_> = pages.iter().flat_map(|(_, text)| lines(text)).collect();
     assert!(all.iter().filter(|line| line.starts_with("jaka ")).count() > 50, "{all:?}");
     // Lines wait for arms. The code of the Chinese README is that of the English one.
-    let left = Mutex::new(pages.iter().filter(|(page, _)| page != "README.zh.md"));
+    let pages = pages.iter().filter(|(page, _)| page != "README.zh.md");
+    let left = Mutex::new(pages.flat_map(|(page, text)| runs(text).into_iter().map(move |lines| (page, lines))));
     thread::scope(|scope| {
         for number in 0..4 {
             // Each has a folder of its own, by the thread's name.
             let worker = thread::Builder::new().name(format!("pages-{number}"));
             let next = || left.lock().expect("no other has panicked with it").next();
-            let all = move || std::iter::from_fn(next).for_each(|(page, text)| assert_runs(page, text));
+            let all = move || std::iter::from_fn(next).for_each(|(page, lines)| assert_run(page, &lines));
             worker.spawn_scoped(scope, all).expect("a thread starts");
         }
     });

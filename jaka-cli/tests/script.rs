@@ -8,7 +8,7 @@ use std::{env, fs, iter};
 
 use jaka_sim::{Controller, Delays, Fault, Port};
 
-use crate::program::{Happening, Run, result, scratch, wait_for_motion};
+use crate::program::{Happening, Run, result, scratch, wait_for_motion, with_each};
 
 /// A controller whose arm has no power.
 fn controller() -> Controller {
@@ -62,13 +62,13 @@ fn a_script_ends_at_the_first_motion_that_fails() {
         ("2", |_| {}, 27),
         ("60", |controller| controller.link(Port::Status).cut(), 28),
     ];
-    for (patience, meanwhile, code) in ends {
+    with_each(ends, |(patience, meanwhile, code)| {
         let controller = controller();
         let run = script(&controller, patience, meanwhile);
         assert_eq!(run.code, Some(code), "{run:?}");
         assert_eq!(count(&controller, "joint_move"), 1, "{run:?}");
         assert_eq!(count(&controller, "stop_program"), 1, "{run:?}");
-    }
+    });
 }
 
 /// A refusal of this command.

@@ -8,7 +8,7 @@ use jaka_sim::{Controller, Fault, Port};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Happening, Run, command, jaka, powered, result, started_at};
+use crate::program::{Happening, Run, command, jaka, powered, result, started_at, with_each};
 
 const LONG: Duration = Duration::from_secs(30);
 
@@ -49,11 +49,11 @@ fn each_outcome_has_its_exit_code() {
         (" --timeout 3", |_| {}, 27, "has not ended in time"),
         ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
     ];
-    for (options, meanwhile, code, text) in ends {
+    with_each(ends, |(options, meanwhile, code, text)| {
         let run = run(&powered(), &format!("{SLOW}{options}"), meanwhile);
         assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{text}: {run:?}");
         assert!(run.err.starts_with("error: ") && run.err.contains(text), "{run:?}");
-    }
+    });
     let turn = "moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
     let run = run(&powered(), turn, |_| {});
     assert_eq!((run.code, run.out.as_str()), (Some(21), ""), "{run:?}");

@@ -102,3 +102,14 @@ pub(crate) fn scratch(name: &str) -> PathBuf {
     fs::create_dir_all(&folder).unwrap();
     folder.join(name)
 }
+
+/// Does this with each at once, since programs wait for arms most of the time. Each has a thread with a name, and so a folder, of its own.
+pub(crate) fn with_each<T: Send>(all: impl IntoIterator<Item = T>, act: impl Fn(T) + Sync) {
+    let test = thread::current().name().unwrap_or("unnamed").to_owned();
+    thread::scope(|scope| {
+        for (number, one) in all.into_iter().enumerate() {
+            let (act, named) = (&act, thread::Builder::new().name(format!("{test}-{number}")));
+            named.spawn_scoped(scope, move || act(one)).expect("a thread starts");
+        }
+    });
+}
