@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Write};
 
 use crate::common::{LIMIT, Peer, assert_accepted, fresh, request};
-use jaka_sim::{Controller, Fault, Takeover};
+use jaka_sim::{Controller, Delays, Fault, Takeover};
 
 /// A client whose connection is half open, and its controller.
 fn half_open() -> (Controller, Peer) {
@@ -66,7 +66,8 @@ fn another_client_takes_the_port() {
 
 #[test]
 fn another_client_holds_the_port() {
-    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    let controller =
+        Controller::builder().delays(Delays::NONE).takeover(Takeover::Refuse).start().expect("loopback has ports");
     for _ in 0..10 {
         let mut peer = Peer::commands(&controller);
         controller.inject(Fault::Takeover);

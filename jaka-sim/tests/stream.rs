@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Write};
 
 use crate::common::{LIMIT, Peer, assert_accepted, assert_unknown, fresh, json, request};
-use jaka_sim::{Controller, Takeover};
+use jaka_sim::{Controller, Delays, Takeover};
 
 const MOVE: &str = r#"{"cmdName": "set_user_offsets", "userffset": [1,2,3,4,5,6], "id": 2, "name": "}\"{\\"}"#;
 
@@ -79,7 +79,8 @@ fn a_new_client_replaces_the_active_one() {
 
 #[test]
 fn a_newcomer_is_refused() {
-    let controller = Controller::builder().takeover(Takeover::Refuse).start().expect("loopback has ports");
+    let controller =
+        Controller::builder().delays(Delays::NONE).takeover(Takeover::Refuse).start().expect("loopback has ports");
     let mut old = Peer::commands(&controller);
     assert_accepted(&old.call("power_on"), "power_on");
     for _ in 0..10 {

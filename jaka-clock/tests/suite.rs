@@ -1,0 +1,4 @@
+//! All tests of the clock.
+
+mod connections;
+mod time;
