@@ -16,7 +16,7 @@ use crate::readers::Readers;
 use crate::replay::ReplaySession;
 use crate::request_log::RequestLog;
 use crate::spec_index::SpecIndex;
-use crate::status_packet::LastPacket;
+use crate::status_packet::Part;
 use crate::time::Time;
 use crate::trigger::Triggers;
 use crate::world::World;
@@ -43,7 +43,7 @@ pub(crate) struct Shared {
     faults: Mutex<FaultPlan>,
     replies: Mutex<HashMap<String, Map<String, Value>>>,
     status_values: Mutex<Map<String, Value>>,
-    last_packet: LastPacket,
+    packet_parts: Mutex<Vec<Part>>,
 }
 
 /// How far a stepped clock is, and when the last packet went out.
@@ -71,7 +71,7 @@ impl Shared {
             spec_index,
             replies: Mutex::default(),
             status_values: Mutex::default(),
-            last_packet: LastPacket::default(),
+            packet_parts: Mutex::default(),
             clock: if options.stepped { Clock::Stepped } else { Clock::of(time, options.time_scale) },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
@@ -100,9 +100,8 @@ impl Shared {
 
     /// The status packet of a state.
     pub(crate) fn packet_of(&self, state: &State) -> String {
-        let make = |set: &_| status_packet::packet(state, self.options.firmware, &self.spec_index, set);
         let set = self.status_values().clone();
-        self.last_packet.of(state, set, make)
+        status_packet::packet(state, self.options.firmware, &self.spec_index, &set, &mut lock(&self.packet_parts))
     }
 
     /// Sends the present state to all status readers; nothing in a replay, which has its own packets.

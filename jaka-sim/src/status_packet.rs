@@ -2,7 +2,6 @@
 
 mod extio;
 mod keys;
-mod last;
 mod values;
 
 use jaka_proto::wire::{Encode, Writer};
@@ -10,30 +9,67 @@ use jaka_spec::Field;
 use serde_json::{Map, Value};
 
 use crate::firmware::{Shape, Values};
-use crate::json_text::{Separators, respace};
+use crate::json_text::respace;
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, ReplyStyle, State};
 
-pub(crate) use self::last::LastPacket;
+/// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most of what a controller does.
+#[derive(Debug, Default)]
+pub(crate) struct Part {
+    shown: Option<Shown>,
+    text: String,
+}
+
+/// What a packet shows at a key.
+#[derive(Debug, PartialEq)]
+enum Shown {
+    /// What a user has set, as it is.
+    Set(Value),
+    /// What the state has, in JSON.
+    State(String),
+}
 
 /// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the user's value.
-pub(crate) fn packet(state: &State, firmware: Firmware, spec_index: &SpecIndex, set: &Map<String, Value>) -> String {
+pub(crate) fn packet(
+    state: &State,
+    firmware: Firmware,
+    spec_index: &SpecIndex,
+    set: &Map<String, Value>,
+    parts: &mut Vec<Part>,
+) -> String {
     let shape = firmware.shape();
     let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
     let mut fields = keys::fields(&spec_index.spec, shape);
     let Some(length) = fields.next() else { return String::new() };
-    let mut out = Writer::new();
-    for field in fields {
-        out.raw(",");
-        out.raw(&json(&field.wire));
-        out.raw(":");
-        match set.get(&field.wire) {
-            Some(value) => out.json(value),
-            None => values.field(field, &shown(field, state, shape, spec_index), &mut out),
+    let fields: Vec<_> = fields.collect();
+    parts.resize_with(fields.len(), Part::default);
+    let mut tail = String::new();
+    for (field, part) in fields.into_iter().zip(parts) {
+        let shown = match set.get(&field.wire) {
+            Some(value) => Shown::Set(value.clone()),
+            None => Shown::State(shown(field, state, shape, spec_index)),
+        };
+        if part.shown.as_ref() != Some(&shown) {
+            part.text = respace(&written(field, &shown, values), shape.separators);
+            part.shown = Some(shown);
         }
+        tail.push_str(&part.text);
     }
-    out.raw("}");
-    with_length(&format!("{{{}:", json(&length.wire)), out.as_str(), shape.separators)
+    tail.push('}');
+    with_length(&respace(&format!("{{{}:", json(&length.wire)), shape.separators), &tail)
+}
+
+/// A key and what it shows, after a comma.
+fn written(field: &Field, shown: &Shown, values: Values<'_>) -> String {
+    let mut out = Writer::new();
+    out.raw(",");
+    out.raw(&json(&field.wire));
+    out.raw(":");
+    match shown {
+        Shown::Set(value) => out.json(value),
+        Shown::State(json) => values.field(field, json, &mut out),
+    }
+    out.into_string()
 }
 
 /// What a packet shows of the state at a key, in JSON.
@@ -46,8 +82,7 @@ fn shown(field: &Field, state: &State, shape: &Shape, spec_index: &SpecIndex) ->
 }
 
 /// The packet's text, with its own length between its parts.
-fn with_length(head: &str, tail: &str, separators: Separators) -> String {
-    let [head, tail] = [head, tail].map(|part| respace(part, separators));
+fn with_length(head: &str, tail: &str) -> String {
     let rest = head.len() + tail.len();
     let mut length = rest;
     // The length counts its own digits. It never shrinks here, so this ends.
@@ -71,11 +106,8 @@ mod tests {
     fn the_length_counts_itself() {
         // Lengths around those at which it gets another digit, and so counts one more.
         for padding in (0..120).chain(900..1020).chain(9_900..10_020) {
-            let tail = format!(",\"errmsg\":\"{}\"}}", "x".repeat(padding));
-            let text = with_length("{\"len\":", &tail, Separators::Compact);
+            let text = with_length("{\"len\":", &format!(",\"errmsg\":\"{}\"}}", "x".repeat(padding)));
             assert!(text.starts_with(&format!("{{\"len\":{},", text.len())), "{padding}: {text}");
-            let text = with_length("{\"len\":", &tail, Separators::Spaced);
-            assert!(text.starts_with(&format!("{{\"len\": {}, ", text.len())), "{padding}: {text}");
         }
     }
 }
