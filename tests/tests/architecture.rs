@@ -96,6 +96,16 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
+#[test]
+fn libraries_that_are_not_compiled_for_tests_have_none() {
+    for folder in ["jaka-clock", "tests/pack-user", "tests/fuzz-targets"] {
+        let folder = workspace().join(folder);
+        assert!(text(&folder.join("Cargo.toml")).contains("[lib]\ntest = false\n"), "{}", folder.display());
+        let with_tests = sources(&folder.join("src")).into_iter().find(|path| text(path).contains("#[test]"));
+        assert_eq!(with_tests, None);
+    }
+}
+
 /// Code without its comments, and without the module of tests at its end.
 fn code(text: &str) -> String {
     let end = text.find("#[cfg(test)]\nmod tests {").unwrap_or(text.len());
