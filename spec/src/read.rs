@@ -20,7 +20,7 @@ mod types;
 use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::event;
-pub(crate) use field::{OPTIONAL_LAST, changed_field, element, field, fields};
+pub(crate) use field::{OPTIONAL_LAST, changed_field, field, fields};
 use types::variants;
 pub(crate) use types::{array_variant, changed_value, enum_value, type_def, variant};
 
@@ -157,7 +157,7 @@ pub(crate) fn deadline(item: &Item<'_, '_>) -> Option<Duration> {
 
 fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
     match item.item("choice", "choice") {
-        None => Request::Fields(fields(item, ("request", "field"), &[COMMAND_NAME], index)),
+        None => Request::Fields(fields(item, ("request", "field"), Some(&[COMMAND_NAME]), index)),
         Some(choice_item) => {
             if item.has("request") {
                 item.error(choice_item.at, "a command has `request` fields or a `choice`, not both");
@@ -167,7 +167,7 @@ fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
                 choice_item.error(tag.at, "each message has this key, for its command's name");
             }
             let taken = [COMMAND_NAME, &tag.value];
-            let variants = variants(&choice_item, |item| fields(item, ("field", "field"), &taken, index));
+            let variants = variants(&choice_item, |item| fields(item, ("field", "field"), Some(&taken), index));
             choice_item.finish();
             Request::Choice(Choice { tag: tag.value, variants })
         }
@@ -177,7 +177,7 @@ fn request<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Request {
 /// Fields of its own, or the name of the type whose keys it has.
 fn reply<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Reply {
     if !item.is_text("reply") {
-        return Reply::Fields(fields(item, ("reply", "reply field"), ENVELOPE, index));
+        return Reply::Fields(fields(item, ("reply", "reply field"), Some(ENVELOPE), index));
     }
     let name = item.required_text("reply");
     if name.value == Scalar::Json.name() {

@@ -97,8 +97,8 @@ impl<'s> Draft<'s, '_> {
     fn add_field(&mut self, outer: &Item<'_, 's>, item: &Item<'_, 's>, place: Place<'_, 's>) -> bool {
         let Self { spec, index, .. } = self;
         let Some(list) = list(outer, spec, place) else { return false };
-        let keyed = list.keyed;
-        let new = if keyed { read::field(item, &list.taken, index) } else { read::element(item, index) };
+        let new = read::field(item, list.taken.as_deref(), index);
+        let keyed = list.taken.is_some();
         let same = list.fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
         match same.map(|old| (old, covers::field(old, &new))) {
             Some((_, Ok(()))) => {
@@ -123,7 +123,7 @@ impl<'s> Draft<'s, '_> {
         let new = match target {
             Target::Command(_) => {
                 let taken = [COMMAND_NAME, &choice.tag];
-                read::variant(item, |item| read::fields(item, ("field", "field"), &taken, index))
+                read::variant(item, |item| read::fields(item, ("field", "field"), Some(&taken), index))
             }
             Target::Type(_) => read::array_variant(item, index),
         };
@@ -181,7 +181,7 @@ impl<'s> Draft<'s, '_> {
         let Self { spec, index, .. } = self;
         let Some(mut list) = list(item, spec, place) else { return };
         let fields = &mut *list.fields;
-        let renamed = item.text("wire").filter(|_| list.keyed);
+        let renamed = item.text("wire").filter(|_| list.taken.is_some());
         let found = |key: &str| fields.iter().position(|field| is_called(field, key));
         let Some(at) = found(&name.value).or_else(|| found(&renamed.as_ref()?.value)) else {
             let known = fields.iter().map(|field| if field.wire.is_empty() { &*field.name } else { &*field.wire });
@@ -189,9 +189,11 @@ impl<'s> Draft<'s, '_> {
             item.error(name.at, &format!("there is no field `{}`; there are {}", name.value, known.join(", ")));
             return;
         };
-        let new = read::changed_field(item, &fields[at], &list.taken, index);
+        let new = read::changed_field(item, &fields[at], list.taken.as_deref().unwrap_or_default(), index);
         let mut others = fields.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, other)| other);
-        if let Some(other) = others.find(|other| other.name == new.name || list.keyed && other.wire == new.wire) {
+        if let Some(other) =
+            others.find(|other| other.name == new.name || list.taken.is_some() && other.wire == new.wire)
+        {
             let what =
                 if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{}`", new.wire) };
             item.error(item.at, &format!("another field has the {what}"));
@@ -309,21 +311,19 @@ type Place<'p, 's> = (&'p Target, Option<&'p Placed<'s, String>>, Part);
 /// Fields that a pack changes.
 struct List<'f> {
     fields: &'f mut Vec<Field>,
-    /// True for fields of an object; elements of an array have no keys.
-    keyed: bool,
-    /// Keys that no field may have.
-    taken: Vec<&'f str>,
+    /// Keys that no field may have; elements of an array have no keys.
+    taken: Option<Vec<&'f str>>,
     /// The name of the field that a bare reply stands for.
     bare_reply: Option<&'f mut String>,
 }
 
 impl<'f> List<'f> {
     fn object(fields: &'f mut Vec<Field>, taken: &[&'f str]) -> Self {
-        Self { fields, keyed: true, taken: taken.to_vec(), bare_reply: None }
+        Self { fields, taken: Some(taken.to_vec()), bare_reply: None }
     }
 
     fn array(fields: &'f mut Vec<Field>) -> Self {
-        Self { keyed: false, ..Self::object(fields, &[]) }
+        Self { fields, taken: None, bare_reply: None }
     }
 
     fn reply(fields: &'f mut Vec<Field>, bare_reply: Option<&'f mut String>) -> Self {

@@ -21,12 +21,6 @@ pub(super) fn snake_name<'s>(item: &Item<'_, 's>, wire: &Placed<'s, String>) -> 
     name
 }
 
-/// The name of what has no spelling on the wire.
-pub(super) fn element_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
-    let name = item.required_text("name");
-    snake_name(item, &name)
-}
-
 pub(super) fn camel_name<'s>(item: &Item<'_, 's>) -> Placed<'s, String> {
     let name = item.required_text("name");
     if !is_camel(&name.value) && !name.value.is_empty() {

@@ -1,6 +1,6 @@
 //! The fields of requests, replies and types.
 
-use super::common::{element_name, required_doc, snake_name, versions};
+use super::common::{required_doc, snake_name, versions};
 use crate::advice;
 use crate::item::{Item, Placed};
 use crate::model::{Field, Type};
@@ -12,33 +12,47 @@ use crate::type_text;
 use crate::unique::Unique;
 use crate::version::Versions;
 
-/// Fields of a struct written as an object, from `[[… .key]]`; `taken` are keys that none of them may have.
+/// Fields of a struct, from `[[… .key]]`. One written as an object has keys, none of which is one of `taken`; one written as an array has no `taken`.
 pub(crate) fn fields<'s>(
     item: &Item<'_, 's>,
     (key, what): (&'static str, &str),
-    taken: &[&str],
+    taken: Option<&[&str]>,
     index: &mut Index<'s>,
 ) -> Vec<Field> {
     let mut names = Unique::default();
     let mut keys = Unique::default();
+    let mut optional_seen = false;
     let read = |item: &Item<'_, 's>| {
         let (wire, name) = key_and_name(item, taken);
-        keys.add(item, "key", &wire);
         names.add(item, "name", &name);
-        read(item, wire.value, name, index)
+        if taken.is_some() {
+            keys.add(item, "key", &wire);
+        }
+        let field = read(item, wire.value, name, index);
+        if taken.is_none() && optional_seen && !field.optional {
+            item.error(item.at, OPTIONAL_LAST);
+        }
+        optional_seen |= field.optional;
+        field
     };
     let fields: Vec<_> = item.items(key, what).iter().map(read).collect();
     index.advised(item, &fields);
     fields
 }
 
-/// One field of a struct written as an object; `taken` are keys that it may not have.
-pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: &[&str], index: &mut Index<'s>) -> Field {
+pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be optional too";
+
+/// One field of a struct; `taken` as in [`fields`].
+pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>, index: &mut Index<'s>) -> Field {
     let (wire, name) = key_and_name(item, taken);
     read(item, wire.value, name, index)
 }
 
-fn key_and_name<'s>(item: &Item<'_, 's>, taken: &[&str]) -> (Placed<'s, String>, Placed<'s, String>) {
+fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, String>, Placed<'s, String>) {
+    let Some(taken) = taken else {
+        let name = item.required_text("name");
+        return (Placed { at: item.at, value: String::new() }, snake_name(item, &name));
+    };
     let wire = key(item, taken);
     let name = snake_name(item, &wire);
     (wire, name)
@@ -50,33 +64,6 @@ fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
         item.error(wire.at, &format!("the key `{}` is that of the tag, or of what each message has", wire.value));
     }
     wire
-}
-
-/// Fields of a struct written as an array: they have a place instead of a key.
-pub(super) fn elements<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Field> {
-    let mut names = Unique::default();
-    let mut optional_seen = false;
-    let read = |item: &Item<'_, 's>| {
-        let name = element_name(item);
-        names.add(item, "name", &name);
-        let field = read(item, String::new(), name, index);
-        if optional_seen && !field.optional {
-            item.error(item.at, OPTIONAL_LAST);
-        }
-        optional_seen |= field.optional;
-        field
-    };
-    let fields: Vec<_> = item.items("field", "field").iter().map(read).collect();
-    index.advised(item, &fields);
-    fields
-}
-
-pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be optional too";
-
-/// One field of a struct written as an array.
-pub(crate) fn element<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Field {
-    let name = element_name(item);
-    read(item, String::new(), name, index)
 }
 
 fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {

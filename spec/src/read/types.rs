@@ -1,7 +1,7 @@
 //! Named types.
 
 use super::common::{camel_name, keyword, required_doc, versions, wire_int};
-use super::field::{elements, fields, wrapped_type};
+use super::field::{fields, wrapped_type};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::Index;
@@ -14,10 +14,11 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId
     index.type_name(item, &name);
     let kinds = [("object", 0), ("array", 1), ("enum", 2), ("choice", 3), ("wrapper", 4)];
     let kind = match keyword(item, "kind", &kinds) {
-        Some(0) | None => TypeKind::Object(fields(item, ("field", "field"), &[], index)),
-        Some(1) => {
-            TypeKind::Array { fields: elements(item, index), exact: item.flag("exact").is_some_and(|flag| flag.value) }
-        }
+        Some(0) | None => TypeKind::Object(fields(item, ("field", "field"), Some(&[]), index)),
+        Some(1) => TypeKind::Array {
+            fields: fields(item, ("field", "field"), None, index),
+            exact: item.flag("exact").is_some_and(|flag| flag.value),
+        },
         Some(2) => enum_kind(item),
         Some(3) => TypeKind::Choice(array_choice(item, index)),
         Some(_) => TypeKind::Wrapper(wrapped_type(item, index), item.text("unit").map(|text| text.value)),
@@ -44,7 +45,7 @@ fn array_variant_fields<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<F
     if item.text("name").is_some_and(|name| name.value == "Other") {
         item.error(item.at, OTHER);
     }
-    elements(item, index)
+    fields(item, ("field", "field"), None, index)
 }
 
 fn enum_kind(item: &Item<'_, '_>) -> TypeKind {
