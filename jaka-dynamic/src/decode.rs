@@ -49,7 +49,7 @@ impl<'s> Decoder<'s> {
         match found.filter(|value| !value.is_null()) {
             Some(value) => self.value(&slot, value),
             None if field.optional => return,
-            None => self.unfit(&slot, DepartureKind::Missing, &Value::Null),
+            None => self.at(&slot, DepartureKind::Missing, &Value::Null, Reading::Unreadable),
         }
         if field.or_raw && found.is_some_and(|value| !value.is_null()) {
             // What does not fit is kept as raw JSON.
@@ -58,37 +58,60 @@ impl<'s> Decoder<'s> {
     }
 
     fn value(&mut self, slot: &Slot<'_>, value: &Value) {
-        match slot.shape {
-            Shape::Scalar(scalar) => self.fit(slot, value, scalar::fit(scalar, &slot.limits, value)),
-            Shape::Python(inner) => match value.as_str().and_then(scalar::literal) {
-                Some(found) => self.value(&slot.inner(slot.place, inner), &found),
-                None => self.unfit(slot, DepartureKind::Form, value),
-            },
-            Shape::List(element, len) => self.list(slot, element, value, len),
-            Shape::Object(fields) => match value.as_object() {
-                Some(found) => self.object(slot.place, fields, found, &[]),
-                None => self.unfit(slot, DepartureKind::Form, value),
-            },
-            Shape::Tuple { fields, exact } => match value.as_array() {
-                Some(found) => {
-                    self.length(slot, fields, (found, value), exact);
-                    self.elements(slot, fields, found);
-                }
-                None => self.unfit(slot, DepartureKind::Form, value),
-            },
-            Shape::IntEnum(values) => match scalar::int(value) {
-                Some((wire, _)) if values.iter().all(|listed| listed.wire != wire) => {
-                    self.lenient(slot, DepartureKind::Unlisted, value);
-                }
-                found => self.fit(slot, value, found.map_or(Fit::Unfit, |(_, fit)| fit)),
-            },
-            Shape::TextEnum(values) => match value.as_str() {
-                Some(text) if values.iter().any(|listed| listed.wire == text) => {}
-                Some(_) => self.lenient(slot, DepartureKind::Unlisted, value),
-                None => self.unfit(slot, DepartureKind::Form, value),
-            },
-            Shape::Choice(choice) => self.array_choice(slot, choice, value),
+        match self.parts(slot, value) {
+            Fit::Plain => {}
+            Fit::Lenient(kind) => self.at(slot, kind, value, Reading::Lenient),
+            Fit::Unfit => self.at(slot, DepartureKind::Form, value, Reading::Unreadable),
         }
+    }
+
+    /// Reads what the value is made of, and says whether it fits as a whole.
+    fn parts(&mut self, slot: &Slot<'_>, value: &Value) -> Fit {
+        match slot.shape {
+            Shape::Scalar(scalar) => return scalar::fit(scalar, &slot.limits, value),
+            Shape::Python(inner) => {
+                let Some(found) = value.as_str().and_then(scalar::literal) else { return Fit::Unfit };
+                self.value(&slot.inner(slot.place, inner), &found);
+            }
+            Shape::List(element, len) => {
+                let Some(found) = value.as_array() else { return Fit::Unfit };
+                if len.is_some_and(|len| found.len() != len) {
+                    self.at(slot, DepartureKind::Length, value, Reading::Unreadable);
+                }
+                self.list(slot, element, found);
+            }
+            Shape::Object(fields) => {
+                let Some(found) = value.as_object() else { return Fit::Unfit };
+                self.object(slot.place, fields, found, &[]);
+            }
+            Shape::Tuple { fields, exact } => {
+                let Some(found) = value.as_array() else { return Fit::Unfit };
+                self.length(slot, fields, (found, value), exact);
+                self.elements(slot, fields, found);
+            }
+            Shape::IntEnum(values) => {
+                let Some((wire, fit)) = scalar::int(value) else { return Fit::Unfit };
+                let is_listed = values.iter().any(|listed| listed.wire == wire);
+                return if is_listed { fit } else { Fit::Lenient(DepartureKind::Unlisted) };
+            }
+            Shape::TextEnum(values) => {
+                let Some(text) = value.as_str() else { return Fit::Unfit };
+                let is_listed = values.iter().any(|listed| listed.wire == text);
+                return if is_listed { Fit::Plain } else { Fit::Lenient(DepartureKind::Unlisted) };
+            }
+            Shape::Choice(choice) => {
+                let parts = value.as_array().and_then(|found| found.split_first());
+                let Some((tag, rest)) = parts.and_then(|(tag, rest)| Some((scalar::int(tag)?.0, rest))) else {
+                    return Fit::Unfit;
+                };
+                let Some(variant) = choice.variants.iter().find(|variant| variant.wire == tag) else {
+                    return Fit::Lenient(DepartureKind::Unlisted);
+                };
+                self.length(slot, &variant.fields, (rest, value), false);
+                self.elements(slot, &variant.fields, rest);
+            }
+        }
+        Fit::Plain
     }
 
     /// Tells of elements beyond the fields; they are those of the whole value, perhaps without its tag.
@@ -106,25 +129,7 @@ impl<'s> Decoder<'s> {
         }
     }
 
-    fn array_choice(&mut self, slot: &Slot<'_>, choice: &Choice, value: &Value) {
-        let parts = value.as_array().and_then(|found| found.split_first());
-        let Some(((tag, _), rest)) = parts.and_then(|(tag, rest)| Some((scalar::int(tag)?, rest))) else {
-            return self.unfit(slot, DepartureKind::Form, value);
-        };
-        match choice.variants.iter().find(|variant| variant.wire == tag) {
-            Some(variant) => {
-                self.length(slot, &variant.fields, (rest, value), false);
-                self.elements(slot, &variant.fields, rest);
-            }
-            None => self.lenient(slot, DepartureKind::Unlisted, value),
-        }
-    }
-
-    fn list(&mut self, slot: &Slot<'_>, ty: &Type, value: &Value, len: Option<usize>) {
-        let Some(found) = value.as_array() else { return self.unfit(slot, DepartureKind::Form, value) };
-        if len.is_some_and(|len| found.len() != len) {
-            self.unfit(slot, DepartureKind::Length, value);
-        }
+    fn list(&mut self, slot: &Slot<'_>, ty: &Type, found: &[Value]) {
         let first = self.departures.len();
         for (index, value) in found.iter().enumerate() {
             let before = self.departures.len();
@@ -149,22 +154,6 @@ impl<'s> Decoder<'s> {
             Some(old) => old.more += new.more + 1,
             None => self.departures.push(new),
         }
-    }
-
-    fn fit(&mut self, slot: &Slot<'_>, value: &Value, fit: Fit) {
-        match fit {
-            Fit::Plain => {}
-            Fit::Lenient(kind) => self.lenient(slot, kind, value),
-            Fit::Unfit => self.unfit(slot, DepartureKind::Form, value),
-        }
-    }
-
-    fn lenient(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value) {
-        self.at(slot, kind, value, Reading::Lenient);
-    }
-
-    fn unfit(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value) {
-        self.at(slot, kind, value, Reading::Unreadable);
     }
 
     fn at(&mut self, slot: &Slot<'_>, kind: DepartureKind, value: &Value, reading: Reading) {

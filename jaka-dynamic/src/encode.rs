@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 use super::names::{field_of, same, suggestion};
 use super::problem::{Problem, ProblemKind, member};
 use super::slot::{Slot, variants};
-use jaka_spec::{Choice, Command, Field, Request, Spec};
+use jaka_spec::{Choice, Command, Field, Request, Spec, Variant};
 
 /// The request with these fields, byte for byte as the generated code writes it.
 ///
@@ -113,29 +113,9 @@ impl Encoder<'_> {
         }
     }
 
-    /// Writes a struct that is an array on the wire.
-    fn tuple(&mut self, slot: &Slot<'_>, fields: &[Field], value: &Value) {
-        self.out.raw("[");
-        match value {
-            Value::Object(given) => self.object(Outer::of(slot), fields, given, ""),
-            Value::Array(elements) => self.elements(slot, fields, elements, value),
-            _ => self.forbidden(slot, value),
-        }
-        self.out.raw("]");
-    }
-
-    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], elements: &[Value], whole: &Value) {
-        let required = fields.iter().filter(|field| !field.optional).count();
-        if elements.len() < required || elements.len() > fields.len() {
-            return self.forbidden(slot, whole);
-        }
-        let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
-        self.members(Outer::of(slot), fields, &values);
-    }
-
     fn object_choice(&mut self, choice: &Choice, given: &Map<String, Value>) {
         let tag = given.get(&choice.tag).unwrap_or(&Value::Null);
-        let Some(variant) = choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name)) else {
+        let Some(variant) = variant(choice, tag) else {
             let kind = if tag.is_null() { ProblemKind::Missing } else { ProblemKind::Forbidden };
             return self.problem(&choice.tag, kind, tag, variants(&choice.variants));
         };
@@ -144,22 +124,6 @@ impl Encoder<'_> {
         self.object(Outer::REQUEST, &variant.fields, given, &choice.tag);
     }
 
-    fn array_choice(&mut self, slot: &Slot<'_>, choice: &Choice, value: &Value) {
-        let parts = value.as_array().and_then(|elements| elements.split_first());
-        let found = parts.and_then(|(tag, rest)| {
-            let variant = choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name));
-            variant.map(|variant| (variant, rest))
-        });
-        let Some((variant, rest)) = found else { return self.forbidden(slot, value) };
-        self.out.raw("[");
-        self.out.int(variant.wire);
-        self.elements(slot, &variant.fields, rest, value);
-        self.out.raw("]");
-    }
-}
-
-/// Problems.
-impl Encoder<'_> {
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {
         self.problems.push(Problem::new(place, kind, value, allowed));
     }
@@ -167,17 +131,11 @@ impl Encoder<'_> {
     fn missing(&mut self, slot: &Slot<'_>) {
         self.problem(slot.place, ProblemKind::Missing, &Value::Null, slot.words());
     }
+}
 
-    fn forbidden(&mut self, slot: &Slot<'_>, value: &Value) {
-        self.problem(slot.place, ProblemKind::Forbidden, value, slot.words());
-    }
-
-    /// Says of the last problem whether the range is advisory.
-    fn mark(&mut self, advisory: bool) {
-        if let Some(last) = self.problems.last_mut() {
-            last.advisory = advisory;
-        }
-    }
+/// The variant whose tag, or name, this is.
+fn variant<'c>(choice: &'c Choice, tag: &Value) -> Option<&'c Variant> {
+    choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name))
 }
 
 /// True if `value` is this number, or the name that goes with it.

@@ -1,64 +1,85 @@
 //! Values into JSON.
 
 use jaka_proto::check::AdvisoryRanges;
-use jaka_spec::{EnumValue, Shape, Type};
+use jaka_spec::{EnumValue, Field, Shape, Type};
 use serde_json::Value;
 
-use super::{Encoder, Outer, is_value};
+use super::{Encoder, Outer, is_value, variant};
 use crate::names::same;
-use crate::problem::element;
+use crate::problem::{Problem, ProblemKind, element};
 use crate::scalar;
 use crate::slot::Slot;
 
+/// A value may be forbidden: the error says whether that is advisory.
+type Written = Result<(), bool>;
+
 impl Encoder<'_> {
     pub(super) fn value(&mut self, slot: &Slot<'_>, value: &Value) {
+        if let Err(advisory) = self.write(slot, value) {
+            let problem = Problem::new(slot.place, ProblemKind::Forbidden, value, slot.words());
+            self.problems.push(Problem { advisory, ..problem });
+        }
+    }
+
+    fn write(&mut self, slot: &Slot<'_>, value: &Value) -> Written {
         match slot.shape {
-            Shape::Scalar(scalar) => {
-                let written = scalar::write(scalar, &slot.limits, self.ranges, value, &mut self.out);
-                written.unwrap_or_else(|advisory| {
-                    self.forbidden(slot, value);
-                    self.mark(advisory);
-                });
+            Shape::Scalar(scalar) => scalar::write(scalar, &slot.limits, self.ranges, value, &mut self.out)?,
+            Shape::Python(_) => {
+                let text = value.as_str().filter(|text| slot.limits.allow_text(text));
+                self.out.text(text.ok_or(false)?);
             }
-            Shape::Python(_) => match value.as_str().filter(|text| slot.limits.allow_text(text)) {
-                Some(text) => self.out.text(text),
-                None => self.forbidden(slot, value),
-            },
-            Shape::List(element, len) => self.list(slot, element, value, len),
-            Shape::Object(fields) => match value.as_object() {
-                Some(given) => {
-                    self.out.raw("{");
-                    self.object(Outer::of(slot), fields, given, "");
-                    self.out.raw("}");
+            Shape::List(element, len) => self.list(slot, element, value, len)?,
+            Shape::Object(fields) => {
+                let given = value.as_object().ok_or(false)?;
+                self.out.raw("{");
+                self.object(Outer::of(slot), fields, given, "");
+                self.out.raw("}");
+            }
+            Shape::Tuple { fields, .. } => {
+                self.out.raw("[");
+                match value {
+                    Value::Object(given) => self.object(Outer::of(slot), fields, given, ""),
+                    Value::Array(elements) => self.elements(slot, fields, elements)?,
+                    _ => return Err(false),
                 }
-                None => self.forbidden(slot, value),
-            },
-            Shape::Tuple { fields, .. } => self.tuple(slot, fields, value),
+                self.out.raw("]");
+            }
             Shape::IntEnum(values) => {
                 let listed = values.iter().find(|listed| is_value(value, listed.wire, &listed.name));
-                if let Some(listed) = self.listed(slot, value, listed) {
-                    self.out.int(listed.wire);
-                }
+                self.out.int(self.allowed(listed)?.wire);
             }
             Shape::TextEnum(values) => {
                 let text = value.as_str().unwrap_or_default();
                 let listed = values.iter().find(|listed| listed.wire == text);
                 let listed = listed.or_else(|| values.iter().find(|listed| same(&listed.name, text)));
-                if let Some(listed) = self.listed(slot, value, listed) {
-                    self.out.text(&listed.wire);
-                }
+                let wire = &self.allowed(listed)?.wire;
+                self.out.text(wire);
             }
-            Shape::Choice(choice) => self.array_choice(slot, choice, value),
+            Shape::Choice(choice) => {
+                let (tag, rest) = value.as_array().and_then(|elements| elements.split_first()).ok_or(false)?;
+                let variant = variant(choice, tag).ok_or(false)?;
+                self.out.raw("[");
+                self.out.int(variant.wire);
+                self.elements(slot, &variant.fields, rest)?;
+                self.out.raw("]");
+            }
         }
+        Ok(())
     }
-}
 
-/// Arrays, and what is checked of a value before it is written.
-impl Encoder<'_> {
-    fn list(&mut self, slot: &Slot<'_>, ty: &Type, value: &Value, len: Option<usize>) {
-        let Some(items) = value.as_array().filter(|items| len.is_none_or(|len| items.len() == len)) else {
-            return self.forbidden(slot, value);
-        };
+    /// Writes the elements of a struct that is an array on the wire.
+    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], elements: &[Value]) -> Written {
+        let required = fields.iter().filter(|field| !field.optional).count();
+        if elements.len() < required || elements.len() > fields.len() {
+            return Err(false);
+        }
+        let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
+        self.members(Outer::of(slot), fields, &values);
+        Ok(())
+    }
+
+    fn list(&mut self, slot: &Slot<'_>, ty: &Type, value: &Value, len: Option<usize>) -> Written {
+        let items = value.as_array().filter(|items| len.is_none_or(|len| items.len() == len)).ok_or(false)?;
         self.out.raw("[");
         for (index, item) in items.iter().enumerate() {
             self.out.comma();
@@ -66,20 +87,12 @@ impl Encoder<'_> {
             self.value(&slot.inner(&place, ty), item);
         }
         self.out.raw("]");
+        Ok(())
     }
 
-    /// The listed value, if it may be sent.
-    fn listed<'v, T>(
-        &mut self,
-        slot: &Slot<'_>,
-        value: &Value,
-        listed: Option<&'v EnumValue<T>>,
-    ) -> Option<&'v EnumValue<T>> {
+    /// The value of an enum, if it may be sent.
+    fn allowed<'v, T>(&self, listed: Option<&'v EnumValue<T>>) -> Result<&'v EnumValue<T>, bool> {
         let allowed = listed.filter(|listed| !listed.advisory || self.ranges == AdvisoryRanges::Ignored);
-        if allowed.is_none() {
-            self.forbidden(slot, value);
-            self.mark(listed.is_some());
-        }
-        allowed
+        allowed.ok_or(listed.is_some())
     }
 }
