@@ -55,14 +55,14 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     child.wait().unwrap();
     expect![[r#"
-        error: `crash`: not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
+        error: `crash`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
         error: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
     expect![[r#"
-        error: `--schedule <LIST>` cannot be ` trip`: `trip`: not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
+        error: `--schedule <LIST>` cannot be ` trip`: `trip`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
-        error: `--schedule <LIST>` cannot be `collide 2s`: `collide 2s`: `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`
+        error: `--schedule <LIST>` cannot be `collide 2s`: `collide`: a time may follow, as in `collide at 2s` or `… at 500ms`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
@@ -119,11 +119,11 @@ fn what_the_simulated_controller_does_not_know_is_named() {
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
     expect![[r#"
-        error: `--trips <LIST>` cannot be ` sped 3`: `sped`: not a trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
+        error: `--trips <LIST>` cannot be ` sped 3`: `sped`: unknown trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--trips", "deviation 1, sped 3"])));
     expect![[r#"
-        error: `--underrun <TEXT>` cannot be `stop`: `stop`: not one of `hold`, `fault`, `fault 40ms` and `run-out 300`
+        error: `--underrun <TEXT>` cannot be `stop`: `stop`: expected one of `hold`, `fault`, `fault 40ms` and `run-out 300`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));

@@ -21,45 +21,32 @@ use crate::{
     Underrun,
 };
 
-/// Options for a [`Controller`](crate::Controller), which are set before it starts.
-#[derive(Debug, Clone)]
-pub struct Builder {
-    pub(crate) address: IpAddr,
-    pub(crate) command_port: u16,
-    pub(crate) status_port: u16,
-    pub(crate) model: Model,
-    pub(crate) delays: Delays,
-    habits: Option<Habits>,
-    pub(crate) lag: Duration,
-    pub(crate) trips: Vec<Trip>,
-    pub(crate) underrun: Underrun,
-    pub(crate) inputs: Vec<InputScript>,
-    pub(crate) faults_at: Vec<(Duration, ArmFault)>,
-    pub(crate) contact: Option<Contact>,
-    pub(crate) stepped: bool,
-    pub(crate) time_scale: f64,
-    pub(crate) time: Time,
-    folders: Vec<PathBuf>,
-    pub(crate) packs: Vec<PathBuf>,
-    programs: HashMap<String, Program>,
-    pub(crate) takeover: Takeover,
-    pub(crate) faults: FaultPlan,
-    pub(crate) firmware: Firmware,
-    reply_style: Option<ReplyStyle>,
-    status_period: Option<Duration>,
-    pub(crate) replay: Option<ReplaySource>,
-    pub(crate) replay_timing: ReplayTiming,
-}
+/// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come first have methods
+/// of their own.
+macro_rules! options {
+    (
+        with methods of their own [ $( $field:ident: $Field:ty = $initial:expr; )* ]
+        $( $(#[$meta:meta])* $option:ident: $Option:ty = $usual:expr; )*
+    ) => {
+        /// Options for a [`Controller`](crate::Controller), which are set before it starts.
+        #[derive(Debug, Clone)]
+        pub struct Builder {
+            $( pub(crate) $option: $Option, )*
+            $( pub(crate) $field: $Field, )*
+        }
 
-/// Makes a method of [`Builder`] of each row, which sets the field of that name.
-macro_rules! setters {
-    ($( $(#[$meta:meta])* $option:ident: $Type:ty; )*) => {
+        impl Default for Builder {
+            fn default() -> Self {
+                Self { $( $option: $usual, )* $( $field: $initial, )* }
+            }
+        }
+
         impl Builder {
             $(
                 $(#[$meta])*
                 #[must_use]
-                pub fn $option(mut self, $option: $Type) -> Self {
-                    self.$option = $option.into();
+                pub fn $option(mut self, $option: $Option) -> Self {
+                    self.$option = $option;
                     self
                 }
             )*
@@ -67,15 +54,33 @@ macro_rules! setters {
     };
 }
 
-setters! {
+options! {
+    with methods of their own [
+        command_port: u16 = 0;
+        status_port: u16 = 0;
+        habits: Option<Habits> = None;
+        trips: Vec<Trip> = Vec::new();
+        contact: Option<Contact> = None;
+        reply_style: Option<ReplyStyle> = None;
+        status_period: Option<Duration> = None;
+        inputs: Vec<InputScript> = Vec::new();
+        faults_at: Vec<(Duration, ArmFault)> = Vec::new();
+        stepped: bool = false;
+        time: Time = Time::default();
+        folders: Vec<PathBuf> = Vec::new();
+        packs: Vec<PathBuf> = Vec::new();
+        programs: HashMap<String, Program> = programs::built_in();
+        replay: Option<ReplaySource> = None;
+    ]
+
     /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated arm.
-    address: IpAddr;
+    address: IpAddr = Ipv4Addr::LOCALHOST.into();
 
     /// Sets the arm: a Zu 5 if not set.
-    model: Model;
+    model: Model = Model::default();
 
     /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
-    delays: Delays;
+    delays: Delays = Delays::REAL;
 
     /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if not set.
     ///
@@ -84,15 +89,10 @@ setters! {
     ///
     /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a lag the arm is
     /// where it is commanded to be, so that a test can compare places in each cycle.
-    lag: Duration;
+    lag: Duration = Duration::ZERO;
 
     /// Sets what the arm does in servo mode when set-points stop while it has speed: [`Underrun::Hold`] if not set.
-    underrun: Underrun;
-
-    /// Puts a plane into the way of the tool centre point: none if not set.
-    ///
-    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
-    contact: Contact;
+    underrun: Underrun = Underrun::Hold;
 
     /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
     ///
@@ -100,61 +100,22 @@ setters! {
     /// times of faults, replays, and clients with their timeouts and servo periods. With any other number the controller does not start.
     ///
     /// A stepped clock is not affected.
-    time_scale: f64;
+    time_scale: f64 = 1.0;
 
     /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
-    takeover: Takeover;
+    takeover: Takeover = Takeover::Replace;
 
     /// Sets what goes wrong from the start: nothing if not set.
-    faults: FaultPlan;
+    faults: FaultPlan = FaultPlan::new();
 
     /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
-    firmware: Firmware;
-
-    /// Sets how replies are written: as the firmware does if not set.
-    reply_style: ReplyStyle;
-
-    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
-    ///
-    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
-    /// [`Controller::publish`](crate::Controller::publish).
-    status_period: Duration;
+    firmware: Firmware = Firmware::default();
 
     /// Sets when a replay sends what it sends: [`ReplayTiming::Recorded`] if not set.
-    replay_timing: ReplayTiming;
+    replay_timing: ReplayTiming = ReplayTiming::Recorded;
 }
 
 impl Builder {
-    pub(crate) fn new() -> Self {
-        Self {
-            address: Ipv4Addr::LOCALHOST.into(),
-            command_port: 0,
-            status_port: 0,
-            model: Model::default(),
-            delays: Delays::REAL,
-            habits: None,
-            lag: Duration::ZERO,
-            trips: Vec::new(),
-            underrun: Underrun::Hold,
-            inputs: Vec::new(),
-            faults_at: Vec::new(),
-            contact: None,
-            stepped: false,
-            time_scale: 1.0,
-            time: Time::default(),
-            folders: Vec::new(),
-            packs: Vec::new(),
-            programs: programs::built_in(),
-            takeover: Takeover::Replace,
-            faults: FaultPlan::new(),
-            firmware: Firmware::default(),
-            reply_style: None,
-            status_period: None,
-            replay: None,
-            replay_timing: ReplayTiming::Recorded,
-        }
-    }
-
     /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001 and 10000.
     #[must_use]
     pub fn ports(mut self, commands: u16, status: u16) -> Self {
@@ -272,6 +233,32 @@ impl Builder {
         Ok(programs)
     }
 
+    /// Puts a plane into the way of the tool centre point: none if not set.
+    ///
+    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
+    #[must_use]
+    pub fn contact(mut self, contact: Contact) -> Self {
+        self.contact = Some(contact);
+        self
+    }
+
+    /// Sets how replies are written: as the firmware does if not set.
+    #[must_use]
+    pub fn reply_style(mut self, style: ReplyStyle) -> Self {
+        self.reply_style = Some(style);
+        self
+    }
+
+    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
+    ///
+    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
+    /// [`Controller::publish`](crate::Controller::publish).
+    #[must_use]
+    pub fn status_period(mut self, period: Duration) -> Self {
+        self.status_period = Some(period);
+        self
+    }
+
     /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
     ///
     /// Status packets of the recording are sent at their times; after the last one of a connection, it is repeated each
@@ -332,12 +319,6 @@ impl Builder {
     /// How replies are written.
     pub(crate) fn style(&self) -> ReplyStyle {
         self.reply_style.unwrap_or_else(|| ReplyStyle::of(self.firmware))
-    }
-}
-
-impl Default for Builder {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

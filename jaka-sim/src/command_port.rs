@@ -5,11 +5,11 @@ mod request_reader;
 
 use std::io;
 use std::sync::Arc;
-use std::thread::{self, JoinHandle};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_proto::Envelope;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Envelope, ErrorCode, write_refusal};
 
 use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
@@ -18,6 +18,7 @@ use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::socket::Socket;
+use crate::spec_index::accepted;
 use crate::world::World;
 use crate::{Port, Takeover, firmware};
 
@@ -40,16 +41,9 @@ fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shar
     log::trace!(target: "jaka_sim", "command client connected");
     let connection = Arc::new(CommandConnection::new(socket, &shared.links)?);
     shared.active_client.replace(Some(Arc::clone(&connection)));
-    let thread = thread::Builder::new().name("jaka-sim commands".to_owned());
     let (theirs, host) = (Arc::clone(&connection), Arc::clone(shared));
-    let place = shared.time().servant();
-    match thread.spawn(move || place.run(|| serve_to_end(&theirs, &host))) {
-        Ok(thread) => *serving = Some(thread),
-        Err(error) => {
-            shared.active_client.clear(&connection);
-            return Err(error);
-        }
-    }
+    let thread = shared.time().spawn("commands", move || serve_to_end(&theirs, &host));
+    *serving = Some(thread.inspect_err(|_| shared.active_client.clear(&connection))?);
     Ok(())
 }
 
@@ -181,14 +175,8 @@ fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer)
     if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
         return;
     }
-    let packet = shared.packet_of(&world.state);
     reply.clear();
-    write_refusal(Some(&entry.command.wire), ErrorCode::SUCCESS, "", reply);
-    if let (Some(envelope), Some(keys)) = (reply.as_str().strip_suffix('}'), packet.strip_prefix('{')) {
-        let whole = format!("{envelope},{keys}");
-        reply.clear();
-        reply.raw(&whole);
-    }
+    reply.raw(&accepted(&entry.command.wire, &shared.packet_of(&world.state)));
 }
 
 /// Writes the fields that a user has set into the reply.

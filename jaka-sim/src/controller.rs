@@ -44,7 +44,7 @@ impl Controller {
 
     /// The options of a controller to start.
     pub fn builder() -> Builder {
-        Builder::new()
+        Builder::default()
     }
 
     fn spawn(&self, run: fn(&Arc<Shared>)) -> io::Result<JoinHandle<()>> {

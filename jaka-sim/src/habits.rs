@@ -67,7 +67,7 @@ kinds! {
 }
 
 fn unknown(_word: &str) -> String {
-    format!("not a habit; the habits are {}, and `all`", quoted(&Habit::one_of_each()))
+    format!("unknown habit; the habits are {}, and `all`", quoted(&Habit::one_of_each()))
 }
 
 /// What a controller does as real ones do: some [`Habit`]s, or none.
@@ -201,7 +201,7 @@ mod tests {
         let error = "blend, pauses".parse::<Habits>().expect_err("there is no such habit").to_string();
         assert_eq!(
             error,
-            "`pauses`: not a habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `late-power`, `blend`, \
+            "`pauses`: unknown habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `late-power`, `blend`, \
              `servo-at-rest`, `events`, and `all`"
         );
     }

@@ -41,7 +41,9 @@ pub(crate) fn load_folder(folder: &Path, prefix: &str, programs: &mut HashMap<St
             load_folder(&entry.path(), &format!("{name}/"), programs)?;
         } else {
             let text = fs::read_to_string(entry.path())?;
-            programs.insert(name.clone(), parse(&text).map_err(|error| invalid(&name, &error))?);
+            let invalid = |error| io::Error::new(io::ErrorKind::InvalidData, format!("program `{name}`, {error}"));
+            let program = parse(&text).map_err(invalid)?;
+            programs.insert(name, program);
         }
     }
     Ok(())
@@ -52,8 +54,4 @@ fn parse(text: &str) -> Result<Program, String> {
     let read =
         |(number, line): (usize, &str)| Request::read(line).map_err(|error| format!("line {}: {error}", number + 1));
     lines.map(read).collect()
-}
-
-fn invalid(name: &str, error: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, format!("program `{name}`, {error}"))
 }

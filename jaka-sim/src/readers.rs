@@ -7,7 +7,7 @@ mod recorded_packets;
 use std::collections::VecDeque;
 use std::io;
 use std::sync::{Arc, Mutex};
-use std::thread::{self, JoinHandle};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
 use self::reader::Message;
@@ -43,7 +43,7 @@ impl Readers {
     pub(crate) fn set_fault(&self, fault: StatusFault) {
         let mut list = lock(&self.list);
         for (reader, _) in &list.readers {
-            reader.set_fault(fault.clone());
+            reader.post(Message::Fault(fault.clone()));
         }
         list.fault = fault;
     }
@@ -74,7 +74,9 @@ impl Readers {
 
     /// Has each thread compute again when its next packet is due.
     pub(crate) fn reschedule(&self) {
-        lock(&self.list).readers.iter().for_each(|(reader, _)| reader.reschedule());
+        for (reader, _) in &lock(&self.list).readers {
+            reader.post(Message::Reschedule);
+        }
     }
 
     /// Closes all connections, and waits for their threads.
@@ -99,9 +101,8 @@ impl Readers {
         list.readers.retain(|(_, thread)| !thread.is_finished());
         let oldest = if list.readers.len() < MAX_READERS { None } else { list.readers.pop_front() };
         let reader = Arc::new(Reader::new(socket, links, list.fault.clone())?);
-        let (theirs, place) = (Arc::clone(&reader), links.time().servant());
-        let thread =
-            thread::Builder::new().name("jaka-sim status".to_owned()).spawn(move || place.run(|| run(&theirs)))?;
+        let theirs = Arc::clone(&reader);
+        let thread = links.time().spawn("status", move || run(&theirs))?;
         list.readers.push_back((reader, thread));
         drop(list);
         oldest.into_iter().for_each(close);

@@ -134,11 +134,15 @@ fn changes_status(before: &Spec, after: &Spec) -> bool {
 
 /// A reply that fits the spec.
 fn made_up(spec: &Spec, command: &jaka_spec::Command) -> String {
+    accepted(&command.wire, &Value::Object(jaka_dynamic::sample_reply(spec, command)).to_string())
+}
+
+/// The reply that accepts a command, with the members of a JSON object.
+pub(crate) fn accepted(command: &str, members: &str) -> String {
     let mut out = Writer::new();
-    write_refusal(Some(&command.wire), ErrorCode::SUCCESS, "", &mut out);
-    let fields = Value::Object(jaka_dynamic::sample_reply(spec, command)).to_string();
-    match (out.as_str().strip_suffix('}'), fields.strip_prefix('{')) {
-        (Some(envelope), Some(fields)) if fields != "}" => format!("{envelope},{fields}"),
+    write_refusal(Some(command), ErrorCode::SUCCESS, "", &mut out);
+    match (out.as_str().strip_suffix('}'), members.strip_prefix('{')) {
+        (Some(envelope), Some(members)) if members != "}" => format!("{envelope},{members}"),
         _ => out.into_string(),
     }
 }

@@ -1,6 +1,8 @@
 //! The time in which threads and connections wait: the system's, or a simulated clock's. The controller's own time is made of it.
 
+use std::io;
 use std::sync::{Condvar, Mutex, MutexGuard};
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use jaka_clock::{Participant, SimulatedClock};
@@ -48,9 +50,10 @@ impl Time {
         }
     }
 
-    /// The place of a thread that will be started, and serves others.
-    pub(crate) fn servant(&self) -> Place {
-        Place(self.0.as_ref().map(SimulatedClock::servant))
+    /// Starts a thread that serves others.
+    pub(crate) fn spawn(&self, name: &str, act: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
+        let place = Place(self.0.as_ref().map(SimulatedClock::servant));
+        thread::Builder::new().name(format!("jaka-sim {name}")).spawn(move || place.run(act))
     }
 }
 

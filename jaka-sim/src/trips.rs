@@ -49,7 +49,7 @@ kinds! {
 }
 
 fn unknown(_word: &str) -> String {
-    format!("not a trip; the trips, each with a threshold, are {}", quoted(&Trip::one_of_each()))
+    format!("unknown trip; the trips, each with a threshold, are {}", quoted(&Trip::one_of_each()))
 }
 
 /// What the drives know of the arm's motion, or of a set-point, in a cycle, of each joint: in degrees, deg/s and deg/s².
@@ -97,7 +97,7 @@ mod tests {
         }
         assert_eq!(
             "sped 1".parse::<Trip>().expect_err("there is no such trip").to_string(),
-            "`sped`: not a trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, \
+            "`sped`: unknown trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, \
              `command-speed 1`, `command-acceleration 1`"
         );
         assert_eq!(

@@ -57,7 +57,9 @@ impl FromStr for Underrun {
             }
             _ => None,
         };
-        read.ok_or_else(|| ScriptError::of_text(text, "not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"))
+        read.ok_or_else(|| {
+            ScriptError::of_text(text, "expected one of `hold`, `fault`, `fault 40ms` and `run-out 300`")
+        })
     }
 }
 
@@ -78,7 +80,7 @@ mod tests {
         }
         assert_eq!(
             "run-out".parse::<Underrun>().expect_err("a number is missing").to_string(),
-            "`run-out`: not one of `hold`, `fault`, `fault 40ms` and `run-out 300`"
+            "`run-out`: expected one of `hold`, `fault`, `fault 40ms` and `run-out 300`"
         );
     }
 }

@@ -2,7 +2,6 @@
 
 use std::io;
 use std::sync::Arc;
-use std::thread;
 
 use super::Controller;
 use crate::State;
@@ -42,9 +41,8 @@ impl Controller {
         action: impl FnOnce(&Self) + Send + 'static,
     ) -> io::Result<Trigger> {
         let trigger = Trigger::new(self.shared.time());
-        let (shared, theirs, place) = (Arc::clone(&self.shared), trigger.clone(), self.shared.time().servant());
-        let thread = thread::Builder::new().name("jaka-sim when".to_owned());
-        let thread = thread.spawn(move || place.run(|| watch(&shared, &theirs, action)))?;
+        let (shared, theirs) = (Arc::clone(&self.shared), trigger.clone());
+        let thread = self.shared.time().spawn("when", move || watch(&shared, &theirs, action))?;
         self.shared.triggers.add(&trigger, thread);
         self.shared.world().watch(Condition::new(condition, &trigger));
         Ok(trigger)

@@ -147,8 +147,8 @@ impl FromStr for ArmEvent {
     fn from_str(text: &str) -> Result<Self, ScriptError> {
         let (fault, rest) = ArmFault::read(&words(text)).ok_or_else(|| unknown(text))?;
         let at = if rest.is_empty() { Some(Duration::ZERO) } else { rest.strip_prefix(" at ").and_then(read_time) };
-        let unfit = || format!("`{fault}` may be followed by a time, as in `{fault} at 2s` or `… at 500ms`");
-        Ok(Self { fault, at: at.ok_or_else(|| ScriptError::of_text(text, unfit()))? })
+        let wanted = || format!("a time may follow, as in `{fault} at 2s` or `… at 500ms`");
+        Ok(Self { fault, at: at.ok_or_else(|| ScriptError::of_text(&fault.to_string(), wanted()))? })
     }
 }
 
@@ -175,7 +175,7 @@ impl fmt::Display for ArmEvent {
 
 /// The error of a text that does not begin with one of these.
 fn unknown(text: &str) -> ScriptError {
-    ScriptError::of_text(text, format!("not one of {}", quoted(&ArmFault::one_of_each(0))))
+    ScriptError::of_text(text, format!("expected one of {}", quoted(&ArmFault::one_of_each(0))))
 }
 
 /// A text with one blank between two words.
@@ -205,13 +205,10 @@ mod tests {
         let read = |text: &str| text.parse::<ArmEvent>().expect_err(text).to_string();
         assert_eq!(
             read(" crash "),
-            "`crash`: not one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, \
+            "`crash`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, \
              `input 0 low`, `tool-input 0 high`, `tool-input 0 low`"
         );
-        assert_eq!(
-            read("collide at 2"),
-            "`collide at 2`: `collide` may be followed by a time, as in `collide at 2s` or `… at 500ms`"
-        );
+        assert_eq!(read("collide at 2"), "`collide`: a time may follow, as in `collide at 2s` or `… at 500ms`");
         for bad in [
             "",
             "at 2s",

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use super::token_reader::TokenReader;
 use super::tokens::{self, Name, Token};
-use super::{Fault, FaultPlan, LinkEvent, StatusFault};
+use super::{Fault, FaultPlan, LinkEvent, SplitMix64, StatusFault};
 
 /// What is wrong with a text that says what the simulator does, such as that of a [`FaultPlan`], a [`Trip`](crate::Trip) or a
 /// [`Habit`](crate::Habit), and where.
@@ -103,16 +103,11 @@ impl FaultPlan {
 
     fn read_seed(&mut self, args: &mut TokenReader<'_, '_>) -> Result<(), ScriptError> {
         let seed = args.number("a seed")?;
-        match self.seed {
-            Some(other) if other != seed => {
-                Err(args.unfit(format!("the seed is already {other}, and a plan has only one")))
-            }
-            Some(_) => Ok(()),
-            None => {
-                self.set_seed(seed);
-                Ok(())
-            }
+        let other = self.generator.get_or_insert_with(|| SplitMix64::new(seed)).seed;
+        if other == seed {
+            return Ok(());
         }
+        Err(args.unfit(format!("the seed is already {other}, and a plan has only one")))
     }
 }
 
@@ -136,7 +131,7 @@ impl fmt::Display for FaultPlan {
             lines.push(format!("for {}: {fault}", Name(command)));
         }
         for chance in &self.chances {
-            let seed = self.seed.unwrap_or(0);
+            let seed = self.generator.as_ref().map_or(0, |generator| generator.seed);
             lines.push(format!("random {seed} 1/{} {}", chance.one_in, list(&chance.faults)));
         }
         lines.extend(self.always.iter().map(|fault| format!("always {fault}")));

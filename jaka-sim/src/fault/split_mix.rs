@@ -3,12 +3,13 @@
 /// A random number generator, `SplitMix64`, whose numbers follow from its seed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct SplitMix64 {
+    pub(super) seed: u64,
     state: u64,
 }
 
 impl SplitMix64 {
     pub(crate) fn new(seed: u64) -> Self {
-        Self { state: seed }
+        Self { seed, state: seed }
     }
 
     fn next_u64(&mut self) -> u64 {

@@ -1,7 +1,9 @@
 //! Values of replies and packets in other forms than the document's, by what the spec says they are.
 
+use std::iter::{once, repeat};
+
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{Choice, Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{Field, Scalar, Shape, Spec, Type};
 
 use super::{NumberStyle, ReplyStyle, TruthStyle};
 use crate::json_text::{elements, members};
@@ -29,27 +31,35 @@ impl<'s> Values<'s> {
         if !self.is_position && is_position(self.spec, ty) {
             return Self { is_position: true, ..self }.value(name, ty, json, out);
         }
+        if self.restyled(name, ty, json, out).is_none() {
+            out.raw(json);
+        }
+    }
+
+    /// Writes the value in the style; `None` where it stays as it is.
+    fn restyled(self, name: &str, ty: &Type, json: &str, out: &mut Writer) -> Option<()> {
         match self.spec.shape(ty) {
-            Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out),
+            Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out)?,
             Shape::Scalar(Scalar::Float) => self.float(json, out),
             Shape::Scalar(Scalar::Int) | Shape::IntEnum(_) => self.number(json, out),
-            Shape::List(element, _) => self.list(name, element, json, out),
-            Shape::Object(fields) => self.object(fields, json, out),
-            Shape::Tuple { fields, .. } => self.array(fields, json, out),
-            Shape::Choice(choice) => self.choice(choice, json, out),
-            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => out.raw(json),
+            Shape::List(element, _) => {
+                out.array(&elements(json)?, |out, json| self.value(name, element, json, out));
+            }
+            Shape::Object(fields) => self.object(fields, members(json)?, out),
+            // Elements beyond the fields stay as they are.
+            Shape::Tuple { fields, .. } => self.elements(fields.iter().map(Some), &elements(json)?, out),
+            Shape::Choice(choice) => {
+                let elements = elements(json)?;
+                let tag = elements.first()?;
+                let variant = choice.variants.iter().find(|variant| variant.wire.to_string() == *tag)?;
+                self.elements(once(None).chain(variant.fields.iter().map(Some)), &elements, out);
+            }
+            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => return None,
         }
+        Some(())
     }
 
-    fn list(self, name: &str, element: &Type, json: &str, out: &mut Writer) {
-        match elements(json) {
-            Some(list) => out.array(&list, |out, json| self.value(name, element, json, out)),
-            None => out.raw(json),
-        }
-    }
-
-    fn object(self, fields: &[Field], json: &str, out: &mut Writer) {
-        let Some(members) = members(json) else { return out.raw(json) };
+    fn object(self, fields: &[Field], members: Vec<(String, &str)>, out: &mut Writer) {
         out.raw("{");
         for (key, json) in members {
             out.comma();
@@ -63,25 +73,9 @@ impl<'s> Values<'s> {
         out.raw("}");
     }
 
-    /// Elements beyond the fields stay as they are.
-    fn array(self, fields: &[Field], json: &str, out: &mut Writer) {
-        let Some(elements) = elements(json) else { return out.raw(json) };
-        self.elements(fields.iter().map(Some), &elements, out);
-    }
-
-    /// An array that begins with the tag of a variant.
-    fn choice(self, choice: &Choice, json: &str, out: &mut Writer) {
-        let elements = elements(json).unwrap_or_default();
-        let tag = elements.first().copied().unwrap_or_default();
-        match choice.variants.iter().find(|variant| variant.wire.to_string() == tag) {
-            Some(variant) => self.elements([None].into_iter().chain(variant.fields.iter().map(Some)), &elements, out),
-            None => out.raw(json),
-        }
-    }
-
     fn elements<'f>(self, fields: impl Iterator<Item = Option<&'f Field>>, elements: &[&str], out: &mut Writer) {
         out.raw("[");
-        for (json, field) in elements.iter().zip(fields.chain(std::iter::repeat(None))) {
+        for (json, field) in elements.iter().zip(fields.chain(repeat(None))) {
             out.comma();
             match field {
                 Some(field) => self.field(field, json, out),
@@ -91,14 +85,12 @@ impl<'s> Values<'s> {
         out.raw("]");
     }
 
-    fn truth(self, name: &str, printed: [&str; 2], json: &str, out: &mut Writer) {
+    fn truth(self, name: &str, printed: [&str; 2], json: &str, out: &mut Writer) -> Option<()> {
         let value = printed.iter().position(|form| *form == json).map(|at| at == 1);
-        let value = value.or_else(|| bool::decode(&mut Reader::new(json)).ok());
+        let value = value.or_else(|| bool::decode(&mut Reader::new(json)).ok())?;
         let [off, on] = self.forms(name, printed);
-        match value {
-            Some(value) => out.choose(value, off, on),
-            None => out.raw(json),
-        }
+        out.choose(value, off, on);
+        Some(())
     }
 
     /// How false and true are written.

@@ -4,7 +4,6 @@ use std::io::{self, ErrorKind};
 use std::net::Shutdown;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
-use std::thread;
 use std::time::Duration;
 
 use socket2::SockRef;
@@ -97,9 +96,8 @@ impl Wire {
     /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for this.
     fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
         if !queue.has_sender {
-            let (this, place) = (Arc::clone(self), self.links.time().servant());
-            let thread = thread::Builder::new().name("jaka-sim link".to_owned());
-            let thread = thread.spawn(move || place.run(|| this.send_all()))?;
+            let this = Arc::clone(self);
+            let thread = self.links.time().spawn("link", move || this.send_all())?;
             queue.has_sender = true;
             drop(queue);
             self.links.add_sender((Arc::downgrade(self), thread));

@@ -2,8 +2,6 @@
 
 use std::collections::VecDeque;
 use std::io;
-use std::mem;
-use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -23,6 +21,8 @@ const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub(crate) struct Reader {
     wire: Arc<Wire>,
+    /// What is wrong with the first packets.
+    fault: StatusFault,
     outbox: Mutex<Outbox>,
     changed: Signal,
     time: Time,
@@ -30,31 +30,28 @@ pub(crate) struct Reader {
 
 #[derive(Debug, Default)]
 struct Outbox {
-    /// What is wrong from now on.
-    fault: Option<StatusFault>,
-    /// What is to be written. Each caller that posts a message waits for it, so there are never many.
     messages: VecDeque<Message>,
     posted: u64,
-    written: u64,
-    rescheduled: bool,
+    done: u64,
     closed: bool,
 }
 
-/// What is to be written between the periodic packets.
+/// What a reader's thread does between the periodic packets.
 #[derive(Debug, Clone)]
 pub(super) enum Message {
-    /// A packet, with what is wrong with packets.
-    Packet(Arc<[u8]>),
-    /// Bytes, which are written as they are.
-    Bytes(Arc<[u8]>),
-}
-
-enum Job {
+    /// Packets are written with this from now on.
     Fault(StatusFault),
-    Message(Message),
-    Packet,
+    /// Writes a packet, with what is wrong with packets.
+    Packet(Arc<[u8]>),
+    /// Writes bytes as they are.
+    Bytes(Arc<[u8]>),
     /// The time of the next packet may have changed.
     Reschedule,
+}
+
+enum Next {
+    Message(Message),
+    Packet,
     End,
 }
 
@@ -62,9 +59,8 @@ impl Reader {
     pub(super) fn new(mut socket: Socket, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
         socket.set_write_timeout(WRITE_TIMEOUT)?;
         let wire = Wire::new(socket, Port::Status, links)?;
-        let outbox = Outbox { fault: Some(fault), ..Outbox::default() };
         let (changed, time) = (Signal::new(links.time()), links.time().clone());
-        Ok(Self { wire, outbox: Mutex::new(outbox), changed, time })
+        Ok(Self { wire, fault, outbox: Mutex::default(), changed, time })
     }
 
     /// Writes a packet at once, and then one each period if a period is given, until the connection ends.
@@ -85,99 +81,62 @@ impl Reader {
     }
 
     fn write_recorded(&self, mut packets: RecordedPackets, session: &ReplaySession) -> io::Result<()> {
-        let mut writer = self.first_outlet();
+        let mut writer = PacketWriter::new(&self.wire, self.fault.clone());
         loop {
-            match self.next_job(packets.due(session)) {
-                Job::Packet => match packets.take() {
+            match self.next(packets.due(session)) {
+                Next::Packet => match packets.take() {
                     Some(RecordedStep::Packet(packet)) => writer.send_packet(&packet)?,
                     Some(RecordedStep::End) => return Ok(()),
                     None => {}
                 },
-                job => {
-                    if self.do_job(job, &mut writer)?.is_break() {
-                        return Ok(());
-                    }
-                }
+                Next::Message(message) => self.handle(message, &mut writer)?,
+                Next::End => return Ok(()),
             }
         }
     }
 
-    fn first_outlet(&self) -> PacketWriter<'_> {
-        let fault = lock(&self.outbox).fault.take();
-        PacketWriter::new(&self.wire, fault.unwrap_or_default())
-    }
-
-    /// Does a job other than the periodic packet.
-    fn do_job<'s>(&'s self, job: Job, writer: &mut PacketWriter<'s>) -> io::Result<ControlFlow<()>> {
-        match job {
-            Job::Fault(fault) => *writer = PacketWriter::new(&self.wire, fault),
-            Job::Message(message) => {
-                match message {
-                    Message::Packet(packet) => writer.send_packet(&packet)?,
-                    Message::Bytes(bytes) => writer.send(&bytes)?,
-                }
-                lock(&self.outbox).written += 1;
-                self.changed.notify_all();
-            }
-            Job::Packet | Job::Reschedule => {}
-            Job::End => return Ok(ControlFlow::Break(())),
+    fn handle<'s>(&'s self, message: Message, writer: &mut PacketWriter<'s>) -> io::Result<()> {
+        match message {
+            Message::Fault(fault) => *writer = PacketWriter::new(&self.wire, fault),
+            Message::Packet(packet) => writer.send_packet(&packet)?,
+            Message::Bytes(bytes) => writer.send(&bytes)?,
+            Message::Reschedule => {}
         }
-        Ok(ControlFlow::Continue(()))
+        lock(&self.outbox).done += 1;
+        self.changed.notify_all();
+        Ok(())
     }
 
     fn write(&self, usual: Option<Duration>, packet: impl Fn() -> Vec<u8>) -> io::Result<()> {
-        let mut writer = self.first_outlet();
+        let mut writer = PacketWriter::new(&self.wire, self.fault.clone());
         writer.send_packet(&packet())?;
         let mut last = self.time.now();
         loop {
             let period = usual.map(|usual| period(writer.fault(), usual));
             let due = period.and_then(|period| last.checked_add(period));
-            match self.next_job(due) {
-                Job::Packet => {
+            match self.next(due) {
+                Next::Packet => {
                     writer.send_packet(&packet())?;
                     // One period after the last was due, unless that time has passed.
                     last = due.filter(|due| Some(self.time.since(*due)) < period).unwrap_or_else(|| self.time.now());
                 }
-                job => {
-                    if self.do_job(job, &mut writer)?.is_break() {
-                        return Ok(());
-                    }
-                }
+                Next::Message(message) => self.handle(message, &mut writer)?,
+                Next::End => return Ok(()),
             }
         }
     }
 
-    fn next_job(&self, due: Option<Instant>) -> Job {
+    fn next(&self, due: Option<Instant>) -> Next {
         let left = due.map_or(Duration::MAX, |due| self.time.until(due));
-        let ready = |outbox: &Outbox| {
-            outbox.closed || outbox.rescheduled || outbox.fault.is_some() || !outbox.messages.is_empty()
-        };
+        let ready = |outbox: &Outbox| outbox.closed || !outbox.messages.is_empty();
         let mut outbox = self.changed.wait(&self.outbox, left, ready);
         if outbox.closed {
-            return Job::End;
+            return Next::End;
         }
-        if let Some(fault) = outbox.fault.take() {
-            return Job::Fault(fault);
-        }
-        if mem::take(&mut outbox.rescheduled) {
-            return Job::Reschedule;
-        }
-        outbox.messages.pop_front().map_or(Job::Packet, Job::Message)
+        outbox.messages.pop_front().map_or(Next::Packet, Next::Message)
     }
 
-    /// Has the thread compute again when the next packet is due.
-    pub(super) fn reschedule(&self) {
-        lock(&self.outbox).rescheduled = true;
-        self.changed.notify_all();
-    }
-
-    /// Sets what is wrong with the packets from now on.
-    pub(super) fn set_fault(&self, fault: StatusFault) {
-        lock(&self.outbox).fault = Some(fault);
-        self.changed.notify_all();
-    }
-
-    /// Has something written, and gives its number to wait for.
+    /// Has the thread do something, and gives its number to wait for.
     pub(super) fn post(&self, message: Message) -> u64 {
         let mut outbox = lock(&self.outbox);
         if !outbox.closed {
@@ -188,9 +147,9 @@ impl Reader {
         outbox.posted
     }
 
-    /// Waits until the bytes with this number are written, or never will be.
+    /// Waits until what has this number is done, or never will be.
     pub(super) fn wait_for(&self, number: u64) {
-        let done = |outbox: &Outbox| outbox.closed || outbox.written >= number;
+        let done = |outbox: &Outbox| outbox.closed || outbox.done >= number;
         drop(self.changed.wait(&self.outbox, Duration::MAX, done));
     }
 
