@@ -175,21 +175,15 @@ fn hint(spec: &Spec, ty: &Type) -> String {
 }
 
 fn help(spec: &Spec, fields: &[Field], field: &Field) -> String {
-    let mut help = first_sentence(&field.doc).0.to_owned();
-    if let Some(unit) = field.unit.as_deref().or_else(|| spec.unit(&field.ty)) {
-        help = format!("{help} In {unit}.");
-    }
-    if let Some(range) = words::range(field.range) {
-        help = format!("{help} Allowed: {range}.");
-    }
-    if let Some(advised) = words::advised(spec, fields, field, |other| kebab(&other.name)) {
-        help = format!("{help} Advised: {advised}.");
-    }
-    if field.ascii {
-        help += " Printable ASCII only.";
-    }
-    if !field.disputed.is_empty() {
-        help = format!("{help} Sources disagree: {}.", field.disputed.join("; "));
-    }
-    help
+    let advised = words::advised(spec, fields, field, |other| kebab(&other.name));
+    let readings = (!field.disputed.is_empty()).then(|| field.disputed.join("; "));
+    let parts = [
+        Some(first_sentence(&field.doc).0.to_owned()),
+        field.unit.as_deref().or_else(|| spec.unit(&field.ty)).map(|unit| format!("In {unit}.")),
+        words::range(field.range).map(|range| format!("Allowed: {range}.")),
+        advised.map(|advised| format!("Advised: {advised}.")),
+        field.ascii.then(|| "Printable ASCII only.".to_owned()),
+        readings.map(|readings| format!("Sources disagree: {readings}.")),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }

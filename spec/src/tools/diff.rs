@@ -92,10 +92,11 @@ impl fmt::Display for Change {
 pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     let mut differ = Differ::new(old, new);
     topics(&mut differ);
-    for pair in pairs(&placed(old, |topic| &topic.commands), &placed(new, |topic| &topic.commands), command_key) {
+    let listed = |spec| placed(spec, |topic| &topic.commands);
+    for pair in pairs(&listed(old), &listed(new), |(_, command)| command.wire.clone()) {
         commands(&mut differ, &pair);
     }
-    for pair in pairs(&types(old), &types(new), type_key) {
+    for pair in pairs(&types(old), &types(new), |(_, def)| def.name.clone()) {
         named_types(&mut differ, &pair);
     }
     for pair in pairs(&old.errors().collect::<Vec<_>>(), &new.errors().collect::<Vec<_>>(), |error| error.wire) {
@@ -134,14 +135,6 @@ fn placed<'s, T>(spec: &'s Spec, items: impl Fn(&'s Topic) -> &'s [T]) -> Vec<Pl
 
 fn types(spec: &Spec) -> Vec<Placed<'_, TypeDef>> {
     spec.topics.iter().flat_map(|topic| spec.types_of(topic).map(move |(_, def)| (topic, def))).collect()
-}
-
-fn command_key(placed: &Placed<'_, Command>) -> String {
-    placed.1.wire.clone()
-}
-
-fn type_key(placed: &Placed<'_, TypeDef>) -> String {
-    placed.1.name.clone()
 }
 
 fn topics(d: &mut Differ<'_>) {

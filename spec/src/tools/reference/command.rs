@@ -27,39 +27,30 @@ pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
 }
 
 /// What can be said in a line each.
-fn facts(command: &Command) -> Vec<String> {
-    let mut facts =
-        vec![format!("Effect: {}.", words::effect(command.effect)), format!("In Rust: `Client::{}`.", command.name)];
-    if let Some(title) = &command.title_zh {
-        facts.push(format!("In the document: {title}."));
-    }
-    if let Some(evidence) = &command.evidence {
-        facts.push(format!("Not in the document. {evidence}"));
-    }
-    if let Some(states) = words::requirements(&command.requires) {
-        let refusal = command.refusal.as_ref().map(|refusal| {
-            format!(" Otherwise the controller answers error code {}, `{}`.", refusal.code, refusal.message)
-        });
-        let source = command.requires_source.as_ref().map(|source| format!(" Source: {source}"));
-        facts.push(format!("The robot must be {states}.{}{}", refusal.unwrap_or_default(), source.unwrap_or_default()));
-    }
-    if let Some(deadline) = command.deadline {
-        facts.push(format!("The reply may take up to {} s.", deadline.as_secs_f64()));
-    }
-    if !command.reply_certain {
-        facts.push("The controller may close the connection instead of replying.".to_owned());
-    }
-    if command.ends_session {
-        facts.push("The connection is of no use after the reply.".to_owned());
-    }
-    facts.extend(words::known_to(command));
-    if let Some(instead) = &command.deprecated {
-        facts.push(format!("Withdrawn by the vendor: {instead}."));
-    }
-    if let Some(evidence) = &command.reconstructed {
-        facts.push(format!("Reconstructed: {evidence}"));
-    }
-    facts
+fn facts(command: &Command) -> impl Iterator<Item = String> {
+    let facts = [
+        Some(format!("Effect: {}.", words::effect(command.effect))),
+        Some(format!("In Rust: `Client::{}`.", command.name)),
+        command.title_zh.as_ref().map(|title| format!("In the document: {title}.")),
+        command.evidence.as_ref().map(|evidence| format!("Not in the document. {evidence}")),
+        requirements(command),
+        command.deadline.map(|deadline| format!("The reply may take up to {} s.", deadline.as_secs_f64())),
+        (!command.reply_certain).then(|| "The controller may close the connection instead of replying.".to_owned()),
+        command.ends_session.then(|| "The connection is of no use after the reply.".to_owned()),
+        words::known_to(command),
+        command.deprecated.as_ref().map(|instead| format!("Withdrawn by the vendor: {instead}.")),
+        command.reconstructed.as_ref().map(|evidence| format!("Reconstructed: {evidence}")),
+    ];
+    facts.into_iter().flatten()
+}
+
+fn requirements(command: &Command) -> Option<String> {
+    let states = words::requirements(&command.requires)?;
+    let refusal = command.refusal.as_ref().map(|refusal| {
+        format!(" Otherwise the controller answers error code {}, `{}`.", refusal.code, refusal.message)
+    });
+    let source = command.requires_source.as_ref().map(|source| format!(" Source: {source}"));
+    Some(format!("The robot must be {states}.{}{}", refusal.unwrap_or_default(), source.unwrap_or_default()))
 }
 
 fn request(out: &mut String, spec: &Spec, command: &Command) {

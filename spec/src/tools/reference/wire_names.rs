@@ -61,18 +61,16 @@ struct Names(BTreeMap<String, String>);
 impl Names {
     /// These names and those of fields, which come first. A text that is a key itself, or the name of two keys, stays as it is.
     fn and_those_of<'f>(&self, fields: impl Iterator<Item = &'f Field>) -> Self {
-        let mut own: BTreeMap<String, String> = BTreeMap::new();
+        let mut names = self.0.clone();
         let fields: Vec<_> = fields.filter(|field| !field.wire.is_empty()).collect();
         for field in &fields {
             let is_ambiguous = fields
                 .iter()
                 .any(|other| other.wire == field.name || other.name == field.name && other.wire != field.wire);
             let wire = if is_ambiguous { &field.name } else { &field.wire };
-            own.insert(field.name.clone(), wire.clone());
+            names.insert(field.name.clone(), wire.clone());
         }
-        let mut all = self.0.clone();
-        all.extend(own);
-        Self(all)
+        Self(names)
     }
 
     /// Replaces each code span that is one of the names.
