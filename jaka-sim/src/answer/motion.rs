@@ -35,9 +35,11 @@ fn start_jog(jog: &Jog, world: &mut World) -> bool {
             world.engine.jog.is_some()
         }
         Jog::Increment { frame, axis, velocity, distance, .. } => {
-            enqueue(world, frame, axis, velocity, |from| from + distance)
+            world.enqueue(planned(world, frame, axis, velocity, |from| from + distance))
         }
-        Jog::Absolute { frame, axis, velocity, position, .. } => enqueue(world, frame, axis, velocity, |_| position),
+        Jog::Absolute { frame, axis, velocity, position, .. } => {
+            world.enqueue(planned(world, frame, axis, velocity, |_| position))
+        }
         // A jog mode that does not exist.
         _ => false,
     }
@@ -51,7 +53,7 @@ fn stop_jog(world: &mut World, axis: i64) {
 }
 
 fn jogging(world: &World, frame: JogFrame, axis: i64, velocity: f64) -> Option<Jogging> {
-    let index = usize::try_from(axis).ok().filter(|index| *index < 6)?;
+    let index = index(axis)?;
     let tool = world.tool();
     Some(match frame {
         JogFrame::Joint => Jogging::Joint { index, velocity },
@@ -61,23 +63,18 @@ fn jogging(world: &World, frame: JogFrame, axis: i64, velocity: f64) -> Option<J
 }
 
 /// A jog that ends by itself, as a planned motion; `to` gives the axis' target for its current value.
-fn enqueue(world: &mut World, frame: JogFrame, axis: i64, velocity: f64, to: impl Fn(f64) -> f64) -> bool {
-    let Some(index) = usize::try_from(axis).ok().filter(|index| *index < 6) else {
-        return false;
-    };
-    let planned = match frame {
-        JogFrame::Joint => {
-            let mut target = world.tail();
-            target[index] = to(target[index]);
-            world.plan_joints(target, velocity.abs(), JOG_ACCELERATION)
-        }
-        frame => jog_line(world, frame, index, velocity.abs(), to),
-    };
-    let Some(planned) = planned else {
-        return false;
-    };
-    world.engine.enqueue(planned);
-    true
+fn planned(world: &World, frame: JogFrame, axis: i64, velocity: f64, to: impl Fn(f64) -> f64) -> Option<Planned> {
+    let index = index(axis)?;
+    if frame != JogFrame::Joint {
+        return jog_line(world, frame, index, velocity.abs(), to);
+    }
+    let mut target = world.tail();
+    target[index] = to(target[index]);
+    world.plan_joints(target, velocity.abs(), JOG_ACCELERATION)
+}
+
+fn index(axis: i64) -> Option<usize> {
+    usize::try_from(axis).ok().filter(|index| *index < 6)
 }
 
 fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl Fn(f64) -> f64) -> Option<Planned> {

@@ -21,13 +21,12 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
 fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool {
     const SPEED: f64 = 30.0;
     const ACCELERATION: f64 = 60.0;
-    let Some(planned) = world.plan_joints(command.joint_position.0, SPEED, ACCELERATION) else {
-        return false;
-    };
-    world.engine.enqueue(planned);
-    world.identifying = true;
-    world.state.torque_sensor.identify_status = IdentifyStatus::NotDone;
-    true
+    let is_planned = world.enqueue(world.plan_joints(command.joint_position.0, SPEED, ACCELERATION));
+    if is_planned {
+        world.identifying = true;
+        world.state.torque_sensor.identify_status = IdentifyStatus::NotDone;
+    }
+    is_planned
 }
 
 fn set(request: &Request, sensor: &mut TorqueSensor) -> Outcome {

@@ -21,11 +21,12 @@ impl World {
             Request::MoveC(command) => move_c(command, self),
             _ => None,
         };
-        let Some(planned) = planned.filter(|_| self.engine.jog.is_none()) else {
-            return false;
-        };
-        self.engine.enqueue(planned);
-        true
+        self.enqueue(planned.filter(|_| self.engine.jog.is_none()))
+    }
+
+    /// Queues a motion; false if there is none.
+    pub(crate) fn enqueue(&mut self, planned: Option<Planned>) -> bool {
+        planned.map(|planned| self.engine.enqueue(planned)).is_some()
     }
 
     /// Where the next motion starts.
