@@ -12,12 +12,20 @@ pub mod shapes {
     pub struct Stop {}
     impl wire::Fields for Stop {
         #[inline]
-        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn write_fields(&self, out: &mut wire::Writer) {
+            let _ = out;
+        }
         #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self {})
+            let mut keys = reader.begin_fields(&[])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {})
         }
     }
     proto::__object_impls!(Stop);
@@ -486,12 +494,20 @@ pub mod shapes {
     pub struct GetState {}
     impl wire::Fields for GetState {
         #[inline]
-        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn write_fields(&self, out: &mut wire::Writer) {
+            let _ = out;
+        }
         #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self {})
+            let mut keys = reader.begin_fields(&[])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {})
         }
     }
     proto::__object_impls!(GetState);
@@ -603,12 +619,20 @@ pub mod shapes {
     pub struct GetData {}
     impl wire::Fields for GetData {
         #[inline]
-        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn write_fields(&self, out: &mut wire::Writer) {
+            let _ = out;
+        }
         #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self {})
+            let mut keys = reader.begin_fields(&[])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {})
         }
     }
     proto::__object_impls!(GetData);
@@ -644,12 +668,20 @@ pub mod shapes {
     pub struct GetModules {}
     impl wire::Fields for GetModules {
         #[inline]
-        fn write_fields(&self, _out: &mut wire::Writer) {}
+        fn write_fields(&self, out: &mut wire::Writer) {
+            let _ = out;
+        }
         #[inline]
         fn read_fields(
             reader: &mut wire::Reader<'_>,
         ) -> Result<Self, wire::DecodeError> {
-            reader.skip().map(|()| Self {})
+            let mut keys = reader.begin_fields(&[])?;
+            while let Some(key) = reader.next_field(&mut keys)? {
+                match key {
+                    _ => reader.skip()?,
+                }
+            }
+            Ok(Self {})
         }
     }
     proto::__object_impls!(GetModules);

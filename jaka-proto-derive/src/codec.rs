@@ -22,7 +22,8 @@ pub(crate) fn write_all(fields: &[Field], value: impl Fn(&Ident) -> TokenStream)
         write_field(field, &before, &value(&ident(&field.name)))
     });
     let rest = write_further(rest, &value);
-    quote!(#(#first)* #rest)
+    let nothing = fields.is_empty().then(|| quote!(let _ = out;));
+    quote!(#(#first)* #rest #nothing)
 }
 
 /// Statements that write the fields or elements after another one.

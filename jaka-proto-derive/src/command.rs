@@ -1,7 +1,7 @@
 //! Requests and replies.
 
 use jaka_spec::{Command, Request};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{Scope, ident, variant};
@@ -14,9 +14,6 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let docs = scope.docs.request_type(command);
     let docs = quote!(#docs #alias);
     let (request, constructors) = match &command.request {
-        Request::Fields(fields) if fields.is_empty() => {
-            (empty_request(&name, &docs), construct::object(scope, &name, fields))
-        }
         Request::Fields(fields) => {
             (typedef::object(scope, &name, &docs, fields), construct::object(scope, &name, fields))
         }
@@ -39,27 +36,6 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
         }
 
         #reply
-    }
-}
-
-fn empty_request(name: &Ident, docs: &TokenStream) -> TokenStream {
-    quote! {
-        #docs
-        #[derive(Debug, Clone, Copy, PartialEq, Default)]
-        #[non_exhaustive]
-        pub struct #name {}
-
-        impl wire::Fields for #name {
-            #[inline]
-            fn write_fields(&self, _out: &mut wire::Writer) {}
-
-            #[inline]
-            fn read_fields(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                reader.skip().map(|()| Self {})
-            }
-        }
-
-        proto::__object_impls!(#name);
     }
 }
 

@@ -37,14 +37,7 @@ impl<'a> Envelope<'a> {
     /// # Errors
     /// The text is not a JSON object. The fields tell all else.
     pub fn read(reply: &'a str) -> Result<Self, DecodeError> {
-        let mut reader = Reader::new(reply);
-        let mut parts = Parts::default();
-        reader.begin_object()?;
-        while let Some(key) = reader.next_key()? {
-            if ENVELOPE.contains(&&*key) { parts.take(&key, reader.raw()?) } else { reader.skip()? }
-        }
-        reader.end()?;
-        Ok(parts.envelope())
+        Self::read_by(reply, Reader::next_key, Reader::raw)
     }
 
     /// Reads the envelope of a reply that may be odd: an object by its quotes and brackets, and perhaps not JSON throughout.
@@ -66,16 +59,20 @@ impl<'a> Envelope<'a> {
     /// # Errors
     /// The text is not an object by its quotes and brackets.
     pub fn read_odd(reply: &'a str) -> Result<Self, DecodeError> {
-        Self::read(reply).or_else(|_| Self::read_by_brackets(reply))
+        Self::read(reply).or_else(|_| Self::read_by(reply, Reader::next_odd_key, Reader::odd_value))
     }
 
-    #[cold]
-    fn read_by_brackets(reply: &'a str) -> Result<Self, DecodeError> {
+    /// Reads keys and values each in one way.
+    fn read_by(
+        reply: &'a str,
+        key: impl Fn(&mut Reader<'a>) -> Result<Option<Cow<'a, str>>, DecodeError>,
+        value: impl Fn(&mut Reader<'a>) -> Result<&'a str, DecodeError>,
+    ) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(reply);
         let mut parts = Parts::default();
         reader.begin_object()?;
-        while let Some(key) = reader.next_odd_key()? {
-            parts.take(&key, reader.odd_value()?);
+        while let Some(key) = key(&mut reader)? {
+            parts.take(&key, value(&mut reader)?);
         }
         reader.end()?;
         Ok(parts.envelope())

@@ -20,9 +20,7 @@ impl Request {
         };
         request.map_err(|source| RequestError::Field { command: name, source })
     }
-}
 
-impl Request {
     /// The name of the command that may be answered by a bare Python tuple, which names no command: for
     /// [`Exchange::new`](crate::exchange::Exchange::new).
     pub fn bare_reply_command() -> Option<&'static str> {

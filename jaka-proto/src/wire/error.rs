@@ -6,10 +6,10 @@ use std::fmt::{self, Write};
 use crate::text::{VisibleWriter, excerpt};
 
 /// A message, or a field of one, that does not fit its type.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DecodeError(Box<Inner>);
 
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 struct Inner {
     path: String,
     kind: Kind,
@@ -111,12 +111,6 @@ impl fmt::Display for DecodeError {
             Kind::Missing { key } => write!(f, "the key `{key}` is missing"),
             Kind::Repeated => f.write_str("the key appears twice"),
         }
-    }
-}
-
-impl fmt::Debug for DecodeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("DecodeError").field("path", &self.0.path).field("kind", &self.0.kind).finish()
     }
 }
 
