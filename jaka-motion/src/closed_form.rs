@@ -9,10 +9,10 @@ mod wrist;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use arrayvec::ArrayVec;
 use nalgebra::{Isometry3, Point3};
 
 use crate::links::Links;
-use crate::up_to_eight::UpToEight;
 
 /// Links that have a closed form: the angles between neighbouring axes are quarter turns or none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,6 +59,9 @@ pub(crate) enum Wrist {
     Spherical,
 }
 
+/// Sets of six numbers: the arms here have no more than eight branches.
+pub(crate) type UpToEight = ArrayVec<[f64; 6], 8>;
+
 /// What was found.
 #[derive(Debug)]
 pub(crate) struct Found {
@@ -69,6 +72,11 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    fn add(&mut self, angles: [f64; 6]) {
+        // A ninth is dropped.
+        let _ = self.angles.try_push(angles);
+    }
+
     fn falls_short(&mut self, by_mm: f64) {
         self.short_mm = self.short_mm.min(by_mm);
     }
@@ -78,7 +86,7 @@ impl ClosedForm {
     /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free keeps
     /// its angle from `reference`.
     pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Found {
-        let mut found = Found { angles: UpToEight::default(), short_mm: f64::INFINITY };
+        let mut found = Found { angles: UpToEight::new(), short_mm: f64::INFINITY };
         match self.base_angles(target) {
             Ok(firsts) => {
                 for first in firsts {

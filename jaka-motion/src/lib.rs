@@ -20,7 +20,6 @@ mod no_solution;
 mod piece;
 mod trajectory;
 mod transform;
-mod up_to_eight;
 #[cfg(feature = "generator")]
 mod velocity;
 

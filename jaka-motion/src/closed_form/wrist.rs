@@ -35,7 +35,7 @@ impl ClosedForm {
         match two_bars(bars, at.x, at.y, self.precision) {
             Ok(ways) => {
                 for (second, third) in ways {
-                    found.angles.push([first, second, third, total - second - third, fifth, sixth]);
+                    found.add([first, second, third, total - second - third, fifth, sixth]);
                 }
             }
             Err(short_mm) => found.falls_short(short_mm),
@@ -70,7 +70,7 @@ impl ClosedForm {
             } else {
                 (-left[(1, 2)] * fifth.signum()).atan2(-left[(0, 2)] * fifth.signum())
             };
-            found.angles.push([first, second, third, fourth, fifth, last_turn(&left, fourth)]);
+            found.add([first, second, third, fourth, fifth, last_turn(&left, fourth)]);
         }
     }
 }

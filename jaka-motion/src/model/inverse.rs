@@ -5,11 +5,11 @@ use nalgebra::{Isometry3, Vector3, Vector6};
 
 use super::Model;
 use crate::branches::Branches;
+use crate::closed_form::UpToEight;
 use crate::damped::Damped;
 use crate::links::jacobian;
 use crate::no_solution::NoSolution;
 use crate::transform::Transform;
-use crate::up_to_eight::UpToEight;
 
 /// How far a solution's flange may be off: mm, and radians times [`RADIAN`].
 const ACCEPTED: f64 = 1e-3;
@@ -41,7 +41,7 @@ impl Model {
     ) -> Result<JointPosition, NoSolution> {
         let target = flange.into().0;
         let candidates = self.candidates(&target, &reference.into().0)?;
-        let mut confirmed = candidates.as_slice().iter().filter_map(|joints| self.confirmed(joints, &target));
+        let mut confirmed = candidates.iter().filter_map(|joints| self.confirmed(joints, &target));
         confirmed.next().ok_or(NoSolution::NotConfirmed)
     }
 
@@ -56,8 +56,8 @@ impl Model {
     ) -> Result<Branches, NoSolution> {
         let target = flange.into().0;
         let candidates = self.candidates(&target, &reference.into().0)?;
-        let mut branches = Branches::new();
-        let confirmed = candidates.as_slice().iter().filter_map(|joints| self.confirmed(joints, &target));
+        let mut branches = Branches::default();
+        let confirmed = candidates.iter().filter_map(|joints| self.confirmed(joints, &target));
         confirmed.for_each(|joints| branches.add(joints));
         if branches.is_empty() { Err(NoSolution::NotConfirmed) } else { Ok(branches) }
     }
@@ -73,39 +73,40 @@ impl Model {
         }
         let form = &self.closed_form;
         let found = form.solve(target, &form.links.angles(reference));
-        let (mut candidates, mut beyond) = (UpToEight::default(), None::<Beyond>);
-        for angles in found.angles.as_slice() {
+        let (mut candidates, mut beyond) = (UpToEight::new(), None::<(f64, NoSolution)>);
+        for angles in &found.angles {
             let joints = form.links.positions(angles);
             let joints = if self.is_calibrated() { self.refined(joints, target) } else { joints };
             match self.nearest_turns(&joints, reference) {
                 Ok(joints) => candidates.push(joints),
-                Err(other) => beyond = Some(beyond.filter(|least| least.by() <= other.by()).unwrap_or(other)),
+                Err(other) => beyond = Some(beyond.filter(|least| least.0 <= other.0).unwrap_or(other)),
             }
         }
-        if candidates.as_slice().is_empty() {
+        if candidates.is_empty() {
             let out_of_reach = NoSolution::OutOfReach { by_mm: found.short_mm };
-            return Err(beyond.map_or(out_of_reach, NoSolution::from));
+            return Err(beyond.map_or(out_of_reach, |(_, reason)| reason));
         }
         let distance = |joints: &[f64; 6]| -> f64 {
             joints.iter().zip(reference).map(|(joint, reference)| (joint - reference).powi(2)).sum()
         };
-        candidates.as_mut_slice().sort_unstable_by(|one, other| distance(one).total_cmp(&distance(other)));
+        candidates.sort_unstable_by(|one, other| distance(one).total_cmp(&distance(other)));
         Ok(candidates)
     }
 
-    /// Each joint by as many full turns as bring it nearest to the reference, or the joint that is furthest beyond its range.
-    fn nearest_turns(&self, joints: &[f64; 6], reference: &[f64; 6]) -> Result<[f64; 6], Beyond> {
-        let (mut turned, mut furthest) = ([0.0; 6], None::<Beyond>);
+    /// Each joint by as many full turns as bring it nearest to the reference, or by how much the joint that is furthest beyond its range is
+    /// beyond it, in degrees.
+    fn nearest_turns(&self, joints: &[f64; 6], reference: &[f64; 6]) -> Result<[f64; 6], (f64, NoSolution)> {
+        let (mut turned, mut furthest) = ([0.0; 6], None::<(f64, NoSolution)>);
         for index in 0..6 {
             match self.nearest_turn(index, joints[index], reference[index]) {
                 Ok(position) => turned[index] = position,
-                Err(other) => furthest = Some(furthest.filter(|beyond| beyond.by() >= other.by()).unwrap_or(other)),
+                Err(other) => furthest = Some(furthest.filter(|beyond| beyond.0 >= other.0).unwrap_or(other)),
             }
         }
         furthest.map_or(Ok(turned), Err)
     }
 
-    fn nearest_turn(&self, index: usize, position: f64, reference: f64) -> Result<f64, Beyond> {
+    fn nearest_turn(&self, index: usize, position: f64, reference: f64) -> Result<f64, (f64, NoSolution)> {
         let (min, max) = (self.joint_min[index], self.joint_max[index]);
         let lowest = min - ON_LIMIT + (position - min + ON_LIMIT).rem_euclid(360.0);
         let from_reference = |position: &f64| (position - reference).abs();
@@ -114,9 +115,12 @@ impl Model {
             .min_by(|one, other| from_reference(one).total_cmp(&from_reference(other)))
             .map(|position| position.clamp(min, max))
             .ok_or_else(|| {
-                let above = Beyond { index, position: lowest, limit: max };
-                let below = Beyond { index, position: lowest - 360.0, limit: min };
-                if above.by() <= below.by() { above } else { below }
+                let beyond = |position_deg: f64, limit_deg: f64| {
+                    let reason = NoSolution::BeyondRange { joint: index + 1, position_deg, limit_deg };
+                    ((position_deg - limit_deg).abs(), reason)
+                };
+                let (above, below) = (beyond(lowest, max), beyond(lowest - 360.0, min));
+                if above.0 <= below.0 { above } else { below }
             })
     }
 
@@ -156,26 +160,6 @@ impl Model {
     /// How far the flange is off.
     fn error(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> f64 {
         off(&self.links.flange(joints), target).norm()
-    }
-}
-
-/// A joint that would be beyond its range, in degrees.
-#[derive(Debug, Clone, Copy)]
-struct Beyond {
-    index: usize,
-    position: f64,
-    limit: f64,
-}
-
-impl Beyond {
-    fn by(&self) -> f64 {
-        (self.position - self.limit).abs()
-    }
-}
-
-impl From<Beyond> for NoSolution {
-    fn from(Beyond { index, position, limit }: Beyond) -> Self {
-        Self::BeyondRange { joint: index + 1, position_deg: position, limit_deg: limit }
     }
 }
 

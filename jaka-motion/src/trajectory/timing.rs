@@ -154,22 +154,20 @@ impl<'a> Timing<'a> {
 
     /// Whether a leg or a corner asked too much and gets slower.
     fn slow_down(&mut self, index: usize, made: &Made, pieces: &[Piece]) -> bool {
-        let mut is_slower = false;
         let [leg, corner] = [&made.of_leg, &made.of_corner].map(|range| {
             let factors = pieces[range.clone()].iter().map(|piece| self.factor(&self.legs[index], piece));
             factors.fold(1.0, f64::min)
         });
-        if leg < 1.0 - ENOUGH {
+        let [leg_is_slower, corner_is_slower] = [leg, corner].map(|factor| factor < 1.0 - ENOUGH);
+        if leg_is_slower {
             let speed = made.passage.speeds[1];
             self.bounds[index] = Bounds { speed, ..self.bounds[index] }.slowed(leg - MARGIN);
-            is_slower = true;
         }
-        if corner < 1.0 - ENOUGH {
+        if corner_is_slower {
             let speed = made.passage.speeds[2];
             self.corners[index + 1] = Corner { speed, ..self.corners[index + 1] }.slowed(corner - MARGIN);
-            is_slower = true;
         }
-        is_slower
+        leg_is_slower || corner_is_slower
     }
 
     /// How much slower a piece has to be; above 1 if it need not.
