@@ -15,7 +15,6 @@ use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::clock::Clock;
 use crate::link::{Dispatched, Gate, Link, Outgoing, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection};
 
@@ -37,7 +36,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connecti
 #[derive(Debug)]
 #[must_use = "dropping a client closes its connection"]
 pub struct Client {
-    link: Arc<Link>,
+    pub(crate) link: Arc<Link>,
     config: Config,
     /// The firmware that requests are checked against, if any.
     firmware: Option<FirmwareVersion>,
@@ -103,7 +102,7 @@ impl Client {
         timeout: Duration,
     ) -> Result<C::Reply, Error> {
         command.check(self.rules())?;
-        let outgoing = Outgoing::of(self.clock(), C::INFO, timeout).through(gate);
+        let outgoing = Outgoing::of(&self.link.clock, C::INFO, timeout).through(gate);
         self.call_as(C::INFO, &outgoing, &mut |out| command.write_request(out))
     }
 
@@ -171,16 +170,6 @@ impl Client {
         Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
     }
 
-    /// The connection.
-    pub(crate) fn link(&self) -> &Link {
-        &self.link
-    }
-
-    /// The clock of its connection.
-    pub(crate) fn clock(&self) -> &Clock {
-        self.link.clock()
-    }
-
     /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is limited to the
     /// range from 1 to 256.
     pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
@@ -238,8 +227,12 @@ impl Client {
     /// key comes twice in it.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
-        let outgoing =
-            Outgoing::named(self.clock(), command, Cow::Owned(command.trim().to_owned()), self.config.reply_timeout);
+        let outgoing = Outgoing::named(
+            &self.link.clock,
+            command,
+            Cow::Owned(command.trim().to_owned()),
+            self.config.reply_timeout,
+        );
         self.link.call(&outgoing, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
         let mut reader = Reader::new(&self.reply);
         let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
@@ -262,7 +255,7 @@ impl Client {
                 InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
             );
         };
-        let outgoing = Outgoing::named(self.clock(), command, Cow::Owned(command.to_owned()), timeout);
+        let outgoing = Outgoing::named(&self.link.clock, command, Cow::Owned(command.to_owned()), timeout);
         self.link.call(&outgoing, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
         Ok(&self.reply)
     }

@@ -94,15 +94,11 @@ impl Clock {
 #[derive(Debug, Clone)]
 pub(crate) struct Stopwatch {
     clock: Clock,
-    began: Instant,
+    /// The moment.
+    pub(crate) began: Instant,
 }
 
 impl Stopwatch {
-    /// The moment.
-    pub(crate) fn began(&self) -> Instant {
-        self.began
-    }
-
     /// The time since.
     pub(crate) fn passed(&self) -> Duration {
         self.clock.elapsed(self.began)

@@ -57,7 +57,7 @@ use crate::{Config, Disconnect, Error};
 #[derive(Debug)]
 pub(crate) struct Link {
     tap: Tap,
-    clock: Clock,
+    pub(crate) clock: Clock,
     /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
@@ -106,11 +106,6 @@ impl Link {
     /// Where the connection leads, with the port.
     pub(crate) fn address(&self) -> String {
         self.tap.address()
-    }
-
-    /// The clock of its connection.
-    pub(crate) fn clock(&self) -> &Clock {
-        &self.clock
     }
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
@@ -179,7 +174,7 @@ impl Link {
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
         let request = self.transmit(outgoing, 1, &mut |_, out| write(out))?.last;
-        Ok(Sent { request, command: outgoing.command, since: outgoing.since.began(), timeout: outgoing.timeout })
+        Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
     }
 
     /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted commands

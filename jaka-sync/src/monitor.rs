@@ -55,10 +55,10 @@ use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem};
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
     board: Arc<Board<S>>,
-    clock: Clock,
+    pub(crate) clock: Clock,
     thread: Option<JoinHandle<()>>,
     timeout: Duration,
-    stale_after: Duration,
+    pub(crate) stale_after: Duration,
 }
 
 /// How long after a silence packets may be old ones that the network had held back.
@@ -219,14 +219,6 @@ impl<S: 'static> Monitor<S> {
         // A link that stalled delivers what it had held back: the first packets are old.
         let since = state.resumed.map(|resumed| latest.received.saturating_duration_since(resumed));
         if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
-    }
-
-    pub(crate) fn clock(&self) -> &Clock {
-        &self.clock
-    }
-
-    pub(crate) fn stale_after(&self) -> Duration {
-        self.stale_after
     }
 
     /// True if no packet has come for longer than [`Config::stale_after`].

@@ -101,7 +101,7 @@ impl<'c> Pipeline<'c> {
         if let Some(error) = self.failed.pop_front() {
             return Err(error);
         }
-        let link = self.client.link();
+        let link = &self.client.link;
         if link.room() == 0 {
             link.wait_for_room(command, self.client.reply_timeout())?;
         }
@@ -146,7 +146,7 @@ impl<'c> Pipeline<'c> {
     }
 
     fn wait(&mut self, most: usize) -> Result<(), Error> {
-        let link = self.client.link();
+        let link = &self.client.link;
         let (answers, checked) = link.wait_for_posted(most, self.client.reply_timeout());
         self.accepted += answers.accepted;
         self.failed.extend(answers.failed);
@@ -158,6 +158,6 @@ impl<'c> Pipeline<'c> {
 impl Drop for Pipeline<'_> {
     fn drop(&mut self) {
         // Only `finish` reports the outcomes of the others.
-        drop(self.client.link().forget_posted());
+        drop(self.client.link.forget_posted());
     }
 }

@@ -101,9 +101,10 @@ pub struct Robot<S: MotionStatus = RobotStatus> {
     monitor: Arc<Monitor<S>>,
     grace: Grace,
     silence: Duration,
-    moves_without_status: bool,
+    /// True if the program has allowed motion without status.
+    pub(crate) moves_without_status: bool,
     /// What must be acknowledged before the arm moves again.
-    latch: Latch,
+    pub(crate) latch: Latch,
     batch: Option<Batch>,
     /// What motions are checked against, and where the last one will end.
     checks: Checks,
@@ -140,7 +141,7 @@ impl<S: MotionStatus> Robot<S> {
         let monitor = monitor.into();
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
         Self {
-            latch: Latch::new(&monitor, client.clock()),
+            latch: Latch::new(&monitor, &client.link.clock),
             client,
             monitor,
             grace,
@@ -221,8 +222,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Sends a motion, under a guard if there is one, which lets it out or not.
     fn send<M: Motion>(&mut self, motion: &M, timeout: Duration, guard: Option<&Armed>) -> Result<(), Error> {
         let since = self.clock().stopwatch();
-        self.client.link().check_open(M::INFO.name)?;
-        self.check_latch()?;
+        self.client.link.check_open(M::INFO.name)?;
+        self.latch.check()?;
         let begin = self.begin(motion, timeout)?;
         let left = || since.left_of(timeout);
         let end = self.check_limits(motion, &begin, left())?;
@@ -256,7 +257,7 @@ impl<S: MotionStatus> Robot<S> {
         };
         let mut begin = Begin::new(
             &newest.status,
-            Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes),
+            Frames::new(&newest.status, self.client.link.frame_changes(), self.frame_changes),
         );
         if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
             begin.start = self.place_at_rest(quantity, since.left_of(timeout))?;
@@ -287,7 +288,7 @@ impl<S: MotionStatus> Robot<S> {
             let (waited, packets) = (Duration::ZERO, Vec::new());
             return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None, stop: None };
         };
-        let mut wait = Wait::new(batch, self.client.link().frame_changes(), self.grace);
+        let mut wait = Wait::new(batch, self.client.link.frame_changes(), self.grace);
         let outcome = self.watch(&mut wait, timeout, gives_up);
         self.rests = wait.failure.is_none() && outcome.is_at_rest();
         if outcome.latches() {
@@ -315,7 +316,7 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`ServoSession`] says at "Entering".
     pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
-        ServoSession::enter(self, config)
+        ServoSession::enter(self, config, |_| Ok(()))
     }
 
     /// The same robot for another thread, which this one outlives: on the same connections, with what keeps motions back.
@@ -338,7 +339,7 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The clock of its connections.
     pub(crate) fn clock(&self) -> &Clock {
-        self.client.clock()
+        &self.client.link.clock
     }
 
     /// True if motions were accepted that have not been waited for.
@@ -346,38 +347,11 @@ impl<S: MotionStatus> Robot<S> {
         self.batch.is_some()
     }
 
-    /// For how long at most a servo session that moves the arm may take until its next set-point; none where none moves it. A stop of the
-    /// program's own waits that long for it to brake.
-    pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
-        self.latch.stops().expect_set_point(within);
-    }
-
-    /// Tells how long a stop of the program's own waits yet for a servo session to brake; none where none waits.
-    #[cfg(feature = "stream")]
-    pub(crate) fn time_to_brake(&self) -> impl Fn() -> Option<Duration> + use<S> {
-        let stops = Arc::clone(self.latch.stops());
-        move || stops.time_to_brake()
-    }
-
-    /// True if the program has allowed motion without status.
-    pub(crate) fn moves_without_status(&self) -> bool {
-        self.moves_without_status
-    }
-
-    pub(crate) fn check_latch(&self) -> Result<(), Error> {
-        self.latch.check()
-    }
-
     /// What must be acknowledged before the arm moves again, if something must.
     ///
     /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`MotionEnd`] has reported.
     pub fn unacknowledged(&self) -> Option<Outcome> {
         self.latch.unacknowledged()
-    }
-
-    /// The same apart from a lost status, at which an arm is still braked and held.
-    pub(crate) fn unacknowledged_stop(&self) -> Option<Outcome> {
-        self.latch.unacknowledged_stop()
     }
 
     /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
@@ -391,6 +365,10 @@ impl<S: MotionStatus> Robot<S> {
 
     /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
     pub fn stop_handle(&self) -> RobotStop {
-        RobotStop::new(self.client.stop_handle(), Arc::clone(self.latch.stops()), self.monitor.waker())
+        RobotStop {
+            handle: self.client.stop_handle(),
+            stops: Arc::clone(&self.latch.stops),
+            waker: self.monitor.waker(),
+        }
     }
 }

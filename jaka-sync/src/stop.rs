@@ -79,8 +79,8 @@ impl StopHandle {
     }
 
     fn write_within(&self, timeout: Duration) -> Result<WrittenStop, Error> {
-        let outgoing = Outgoing::of(self.link.clock(), StopProgram::INFO, timeout).by(Right::Stop);
+        let outgoing = Outgoing::of(&self.link.clock, StopProgram::INFO, timeout).by(Right::Stop);
         let sent = self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))?;
-        Ok(WrittenStop { sent: sent.within(self.timeout), at: self.link.clock().now() })
+        Ok(WrittenStop { sent: sent.within(self.timeout), at: self.link.clock.now() })
     }
 }

@@ -16,7 +16,8 @@ pub(super) struct Approach {
     held: u32,
     /// For how many periods the start is to be held.
     hold: u32,
-    is_blocked: bool,
+    /// True if the arm stands and does not get to the start.
+    pub(super) is_blocked: bool,
     /// What slowed the last set-point.
     bound: Option<Bound>,
 }
@@ -51,11 +52,6 @@ impl Approach {
     /// True once the start was held for so long that the trajectory can begin.
     pub(super) fn is_done(&self) -> bool {
         self.held >= self.hold
-    }
-
-    /// True if the arm stands and does not get to the start.
-    pub(super) fn is_blocked(&self) -> bool {
-        self.is_blocked
     }
 
     /// Fails where it is blocked, with what is in the way, as far as that is known.

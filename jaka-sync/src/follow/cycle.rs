@@ -34,7 +34,7 @@ pub(super) fn run<S: MotionStatus>(
     };
     let mut checked = None;
     let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config, guard).map(|with| checked = Some(with));
-    let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
+    let mut session = match ServoSession::enter(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };
@@ -88,9 +88,9 @@ impl<'o> Way<'o> {
             follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
             orders,
             is_overdue: false,
-            lag: LagFit::new(session.clock().now(), at, period),
+            lag: LagFit::new(session.robot.clock().now(), at, period),
             last: at,
-            clock: session.clock().clone(),
+            clock: session.robot.clock().clone(),
         })
     }
 
@@ -129,11 +129,11 @@ impl<'o> Way<'o> {
     /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own
     /// goes out before. Says whether it has left the curve.
     fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
-        let (mut straight_on, time_to_brake) = (session.straight_on(), session.time_to_brake());
+        let (mut straight_on, stops) = (session.straight_on(), Arc::clone(&session.robot.latch.stops));
         let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
         self.slow_down();
         let error = session.end_by(error, &mut |course| {
-            let left = time_to_brake();
+            let left = stops.time_to_brake();
             if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
                 ahead = self.look_ahead(straight_on.periods(course), left);
             }
@@ -240,7 +240,7 @@ impl SetPoints for Way<'_> {
             self.approach = None;
         }
         match &self.approach {
-            Some(approach) => approach.is_blocked() || self.orders.is_stopped() && approach.is_at_rest(),
+            Some(approach) => approach.is_blocked || self.orders.is_stopped() && approach.is_at_rest(),
             None => self.follower.is_at_end() || self.orders.is_stopped() && self.follower.is_at_rest(),
         }
     }

@@ -69,5 +69,5 @@ fn send_named(
     timeout: Duration,
     write: &mut dyn FnMut(&mut Writer),
 ) -> Result<Sent<'static>, Error> {
-    link.send(&Outgoing::named(link.clock(), name, Cow::Borrowed(name), timeout), write)
+    link.send(&Outgoing::named(&link.clock, name, Cow::Borrowed(name), timeout), write)
 }

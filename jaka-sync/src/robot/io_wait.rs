@@ -45,11 +45,11 @@ impl<S: MotionStatus> Robot<S> {
         guard.check(call)?;
         let since = self.clock().stopwatch();
         let what = guard.to_string();
-        let attach = |kind: ErrorKind| self.client.link().attach(kind.into());
+        let attach = |kind: ErrorKind| self.client.link.attach(kind.into());
         let blind = |problem: StatusProblem| attach(ErrorKind::WaitEnded { what: what.clone(), problem });
         let before = self.monitor.statistics().packets;
         let armed = self.arm(guard, timeout).map_err(blind)?;
-        let (left, link) = (since.left_of(timeout), self.client.link());
+        let (left, link) = (since.left_of(timeout), &self.client.link);
         let trip = match vigil::keep(&self.monitor, &armed, (left, Duration::MAX), || link.lost().is_some()) {
             Vigil::Tripped(trip) => trip,
             Vigil::Blind(problem) => return Err(blind(problem)),

@@ -14,11 +14,12 @@ use crate::{Error, ErrorKind, Monitor};
 ///
 /// A clone sees all that sets it later, but not what is reported or acknowledged later.
 #[derive(Debug, Clone)]
-pub(super) struct Latch {
+pub(crate) struct Latch {
     /// Set by the monitor's thread, too. Locked after the link's state, and nothing else is locked under it: the order of locks stands
     /// at [`Link`](crate::link::Link).
     outcome: Arc<Mutex<Option<Outcome>>>,
-    stops: Arc<Stops>,
+    /// The stops of the robot's handles.
+    pub(crate) stops: Arc<Stops>,
     /// The number of the latest stop that has been reported to the program.
     reported: u64,
 }
@@ -55,13 +56,13 @@ impl Latch {
     }
 
     /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
-    pub(super) fn unacknowledged_stop(&self) -> Option<Outcome> {
+    pub(crate) fn unacknowledged_stop(&self) -> Option<Outcome> {
         let shown = lock(&self.outcome).clone().filter(|outcome| !is_lost(outcome));
         shown.or_else(|| self.stops.pending(self.reported))
     }
 
     /// Fails while something must be acknowledged.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         self.unacknowledged().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
     }
 
@@ -69,11 +70,6 @@ impl Latch {
     pub(super) fn acknowledge(&mut self) {
         *lock(&self.outcome) = None;
         self.reported = self.stops.begun();
-    }
-
-    /// The stops of the robot's handles.
-    pub(super) fn stops(&self) -> &Arc<Stops> {
-        &self.stops
     }
 
     /// True if a stop has gone out, or is about to, that has not been reported to the program.

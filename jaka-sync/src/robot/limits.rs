@@ -155,7 +155,7 @@ impl<S: MotionStatus> Robot<S> {
     /// The controller's frames, and how often this program had changed any before they were asked for.
     fn fitted_frames(&mut self, model: &Model, timeout: Option<Duration>) -> Result<(Frames, u64), Error> {
         let since = self.clock().stopwatch();
-        let frame_changes = self.client.link().frame_changes();
+        let frame_changes = self.client.link.frame_changes();
         let mut pairs = Vec::new();
         for joints in model.positions_to_compare() {
             let usual = self.client.timeout_of(KineForward::INFO);
@@ -163,8 +163,7 @@ impl<S: MotionStatus> Robot<S> {
             pairs.push((joints, self.client.call_within(&KineForward::new(joints), left)?.pose));
         }
         let fit = model.fit(&pairs, Tolerance::default());
-        let frames =
-            fit.map_err(|source| self.client.link().attach(ErrorKind::ModelMismatch { source }.into()))?.frames;
+        let frames = fit.map_err(|source| self.client.link.attach(ErrorKind::ModelMismatch { source }.into()))?.frames;
         Ok((frames, frame_changes))
     }
 
@@ -190,19 +189,19 @@ impl<S: MotionStatus> Robot<S> {
 
     fn is_framed(&self, joints: JointPosition, pose: Pose) -> bool {
         let Some(limited) = &self.checks.0 else { return true };
-        limited.agrees(joints, pose) && limited.frame_changes == self.client.link().frame_changes()
+        limited.agrees(joints, pose) && limited.frame_changes == self.client.link.frame_changes()
     }
 
     /// The last motion that was accepted ends there.
     pub(super) fn plan(&mut self, end: Option<JointPosition>) {
-        let stops = self.client.link().stop_count();
+        let stops = self.client.link.stop_count();
         if let Some(limited) = &mut self.checks.0 {
             (limited.planned, limited.stops, limited.is_unsettled) = (end, stops, false);
         }
     }
 
     fn not_checked(&self, command: &str, reason: Unchecked) -> Error {
-        self.client.link().attach(ErrorKind::NotChecked { command: command.to_owned(), reason }.into())
+        self.client.link.attach(ErrorKind::NotChecked { command: command.to_owned(), reason }.into())
     }
 
     /// What to do about a check that failed: no error where it is sent all the same.

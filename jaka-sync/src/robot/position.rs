@@ -41,7 +41,7 @@ impl<S: MotionStatus> Robot<S> {
             return Ok(());
         }
         let at = self.clock().now();
-        let link = self.client.link();
+        let link = &self.client.link;
         let question = match quantity {
             Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)),
             Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
@@ -74,7 +74,7 @@ impl<S: MotionStatus> Robot<S> {
         time: Duration,
         place: impl Fn(R) -> Place,
     ) -> Result<Option<Place>, Error> {
-        let link = self.client.link();
+        let link = &self.client.link;
         let (mut text, mut reader) = (String::new(), TypedReply::new(info));
         if !link.poll(question, time, &mut text, &mut reader)? {
             return Ok(None);
@@ -91,10 +91,10 @@ impl<S: MotionStatus> Robot<S> {
             let left = since.left_of(timeout);
             match self.answer(left) {
                 None if left.is_zero() => return Err(self.no_position(quantity, timeout)),
-                Some(Answer { place: Ok(place), asked }) if asked >= since.began() && place.quantity() == quantity => {
+                Some(Answer { place: Ok(place), asked }) if asked >= since.began && place.quantity() == quantity => {
                     return Ok(Some(place));
                 }
-                Some(Answer { place: Err(error), asked }) if asked >= since.began() => {
+                Some(Answer { place: Err(error), asked }) if asked >= since.began => {
                     return if error.is_disconnected() { Err(error) } else { Ok(None) };
                 }
                 _ => {}
@@ -147,7 +147,7 @@ impl<S: MotionStatus> Robot<S> {
 
     fn no_position(&self, quantity: Quantity, after: Duration) -> Error {
         let command = quantity.info().name.to_owned();
-        self.client.link().attach(ErrorKind::Timeout { command, after }.into())
+        self.client.link.attach(ErrorKind::Timeout { command, after }.into())
     }
 }
 

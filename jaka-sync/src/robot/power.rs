@@ -89,7 +89,7 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
-        let mut steps = Steps::new(self.clock(), timeout, self.latch.stops().begun());
+        let mut steps = Steps::new(self.clock(), timeout, self.latch.stops.begun());
         let state = self.client.call_within(&GetRobotState::new(), steps.left())?;
         steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
         steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
@@ -113,7 +113,7 @@ impl<S: MotionStatus> Robot<S> {
         steps: &mut Steps,
         pause: Pause<Self>,
     ) -> Result<(), Error> {
-        let (since, stops) = (self.monitor.statistics().packets, Arc::clone(self.latch.stops()));
+        let (since, stops) = (self.monitor.statistics().packets, Arc::clone(&self.latch.stops));
         if steps.left().is_zero() {
             return Err(self.not_in_time(steps.timeout, since));
         }
@@ -151,6 +151,6 @@ impl<S: MotionStatus> Robot<S> {
     fn not_in_time(&self, after: Duration, packets_before: u64) -> Error {
         let packets = self.monitor.statistics().packets.saturating_sub(packets_before);
         let says = self.monitor.last_known_packet().and_then(|last| monitor::describe(&S::snapshot(&last)));
-        self.client.link().attach(ErrorKind::StateTimeout { after, packets, says }.into())
+        self.client.link.attach(ErrorKind::StateTimeout { after, packets, says }.into())
     }
 }

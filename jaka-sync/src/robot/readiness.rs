@@ -83,15 +83,10 @@ impl<S: MotionStatus> Robot<S> {
         if !matches!(now, Err(StatusProblem::Missing { .. } | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
             return readable::<S>(now);
         }
-        let patience = self.monitor.stale_after().min(timeout);
+        let patience = self.monitor.stale_after.min(timeout);
         // Its result is what `fresh_packet` says next.
         let _ = self.monitor.watch(patience, |_| self.monitor.fresh_packet().ok());
         readable::<S>(self.monitor.fresh_packet())
-    }
-
-    /// The newest packet, if it is fresh and can be read.
-    pub(super) fn fresh_status(&self) -> Result<Arc<Snapshot>, StatusProblem> {
-        fresh_status(&self.monitor)
     }
 
     /// The same for what must not be done without it; `None` if the program has allowed motion without it.
@@ -99,7 +94,7 @@ impl<S: MotionStatus> Robot<S> {
         match self.status_now(timeout) {
             Ok(snapshot) => Ok(Some(snapshot)),
             Err(_) if self.moves_without_status => Ok(None),
-            Err(problem) => Err(self.client.link().attach(unknown(problem))),
+            Err(problem) => Err(self.client.link.attach(unknown(problem))),
         }
     }
 

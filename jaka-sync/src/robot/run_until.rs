@@ -57,11 +57,11 @@ impl<S: MotionStatus> Robot<S> {
     ) -> Result<MotionEnd, Error> {
         let (since, guard) = (self.clock().stopwatch(), guard.into());
         guard.check("run_until")?;
-        self.client.link().check_open(M::INFO.name)?;
-        self.check_latch()?;
+        self.client.link.check_open(M::INFO.name)?;
+        self.latch.check()?;
         let left = || since.left_of(timeout);
         let fresh_for = self.check_speed(M::INFO, motion.path(), &guard, left())?;
-        let armed = self.arm(&guard, left()).map_err(|problem| self.client.link().attach(unknown(problem)))?;
+        let armed = self.arm(&guard, left()).map_err(|problem| self.client.link.attach(unknown(problem)))?;
         if let Some(trip) = armed.trip() {
             return self.not_begun(&guard, trip, since.passed());
         }
@@ -98,7 +98,7 @@ impl<S: MotionStatus> Robot<S> {
             return Ok(Duration::MAX);
         }
         let refused = |reason: NotGuarded| {
-            self.client.link().attach(ErrorKind::NotGuarded { command: info.name.to_owned(), reason }.into())
+            self.client.link.attach(ErrorKind::NotGuarded { command: info.name.to_owned(), reason }.into())
         };
         let (Path::Line { speed, acceleration } | Path::Arc { speed, acceleration, .. }) = path else {
             return Err(refused(NotGuarded::SpeedUnknown));
@@ -116,7 +116,7 @@ impl<S: MotionStatus> Robot<S> {
     /// The end where the guard has tripped before the motion went out.
     fn not_begun(&self, guard: &Guard, trip: Trip, waited: Duration) -> Result<MotionEnd, Error> {
         if let TripReason::NotShown(reason) = trip.reason {
-            return Err(self.client.link().attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()));
+            return Err(self.client.link.attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()));
         }
         let packets = vec![Arc::clone(&trip.packet)];
         let outcome = Outcome::Guard(Arc::new(trip.before_start()));
@@ -166,7 +166,7 @@ impl<S: MotionStatus> Robot<S> {
         let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&sentry.stop, None))) else { return first };
         self.take(&stopped.stop);
         match stopped.stop.accepted {
-            Err(stopping) if may_run => self.client.link().attach(ErrorKind::NotStopped { first, stopping }.into()),
+            Err(stopping) if may_run => self.client.link.attach(ErrorKind::NotStopped { first, stopping }.into()),
             _ => first,
         }
     }

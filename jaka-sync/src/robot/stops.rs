@@ -14,7 +14,7 @@ use crate::{Error, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
 #[derive(Debug)]
-pub(super) struct Stops {
+pub(crate) struct Stops {
     /// The latest that was asked for.
     begun: AtomicU64,
     /// The latest that the controller has accepted.
@@ -71,7 +71,7 @@ impl Stops {
     }
 
     /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
-    pub(super) fn expect_set_point(&self, within: Option<Duration>) {
+    pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
         let mut next = self.next_set_point.lock();
         if within.is_none() && next.set_point.is_none() {
             return;
@@ -97,7 +97,7 @@ impl Stops {
 
     /// How long a stop waits yet for a servo session to brake; none where none waits.
     #[cfg(feature = "stream")]
-    pub(super) fn time_to_brake(&self) -> Option<Duration> {
+    pub(crate) fn time_to_brake(&self) -> Option<Duration> {
         self.next_set_point.lock().stop.map(|latest| self.next_set_point.clock().left(latest))
     }
 
@@ -152,16 +152,12 @@ pub(super) struct Sent {
 #[derive(Debug, Clone)]
 #[must_use = "a stop handle stops nothing until `stop` is called"]
 pub struct RobotStop {
-    handle: StopHandle,
-    stops: Arc<Stops>,
-    waker: Waker,
+    pub(super) handle: StopHandle,
+    pub(super) stops: Arc<Stops>,
+    pub(super) waker: Waker,
 }
 
 impl RobotStop {
-    pub(super) fn new(handle: StopHandle, stops: Arc<Stops>, waker: Waker) -> Self {
-        Self { handle, stops, waker }
-    }
-
     /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
     /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source says that `stop_program` alone

@@ -30,7 +30,7 @@ pub(super) fn keep<S: MotionStatus>(
     (timeout, fresh_for): (Duration, Duration),
     is_called_off: impl Fn() -> bool,
 ) -> Vigil {
-    let since = monitor.clock().stopwatch();
+    let since = monitor.clock.stopwatch();
     loop {
         if let Some(trip) = armed.trip() {
             return Vigil::Tripped(trip);
@@ -50,7 +50,7 @@ pub(super) fn keep<S: MotionStatus>(
         if left.is_zero() || is_called_off() {
             return Vigil::Over(newest);
         }
-        let fresh = monitor.stale_after().min(fresh_for).saturating_sub(age).saturating_add(JUST_AFTER);
+        let fresh = monitor.stale_after.min(fresh_for).saturating_sub(age).saturating_add(JUST_AFTER);
         let is_news =
             || armed.trip().is_some() || armed.broken().is_some() || is_called_off() || fresh_status(monitor).is_err();
         // What it found is seen above.

@@ -32,7 +32,7 @@ impl<S: MotionStatus> Robot<S> {
     /// the wait at once, also while an answer is outstanding; and so does `gives_up`, as the deadline does.
     pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration, gives_up: &dyn Fn() -> bool) -> Outcome {
         let since = self.clock().stopwatch();
-        let mut heard = Heard { at: since.began(), number: 0, unreadable: None };
+        let mut heard = Heard { at: since.began, number: 0, unreadable: None };
         loop {
             let left = since.left_of(timeout);
             let silence = self.silence.saturating_sub(self.clock().elapsed(heard.at));
@@ -72,7 +72,7 @@ impl<S: MotionStatus> Robot<S> {
         match (shown, self.lost()) {
             // That the arm rests, packets alone do not prove.
             (None | Some(Outcome::AtRest), Some(cause)) => {
-                let address = self.client.link().address();
+                let address = self.client.link.address();
                 Some(Next::Ended(Outcome::ConnectionLost { address, cause }))
             }
             (Some(outcome), _) => Some(Next::Ended(outcome)),
@@ -82,7 +82,7 @@ impl<S: MotionStatus> Robot<S> {
 
     /// What broke the connection over which the arm could be stopped, if something did. A query that is outstanding reads by itself.
     fn lost(&self) -> Option<Arc<Disconnect>> {
-        let link = self.client.link();
+        let link = &self.client.link;
         if self.query.is_some() { link.broken() } else { link.lost() }
     }
 
@@ -107,7 +107,7 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The outcome as the program is told it. If the target is not known, the arm may be at rest because of a stop whose reply has not come.
     fn told(&self, outcome: Outcome) -> Outcome {
-        let is_stopping = self.latch.stops().is_under_way() && matches!(outcome, Outcome::AtRest);
+        let is_stopping = self.latch.stops.is_under_way() && matches!(outcome, Outcome::AtRest);
         if is_stopping { Outcome::Stopped } else { outcome }
     }
 }

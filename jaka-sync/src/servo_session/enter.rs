@@ -13,12 +13,8 @@ use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
 use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {
-    pub(crate) fn enter(robot: &'r mut Robot<S>, config: &ServoConfig) -> Result<Self, Error> {
-        Self::enter_after(robot, config, |_| Ok(()))
-    }
-
-    /// The same, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
-    pub(crate) fn enter_after(
+    /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
+    pub(crate) fn enter(
         robot: &'r mut Robot<S>,
         config: &ServoConfig,
         check: impl FnOnce(&mut Robot<S>) -> Result<(), Error>,
@@ -109,8 +105,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
     /// enter it.
     fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {
-        self.client().link().check_open(SetServoMode::INFO.name)?;
-        self.check_latch()?;
+        self.client().link.check_open(SetServoMode::INFO.name)?;
+        self.latch.check()?;
         if self.has_motions() {
             return Err(self.not_ready(Explanation::Moving));
         }
@@ -121,6 +117,6 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The error for what the robot's state keeps it from doing.
     pub(crate) fn not_ready(&mut self, explanation: Explanation) -> Error {
-        self.client().link().attach(ErrorKind::NotReady { explanation }.into())
+        self.client().link.attach(ErrorKind::NotReady { explanation }.into())
     }
 }

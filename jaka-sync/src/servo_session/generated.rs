@@ -13,7 +13,6 @@ use super::ServoSession;
 use super::departure::Departure;
 use super::pace::Pace;
 use super::set_point::SetPoint;
-use crate::clock::Clock;
 use crate::robot::{SetPointGuard, shown_joints};
 use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
 
@@ -120,10 +119,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.pace = Pace::new(self.robot.clock(), self.config.period(), self.config.busy_wait);
     }
 
-    pub(crate) fn clock(&self) -> &Clock {
-        self.robot.clock()
-    }
-
     /// Where the joints are to be at the last set-point, where that is known.
     pub(crate) fn last_joints(&self) -> Option<JointPosition> {
         self.course.last_joints().map(|[_, last]| last)
@@ -171,11 +166,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             let _ = monitor.watch(NEXT_PACKET, |newest| newest.filter(|newest| newest.number > seen).map(drop));
         }
         self.robot.unacknowledged()
-    }
-
-    /// Tells how long a stop of the program's own waits yet for the arm to be braked; none where none waits.
-    pub(crate) fn time_to_brake(&self) -> impl Fn() -> Option<Duration> + use<S> {
-        self.robot.time_to_brake()
     }
 
     /// The newest packet, unless it has this number.

@@ -72,7 +72,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub(super) fn come_to_rest_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
         let came = if self.course.has_begun() {
             // Set-points that were sent before may be refused yet.
-            let outstanding = u64::try_from(self.robot.client().link().outstanding()).unwrap_or(u64::MAX);
+            let outstanding = u64::try_from(self.robot.client().link.outstanding()).unwrap_or(u64::MAX);
             let refused = self.report.refused.saturating_add(outstanding);
             self.brake(braking, refused).and_then(|()| self.hold(refused))
         } else {
@@ -80,7 +80,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.report.rest_was_seen = true;
             Ok(())
         };
-        self.robot.expect_set_point(None);
+        self.robot.latch.stops.expect_set_point(None);
         came
     }
 
@@ -95,7 +95,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if !self.send_landing(next, &gate, refused)? {
                 return Ok(());
             }
-            self.robot.expect_set_point(Some(self.config.gap() * 2));
+            self.robot.latch.stops.expect_set_point(Some(self.config.gap() * 2));
         }
         Ok(())
     }
@@ -109,11 +109,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
-        self.robot.expect_set_point(None);
+        self.robot.latch.stops.expect_set_point(None);
         let since = self.robot.clock().stopwatch();
-        let (mut rest, mut is_held) = (Rest::new(since.began(), self.course.held_joints()), true);
+        let (mut rest, mut is_held) = (Rest::new(since.began, self.course.held_joints()), true);
         loop {
-            if is_held && self.robot.unacknowledged_stop().is_some() {
+            if is_held && self.robot.latch.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
                 (rest, is_held) = (Rest::new(self.robot.clock().now(), None), false);
             }
@@ -125,7 +125,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             let is_blind = self.robot.monitor().fresh_packet().is_err();
             let patience = if is_blind { BLIND.min(self.config.rest_timeout) } else { self.config.rest_timeout };
             if since.passed() >= patience {
-                let may_be_blind = is_blind && self.robot.moves_without_status();
+                let may_be_blind = is_blind && self.robot.moves_without_status;
                 return if may_be_blind {
                     Ok(())
                 } else {
@@ -137,7 +137,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
-        match (self.robot.unacknowledged_stop(), self.course.hold()) {
+        match (self.robot.latch.unacknowledged_stop(), self.course.hold()) {
             (None, Some(set_point)) => {
                 let gate = self.robot.holding_gate();
                 match self.send_landing(set_point, &gate, refused) {

@@ -61,7 +61,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn last_answers(&mut self) -> Result<(), Error> {
         let since = self.robot.clock().stopwatch();
         let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
-        while self.robot.client().link().outstanding() > 0 && since.passed() < PATIENCE {
+        while self.robot.client().link.outstanding() > 0 && since.passed() < PATIENCE {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
@@ -103,16 +103,16 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        self.robot.expect_set_point(None);
+        self.robot.latch.stops.expect_set_point(None);
         // Another thread that reads may have received replies meanwhile.
-        let (answers, unanswered) = self.robot.client().link().forget_posted();
+        let (answers, unanswered) = self.robot.client().link.forget_posted();
         self.count(answers);
         self.report.unanswered += unanswered;
-        let link = self.robot.client().link();
+        let link = &self.robot.client().link;
         let off = SetServoMode::new(Switch::Off);
         let off = link.ask(SetServoMode::INFO, &mut |out| off.write_request(out))?;
         let left = self.wait_until_left(&off, unanswered);
-        self.robot.client().link().forget(&off);
+        self.robot.client().link.forget(&off);
         left
     }
 
@@ -129,7 +129,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 Ok(_) if since.passed() > PATIENCE => return Err(self.still_in_servo_mode(off)),
                 Ok(_) => drop(pace.wait()),
                 Err(error) if unanswered > 0 && matches!(error.kind(), ErrorKind::Timeout { .. }) => {
-                    let link = client.link();
+                    let link = &client.link;
                     let cause = link.reset(Disconnect::Reset { unanswered });
                     let (address, command) = (link.address(), Some(SetServoMode::INFO.name.to_owned()));
                     return Err(link.attach(ErrorKind::Disconnected { address, command, sent: true, cause }.into()));
@@ -141,7 +141,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// The command was refused, or was acknowledged and not carried out.
     fn still_in_servo_mode(&mut self, off: &Sent<'_>) -> Error {
-        let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
+        let answer = self.robot.client().link.poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
         answer.err().unwrap_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft))
     }
 }

@@ -68,7 +68,7 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 /// ```
 #[must_use = "dropping a session ends it; `land` does so, too, and reports"]
 pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
-    pub(super) robot: &'r mut Robot<S>,
+    pub(crate) robot: &'r mut Robot<S>,
     pub(super) config: ServoConfig,
     pub(super) pace: Pace,
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
@@ -208,12 +208,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        self.robot.check_latch()?;
+        self.robot.latch.check()?;
         self.check_unanswered()?;
         let gate = self.robot.gate();
         self.post(&set_point, &gate)?;
         self.course.sent(set_point, joints);
-        self.robot.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
+        self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
         Ok(())
     }
 
@@ -234,7 +234,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
     pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
-        let link = self.robot.client().link();
+        let link = &self.robot.client().link;
         let count = link.outstanding();
         if count < self.config.most_unanswered() {
             return Ok(());
@@ -244,7 +244,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
-        let (answers, checked) = self.robot.client().link().drain(command);
+        let (answers, checked) = self.robot.client().link.drain(command);
         self.count(answers);
         checked
     }

@@ -30,7 +30,7 @@ pub(super) fn run<S: MotionStatus>(
         check_shows_joints(robot, timeout)?;
         guard.map_or(Ok(()), SetPointGuard::check_before_start)
     };
-    let mut session = match ServoSession::enter_after(robot, &config.servo, check) {
+    let mut session = match ServoSession::enter(robot, &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };

@@ -77,7 +77,7 @@ fn a_panic_while_a_request_is_written_sends_nothing_and_leaves_the_turn_to_the_o
     assert!(panics(|| link.post("x", LONG, None, 3, second_panics)));
     let gate: Gate<'_> = Some(&|| panic!("as the test wants"));
     assert!(panics(
-        || link.send(&Outgoing::named(link.clock(), "a", Cow::Borrowed("a"), LONG).through(gate), &mut |_| ())
+        || link.send(&Outgoing::named(&link.clock, "a", Cow::Borrowed("a"), LONG).through(gate), &mut |_| ())
     ));
     assert_eq!(outstanding(&link), (0, 0));
     assert_usable(&link, &mut server);

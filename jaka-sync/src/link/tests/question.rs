@@ -61,7 +61,7 @@ fn a_question_is_answered_by_any_thread_that_reads_and_stops_pass_it() {
     let question = ask(&link);
     let stop = |link: &Link| {
         let write = &mut |out: &mut Writer| StopProgram::new().write_request(out);
-        link.send(&Outgoing::of(link.clock(), StopProgram::INFO, LONG), write).expect("it goes out")
+        link.send(&Outgoing::of(&link.clock, StopProgram::INFO, LONG), write).expect("it goes out")
     };
     let sent = stop(&link);
     let replies = [reply(GetJointPos::INFO.name, 2, "busy"), reply(StopProgram::INFO.name, 0, "")].concat();

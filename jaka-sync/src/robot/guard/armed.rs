@@ -10,7 +10,7 @@ use jaka_proto::wire::DecodeError;
 
 use super::condition::Judge;
 use super::{Guard, Trip};
-use crate::robot::readiness::unknown;
+use crate::robot::readiness::{fresh_status, unknown};
 use crate::robot::stops::Written;
 use crate::robot::{MotionStatus, RobotStop, trouble};
 use crate::sync::lock;
@@ -218,7 +218,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Arms a guard: it has judged the newest packet, which is fresh, when this returns. If none has come lately, waits a little for one.
     pub(crate) fn arm(&self, guard: &Guard, timeout: Duration) -> Result<Armed, StatusProblem> {
         self.status_now(timeout)?;
-        Armed::new(guard, self.monitor(), || self.fresh_status())
+        Armed::new(guard, self.monitor(), || fresh_status(self.monitor()))
     }
 }
 

@@ -109,8 +109,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
     pub(crate) fn arm_for_set_points(&self, guard: &Guard, call: &str) -> Result<SetPointGuard, Error> {
         guard.check(call)?;
-        self.check_latch()?;
-        let (link, patience) = (self.client.link(), self.monitor.stale_after());
+        self.latch.check()?;
+        let (link, patience) = (&self.client.link, self.monitor.stale_after);
         let no_status = |problem| link.attach(unknown(problem));
         self.status_now(patience).map_err(no_status)?;
         let limits: Vec<_> = guard.force_limits().copied().collect();

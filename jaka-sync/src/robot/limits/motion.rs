@@ -103,7 +103,7 @@ impl<S: MotionStatus> Robot<S> {
         timeout: Duration,
     ) -> Result<JointPosition, Error> {
         if self.has_motions() {
-            let (changes, stops) = (self.client.link().frame_changes(), self.client.link().stop_count());
+            let (changes, stops) = (self.client.link.frame_changes(), self.client.link.stop_count());
             let Some(limited) = &self.checks.0 else { return Err(self.not_checked(info.name, Unchecked::Start)) };
             return match limited.planned {
                 _ if limited.frame_changes != changes => Err(self.not_checked(info.name, Unchecked::FramesInQueue)),
@@ -144,6 +144,6 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     pub(super) fn beyond_limit(&self, command: &str, beyond: Beyond) -> Error {
-        self.client.link().attach(ErrorKind::BeyondLimit { command: command.to_owned(), beyond }.into())
+        self.client.link.attach(ErrorKind::BeyondLimit { command: command.to_owned(), beyond }.into())
     }
 }

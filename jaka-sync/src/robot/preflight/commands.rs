@@ -39,7 +39,7 @@ impl<'c> Commands<'c> {
 
     /// The clock of the connection.
     pub(super) fn clock(&self) -> Clock {
-        self.client.as_ref().map_or_else(Clock::default, |client| client.clock().clone())
+        self.client.as_ref().map_or_else(Clock::default, |client| client.link.clock.clone())
     }
 
     /// Asks one question; what that tells if it has no answer.

@@ -33,7 +33,7 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         if let Err(error) = monitor.fresh_packet().or_else(|_| monitor.next_packet()) {
             return Err(ports::of_status(&error, monitor.statistics().dropped_bytes));
         }
-        Ok(Self { monitor, since: monitor.clock().stopwatch(), before: monitor.statistics() })
+        Ok(Self { monitor, since: monitor.clock.stopwatch(), before: monitor.statistics() })
     }
 
     /// Counts to the end, and returns the newest packet.
