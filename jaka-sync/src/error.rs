@@ -60,37 +60,37 @@ impl Error {
     /// Where a call sends several commands, as [`Robot::power_up`](crate::Robot::power_up) does, this is about the one that failed: those
     /// before it were carried out.
     pub fn may_have_run(&self) -> bool {
-        self.kind().may_have_run()
+        self.kind().meaning().1
     }
 
     /// True if the connection can no longer be used.
     pub fn is_disconnected(&self) -> bool {
-        self.kind().group() == Group::Disconnected
+        self.kind().meaning().0 == Group::Disconnected
     }
 
     /// True if a reply, a status packet or a state did not come in time, or the command could not be sent in time.
     pub fn is_timeout(&self) -> bool {
-        self.kind().group() == Group::Timeout
+        self.kind().meaning().0 == Group::Timeout
     }
 
     /// True if the controller refused the command.
     pub fn is_refused(&self) -> bool {
-        self.kind().group() == Group::Refused
+        self.kind().meaning().0 == Group::Refused
     }
 
     /// True if nothing was sent because the spec forbids the request.
     pub fn is_invalid_argument(&self) -> bool {
-        self.kind().group() == Group::InvalidArgument
+        self.kind().meaning().0 == Group::InvalidArgument
     }
 
     /// True if nothing was sent because the controller's firmware does not have the command or one of its fields.
     pub fn is_not_in_firmware(&self) -> bool {
-        self.kind().group() == Group::NotInFirmware
+        self.kind().meaning().0 == Group::NotInFirmware
     }
 
     /// True if no connection could be made.
     pub fn is_connect(&self) -> bool {
-        self.kind().group() == Group::Connect
+        self.kind().meaning().0 == Group::Connect
     }
 
     /// The controller's code and message, if it refused the command.
@@ -134,7 +134,7 @@ impl fmt::Display for Error {
 
 impl StdError for Error {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
-        self.kind().cause()
+        self.kind().meaning().2
     }
 }
 

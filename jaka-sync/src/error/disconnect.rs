@@ -1,90 +1,70 @@
 //! What broke a connection.
 
 use std::error::Error as StdError;
-use std::fmt::{self, Write};
 use std::io;
 
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
-use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 
-/// What broke a connection.
-#[derive(Debug)]
-#[non_exhaustive]
-pub enum Disconnect {
-    /// The controller closed the connection.
-    Closed {
-        /// How many bytes of an unfinished message had come.
-        partial: usize,
-    },
-    /// The system reported an error while sending.
-    Write(io::Error),
-    /// The system reported an error while receiving.
-    Read(io::Error),
-    /// Bytes came that are not a message, or a message longer than the limit.
-    Frame(FrameError),
-    /// A message came that is not a JSON object by its quotes and brackets.
-    NotJson(DecodeError),
-    /// It is no longer certain to which requests the next replies belong.
-    OutOfSync(OutOfSync),
-    /// This side reset the connection, because set-points of a servo session and the command that ends servo mode had no reply. The
-    /// system discards what it had queued.
-    Reset {
-        /// How many set-points had no reply.
-        unanswered: u64,
-    },
-    /// A panic in this program, for example in a logger or a decoder, interrupted the reading of messages.
-    Panicked,
-    /// The client was dropped, and its connection with it: stop handles can no longer stop the robot.
-    ClientDropped,
-    /// This is the status port, or something that sends what it sends; port 10001 takes commands.
-    StatusPort,
-    /// This is the command port, or something that answers as it does; port 10000 sends the status.
-    CommandPort,
-    /// A command that ends the session was carried out.
-    Ended {
-        /// `cmdName` of the command.
-        by: String,
-    },
+use crate::worded::worded;
+
+worded! {
+    /// What broke a connection.
+    #[derive(Debug)]
+    #[non_exhaustive]
+    pub enum Disconnect {
+        /// The controller closed the connection.
+        Closed {
+            /// How many bytes of an unfinished message had come.
+            partial: usize,
+        } => (closed(*partial)),
+        /// The system reported an error while sending.
+        Write(error: io::Error) => "sending failed",
+        /// The system reported an error while receiving.
+        Read(error: io::Error) => "receiving failed",
+        /// Bytes came that are not a message, or a message longer than the limit.
+        Frame(error: FrameError) => (not_a_frame(error)),
+        /// A message came that is not a JSON object by its quotes and brackets.
+        NotJson(error: DecodeError) => "a message is not JSON: {error}",
+        /// It is no longer certain to which requests the next replies belong.
+        OutOfSync(out_of_sync: OutOfSync) => "{out_of_sync}",
+        /// This side reset the connection, because set-points of a servo session and the command that ends servo mode had no reply. The
+        /// system discards what it had queued.
+        Reset {
+            /// How many set-points had no reply.
+            unanswered: u64,
+        } =>
+            "this side reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
+             reply; set-points that had not been sent yet were discarded, others may still move the arm",
+        /// A panic in this program, for example in a logger or a decoder, interrupted the reading of messages.
+        Panicked => "a panic in this program interrupted the reading of messages",
+        /// The client was dropped, and its connection with it: stop handles can no longer stop the robot.
+        ClientDropped => "the client was dropped, and its connection with it",
+        /// This is the status port, or something that sends what it sends; port 10001 takes commands.
+        StatusPort => "a status packet came instead of a reply: this is the status port, port 10001 takes commands",
+        /// This is the command port, or something that answers as it does; port 10000 sends the status.
+        CommandPort =>
+            "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
+        /// A command that ends the session was carried out.
+        Ended {
+            /// `cmdName` of the command.
+            by: String,
+        } => "`{by}` ended the session",
+    }
 }
 
-/// In one line, whatever came over the connection: see [`text`](crate::proto::text).
-impl fmt::Display for Disconnect {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut f = VisibleWriter(f);
-        match self {
-            Self::Closed { partial } => {
-                f.write_str("the controller closed the connection")?;
-                if *partial > 0 {
-                    write!(f, " in the middle of a message, after {partial} bytes of it")?;
-                }
-                Ok(())
-            }
-            Self::Write(_) => f.write_str("sending failed"),
-            Self::Read(_) => f.write_str("receiving failed"),
-            Self::Frame(error) if is_text_line(error) => {
-                write!(f, "this firmware sends status as text lines, which only very old versions do: {error}")
-            }
-            Self::Frame(error) => write!(f, "{error}"),
-            Self::NotJson(error) => write!(f, "a message is not JSON: {error}"),
-            Self::Reset { unanswered } => write!(
-                f,
-                "this side reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
-                 reply; set-points that had not been sent yet were discarded, others may still move the arm"
-            ),
-            Self::OutOfSync(out_of_sync) => write!(f, "{out_of_sync}"),
-            Self::Panicked => f.write_str("a panic in this program interrupted the reading of messages"),
-            Self::ClientDropped => f.write_str("the client was dropped, and its connection with it"),
-            Self::StatusPort => {
-                f.write_str("a status packet came instead of a reply: this is the status port, port 10001 takes commands")
-            }
-            Self::CommandPort => f.write_str(
-                "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
-            ),
-            Self::Ended { by } => write!(f, "`{by}` ended the session"),
-        }
+fn closed(partial: usize) -> String {
+    let within =
+        if partial > 0 { format!(" in the middle of a message, after {partial} bytes of it") } else { String::new() };
+    format!("the controller closed the connection{within}")
+}
+
+fn not_a_frame(error: &FrameError) -> String {
+    if is_text_line(error) {
+        return format!("this firmware sends status as text lines, which only very old versions do: {error}");
     }
+    error.to_string()
 }
 
 impl Disconnect {

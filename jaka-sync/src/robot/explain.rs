@@ -1,6 +1,5 @@
 //! Why a command was refused.
 
-use std::fmt;
 use std::time::Duration;
 
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
@@ -9,43 +8,49 @@ use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Seve
 
 use super::status::told;
 use super::{MotionStatus, Robot};
+use crate::worded::worded;
 use crate::{Error, ErrorKind};
 
 /// How long the query may take that explains a refusal.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Explanation {
-    /// The emergency stop is pressed: release it, and enable the arm.
-    EmergencyStop,
-    /// The robot is in a protective stop: call `clear_error`.
-    ProtectiveStop,
-    /// The arm has no power: call `power_on`.
-    NotPowered,
-    /// The arm is not enabled: call `enable_robot`.
-    NotEnabled,
-    /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
-    NotInServoMode,
-    /// The controller does not accept commands from this client: grant remote control on its panel.
-    NoRemoteControl,
-    /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
-    Moving,
-    /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
-    /// `set_servo_mode` with off.
-    ServoModeOn,
-    /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
-    ServoModeNotEntered,
-    /// The controller acknowledged the end of servo mode but is still in it.
-    ServoModeNotLeft,
-    /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
-    Event(ControllerEvent),
-    /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
-    SoftLimit,
-    /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
-    #[cfg(feature = "motion")]
-    BeyondLimit(Box<jaka_motion::Beyond>),
+worded! {
+    /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum Explanation {
+        /// The emergency stop is pressed: release it, and enable the arm.
+        EmergencyStop => "the emergency stop is pressed: release it, and enable the arm",
+        /// The robot is in a protective stop: call `clear_error`.
+        ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
+        /// The arm has no power: call `power_on`.
+        NotPowered => "the arm has no power: call `power_on`",
+        /// The arm is not enabled: call `enable_robot`.
+        NotEnabled => "the arm is not enabled: call `enable_robot`",
+        /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
+        NotInServoMode => "servo mode is off: call `set_servo_mode`, and wait until it is on",
+        /// The controller does not accept commands from this client: grant remote control on its panel.
+        NoRemoteControl =>
+            "the controller does not accept commands from this client: grant remote control on its panel",
+        /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
+        Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
+        /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
+        /// `set_servo_mode` with off.
+        ServoModeOn =>
+            "servo mode is on already, perhaps with set-points of another program or session: if nobody sends any, call `set_servo_mode` with off",
+        /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
+        ServoModeNotEntered =>
+            "the controller acknowledged servo mode but did not enter it, which happens while the arm moves",
+        /// The controller acknowledged the end of servo mode but is still in it.
+        ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
+        /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
+        Event(event: ControllerEvent) => "the controller reports {event}",
+        /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
+        SoftLimit => "a soft limit of the controller was hit: move the arm away from it",
+        /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
+        #[cfg(feature = "motion")]
+        BeyondLimit(beyond: Box<jaka_motion::Beyond>) => "{beyond}",
+    }
 }
 
 impl Explanation {
@@ -71,33 +76,6 @@ impl Explanation {
             (status.on_soft_limit == Some(1)).then_some(Self::SoftLimit),
         ];
         reasons.into_iter().flatten().next()
-    }
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::EmergencyStop => "the emergency stop is pressed: release it, and enable the arm",
-            Self::ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
-            Self::NotPowered => "the arm has no power: call `power_on`",
-            Self::NotEnabled => "the arm is not enabled: call `enable_robot`",
-            Self::NotInServoMode => "servo mode is off: call `set_servo_mode`, and wait until it is on",
-            Self::Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
-            Self::ServoModeOn => {
-                "servo mode is on already, perhaps with set-points of another program or session: if nobody sends any, call `set_servo_mode` with off"
-            }
-            Self::ServoModeNotEntered => {
-                "the controller acknowledged servo mode but did not enter it, which happens while the arm moves"
-            }
-            Self::ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
-            Self::Event(event) => return write!(f, "the controller reports {event}"),
-            Self::SoftLimit => "a soft limit of the controller was hit: move the arm away from it",
-            #[cfg(feature = "motion")]
-            Self::BeyondLimit(beyond) => return beyond.fmt(f),
-            Self::NoRemoteControl => {
-                "the controller does not accept commands from this client: grant remote control on its panel"
-            }
-        })
     }
 }
 

@@ -1,68 +1,93 @@
 //! How motions end.
 
 use std::error::Error as StdError;
-use std::fmt::{self, Write};
+use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::ControllerEvent;
-use jaka_proto::text::VisibleWriter;
 use jaka_proto::wire::DecodeError;
 
 use super::{GuardTrip, TripReason};
+use crate::worded::worded;
 use crate::{Disconnect, Error, Snapshot};
 
-/// How a motion ended, or why it is not known to have ended.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub enum Outcome {
-    /// The arm is at its target, by the controller's own answer to a query after the motion.
-    Reached,
-    /// The arm is at rest, and it is not known whether it is at its target: the request does not determine it (a relative motion in a
-    /// queue or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
-    /// position query failed ([`MotionEnd::not_answered`]): then only packets show that the arm is at rest, and these may be old.
-    AtRest,
-    /// There is nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
-    /// through [`Robot::client`](crate::Robot::client) are not waited for.
-    NoMotion,
-    /// The motion ended before its target: this program or another client stopped it. The arm may still be braking.
-    Stopped,
-    /// The robot is in a protective stop. It moves again after `clear_error`.
-    ProtectiveStop,
-    /// The emergency stop is pressed.
-    EmergencyStop,
-    /// The arm is no longer powered and enabled.
-    Disabled,
-    /// The controller reports an error that it did not report before the motion; or, if the arm is at rest but not at its target, a
-    /// code that no table has. Warnings and information do not end a motion. The arm may still move: other fields of the status show
-    /// whether it is stopped.
-    ControllerError {
-        /// The code as the controller writes it, such as `0x0F0034`.
-        code: String,
-        /// The event with its severity and, if it is known, its meaning; none for a code that cannot be read.
-        event: Option<ControllerEvent>,
-        /// The controller's message.
-        message: String,
-    },
-    /// The motion has not ended within the timeout, and the arm may still move. Leave it, wait again, or stop it.
-    Deadline,
-    /// The guard of [`Robot::run_until`](crate::Robot::run_until) has tripped: the arm was stopped, or nothing was sent.
-    Guard(Arc<GuardTrip>),
-    /// The command connection was lost: another client may have taken it over, or the controller has shut down. The motion may go on, and
-    /// cannot be stopped over this connection: use the emergency stop, or connect again and stop it. Nothing reconnects on its own.
-    ConnectionLost {
-        /// Where the connection led, with the port.
-        address: String,
-        /// What ended the connection.
-        cause: Arc<Disconnect>,
-    },
-    /// Status packets that can be read no longer come; the arm may still move.
-    StatusLost {
-        /// What ended the connection; `None` if it is open.
-        cause: Option<Arc<Disconnect>>,
-        /// What cannot be read of the packets that come; `None` if none come.
-        unreadable: Option<DecodeError>,
-    },
+worded! {
+    /// How a motion ended, or why it is not known to have ended.
+    #[derive(Debug, Clone)]
+    #[non_exhaustive]
+    pub enum Outcome {
+        /// The arm is at its target, by the controller's own answer to a query after the motion.
+        Reached => "the motion has reached its target",
+        /// The arm is at rest, and it is not known whether it is at its target: the request does not determine it (a relative motion in a
+        /// queue or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
+        /// position query failed ([`MotionEnd::not_answered`]): then only packets show that the arm is at rest, and these may be old.
+        AtRest => "the arm is at rest, but it is not known whether it is at its target",
+        /// There is nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
+        /// through [`Robot::client`](crate::Robot::client) are not waited for.
+        NoMotion => "there was nothing to wait for: no motion of this robot was accepted",
+        /// The motion ended before its target: this program or another client stopped it. The arm may still be braking.
+        Stopped => "the motion was stopped before its target",
+        /// The robot is in a protective stop. It moves again after `clear_error`.
+        ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
+        /// The emergency stop is pressed.
+        EmergencyStop => "the emergency stop is pressed",
+        /// The arm is no longer powered and enabled.
+        Disabled => "the arm is no longer powered and enabled",
+        /// The controller reports an error that it did not report before the motion; or, if the arm is at rest but not at its target, a
+        /// code that no table has. Warnings and information do not end a motion. The arm may still move: other fields of the status show
+        /// whether it is stopped.
+        ControllerError {
+            /// The code as the controller writes it, such as `0x0F0034`.
+            code: String,
+            /// The event with its severity and, if it is known, its meaning; none for a code that cannot be read.
+            event: Option<ControllerEvent>,
+            /// The controller's message.
+            message: String,
+        } => (reported(code, *event, message)),
+        /// The motion has not ended within the timeout, and the arm may still move. Leave it, wait again, or stop it.
+        Deadline => "the motion has not ended in time; the arm may still move",
+        /// The guard of [`Robot::run_until`](crate::Robot::run_until) has tripped: the arm was stopped, or nothing was sent.
+        Guard(trip: Arc<GuardTrip>) => "the guard tripped: {trip}",
+        /// The command connection was lost: another client may have taken it over, or the controller has shut down. The motion may go on, and
+        /// cannot be stopped over this connection: use the emergency stop, or connect again and stop it. Nothing reconnects on its own.
+        ConnectionLost {
+            /// Where the connection led, with the port.
+            address: String,
+            /// What ended the connection.
+            cause: Arc<Disconnect>,
+        } => (connection_lost(address, cause)),
+        /// Status packets that can be read no longer come; the arm may still move.
+        StatusLost {
+            /// What ended the connection; `None` if it is open.
+            cause: Option<Arc<Disconnect>>,
+            /// What cannot be read of the packets that come; `None` if none come.
+            unreadable: Option<DecodeError>,
+        } => (status_lost(cause.as_deref(), unreadable.as_ref())),
+    }
+}
+
+fn reported(code: &str, event: Option<ControllerEvent>, message: &str) -> String {
+    match event {
+        Some(event) => format!("the controller reports {event}: {message}"),
+        None => format!("the controller reports code {code}: {message}"),
+    }
+}
+
+fn connection_lost(address: &str, cause: &Disconnect) -> String {
+    let hint = cause.seat_hint();
+    format!(
+        "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection; use the \
+         emergency stop, or connect again and stop it{hint}: {cause}"
+    )
+}
+
+fn status_lost(cause: Option<&Disconnect>, unreadable: Option<&DecodeError>) -> String {
+    match (cause, unreadable) {
+        (None, None) => "status packets stopped coming; the arm may still move".to_owned(),
+        (None, Some(source)) => format!("status packets cannot be read; the arm may still move: {source}"),
+        (Some(cause), _) => format!("the status connection ended; the arm may still move: {cause}"),
+    }
 }
 
 impl Outcome {
@@ -87,43 +112,6 @@ impl Outcome {
     /// True if the robot must not move again before somebody has checked it.
     pub(super) fn latches(&self) -> bool {
         matches!(self, Self::ProtectiveStop | Self::EmergencyStop | Self::StatusLost { .. })
-    }
-}
-
-/// In one line, whatever the controller says: see [`text`](crate::proto::text).
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut f = VisibleWriter(f);
-        match self {
-            Self::Reached => f.write_str("the motion has reached its target"),
-            Self::AtRest => f.write_str("the arm is at rest, but it is not known whether it is at its target"),
-            Self::NoMotion => f.write_str("there was nothing to wait for: no motion of this robot was accepted"),
-            Self::Stopped => f.write_str("the motion was stopped before its target"),
-            Self::ProtectiveStop => f.write_str("the robot is in a protective stop: call `clear_error`"),
-            Self::EmergencyStop => f.write_str("the emergency stop is pressed"),
-            Self::Disabled => f.write_str("the arm is no longer powered and enabled"),
-            Self::ControllerError { event: Some(event), message, .. } => {
-                write!(f, "the controller reports {event}: {message}")
-            }
-            Self::ControllerError { code, message, .. } => write!(f, "the controller reports code {code}: {message}"),
-            Self::Guard(trip) => write!(f, "the guard tripped: {trip}"),
-            Self::Deadline => f.write_str("the motion has not ended in time; the arm may still move"),
-            Self::ConnectionLost { address, cause } => write!(
-                f,
-                "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection; \
-                 use the emergency stop, or connect again and stop it{}: {cause}",
-                cause.seat_hint()
-            ),
-            Self::StatusLost { cause: None, unreadable: None } => {
-                f.write_str("status packets stopped coming; the arm may still move")
-            }
-            Self::StatusLost { cause: None, unreadable: Some(source) } => {
-                write!(f, "status packets cannot be read; the arm may still move: {source}")
-            }
-            Self::StatusLost { cause: Some(cause), .. } => {
-                write!(f, "the status connection ended; the arm may still move: {cause}")
-            }
-        }
     }
 }
 
