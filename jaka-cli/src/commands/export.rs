@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use jaka_sync::recording::Recording;
 use serde_json::Value;
 
-use self::columns::{Columns, Row};
+use self::columns::{Columns, seconds};
 use crate::failure::Failure;
 use crate::fields::Field;
 use crate::number::count;
@@ -73,10 +73,10 @@ impl Export {
                 output::warning(&format!("{error}; it is left out"));
             }
             let unix_time = recording.header.started.saturating_add(packet.time);
-            let row = Row { time: packet.time, unix_time, connection: packet.connection, packet: status.json()? };
+            let first = [seconds(packet.time), seconds(unix_time), packet.connection.to_string()];
             out.write(&match self.format {
-                Format::Csv => columns.csv(&row),
-                Format::Jsonl => columns.json(&row),
+                Format::Csv => columns.csv(first, &status.json()?),
+                Format::Jsonl => columns.json(first, &status.json()?),
             })?;
         }
         out.finish()?;

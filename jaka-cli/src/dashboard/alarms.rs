@@ -10,6 +10,8 @@ use jaka_sync::status::RobotStatus;
 use crate::event;
 use crate::flags::{Flags, Tone};
 
+/// An unknown event may be an error.
+const WORST_FIRST: [Severity; 3] = [Severity::Error, Severity::Unknown, Severity::Warning];
 /// How many are kept.
 const MOST: usize = 1000;
 
@@ -85,7 +87,7 @@ impl Alarms {
             let tone = if severity == Severity::Warning { Tone::Warning } else { Tone::Bad };
             self.add(time, tone, format!("{} {code} {message}", label(severity)).trim_end());
         }
-        self.standing = self.standing.into_iter().chain([severity]).max_by_key(|severity| rank(*severity));
+        self.standing = WORST_FIRST.into_iter().find(|one| *one == severity || self.standing == Some(*one));
     }
 }
 
@@ -103,16 +105,6 @@ fn name(severity: Severity) -> &'static str {
     match severity {
         Severity::Error | Severity::Warning => label(severity),
         _ => "event",
-    }
-}
-
-/// The rank of a severity. An unknown event may be an error.
-fn rank(severity: Severity) -> u8 {
-    match severity {
-        Severity::Error => 3,
-        Severity::Information => 0,
-        Severity::Warning => 1,
-        _ => 2,
     }
 }
 

@@ -3,7 +3,7 @@
 use jaka_sync::status::RobotStatus;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
-use ratatui::text::{Line, Span, Text};
+use ratatui::text::{Line, Text};
 
 use super::draw::alarm_lines;
 use super::{View, io, joints, robot_state, style};
@@ -38,7 +38,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     part(frame, tcp, &tcp_title(status), joints::tcp_lines(status));
     frame.render_widget(Text::from(pins), io_area);
     part(frame, alarms, "Alarms (UTC)", alarm_lines(view));
-    dim_if_old(frame, view, [state, arm, io_area]);
+    if !view.is_fresh() {
+        [state, arm, io_area].into_iter().for_each(|area| frame.buffer_mut().set_style(area, style::old()));
+    }
     0
 }
 
@@ -59,7 +61,7 @@ fn small(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     values.extend(joints::short_tcp_lines(status));
     values.extend(io::short_lines(status, width, 1));
     if !view.is_fresh() {
-        values = values.into_iter().map(|line| old(line)).collect();
+        values.iter_mut().flat_map(|line| &mut line.spans).for_each(|span| span.style = style::old());
     }
     values.push(style::rule("Alarms (UTC)", width));
     values.extend(alarm_lines(view));
@@ -74,17 +76,4 @@ fn part(frame: &mut Frame<'_>, area: Rect, title: &str, lines: Vec<Line<'static>
 fn tcp_title(status: &RobotStatus) -> String {
     let id = |id: Option<i64>| id.map_or_else(|| ABSENT.to_owned(), |id| id.to_string());
     format!("TCP tool {} user {}", id(status.current_tool_id), id(status.current_user_frame_id))
-}
-
-fn dim_if_old<const N: usize>(frame: &mut Frame<'_>, view: &View, areas: [Rect; N]) {
-    if !view.is_fresh() {
-        for area in areas {
-            frame.buffer_mut().set_style(area, style::old());
-        }
-    }
-}
-
-/// A line whose values are out of date.
-fn old(line: Line<'static>) -> Line<'static> {
-    Line::from(line.spans.into_iter().map(|span| Span::styled(span.content, style::old())).collect::<Vec<_>>())
 }

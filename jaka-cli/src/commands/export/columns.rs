@@ -16,21 +16,6 @@ const FIRST: [&str; 3] = ["time (s)", "unix_time (s)", "connection"];
 #[derive(Debug)]
 pub(super) struct Columns(Vec<(String, Field)>);
 
-/// A packet, and when it came.
-#[derive(Debug)]
-pub(super) struct Row {
-    pub(super) time: Duration,
-    pub(super) unix_time: Duration,
-    pub(super) connection: u32,
-    pub(super) packet: Value,
-}
-
-impl Row {
-    fn first(&self) -> [String; 3] {
-        [seconds(self.time), seconds(self.unix_time), self.connection.to_string()]
-    }
-}
-
 impl Columns {
     /// The columns of these fields, as many as the widest of all packets needs.
     pub(super) fn new(fields: Vec<Field>, widest: &Value) -> Self {
@@ -45,17 +30,17 @@ impl Columns {
             .chain(self.0.iter().map(|(title, _)| cell(Some(title.as_str().into())))))
     }
 
-    /// A packet as a line of CSV.
-    pub(super) fn csv(&self, packet: &Row) -> String {
-        let cells = self.0.iter().map(|(_, field)| cell(field.named_value(&packet.packet)));
-        row(packet.first().into_iter().chain(cells))
+    /// A packet as a line of CSV, after its first cells.
+    pub(super) fn csv(&self, first: [String; 3], packet: &Value) -> String {
+        let cells = self.0.iter().map(|(_, field)| cell(field.named_value(packet)));
+        row(first.into_iter().chain(cells))
     }
 
     /// A packet as a line of JSON.
-    pub(super) fn json(&self, packet: &Row) -> String {
-        let first = FIRST.into_iter().zip(packet.first()).map(|(title, text)| format!("\"{title}\":{text}"));
+    pub(super) fn json(&self, first: [String; 3], packet: &Value) -> String {
+        let first = FIRST.into_iter().zip(first).map(|(title, text)| format!("\"{title}\":{text}"));
         let fields = self.0.iter().map(|(title, field)| {
-            let value = field.named_value(&packet.packet).unwrap_or_default();
+            let value = field.named_value(packet).unwrap_or_default();
             format!("{}:{value}", Value::from(title.as_str()))
         });
         visible_json(&format!("{{{}}}\n", first.chain(fields).format(","))).into_owned()
@@ -70,7 +55,7 @@ fn titled(field: &Field) -> String {
 }
 
 /// A time with all digits that a recording has.
-fn seconds(time: Duration) -> String {
+pub(super) fn seconds(time: Duration) -> String {
     format!("{}.{:06}", time.as_secs(), time.subsec_micros())
 }
 

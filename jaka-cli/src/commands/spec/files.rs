@@ -1,7 +1,7 @@
 //! Specs as files: a folder of TOML files, or a pack on the built-in spec.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use jaka_spec::{BUILTIN, Source, Spec};
 
