@@ -3,6 +3,7 @@
 use std::error::Error as StdError;
 use std::fmt;
 use std::io;
+use std::path::Path;
 
 use itertools::Itertools as _;
 use jaka_spec::Spec;
@@ -60,6 +61,11 @@ impl Failure {
             return Self::Printed(0);
         }
         Self::local("cannot write the output", source)
+    }
+
+    /// A file cannot be written.
+    pub(crate) fn unwritten(path: &Path, source: io::Error) -> Self {
+        Self::local(format!("cannot write {}", path.display()), source)
     }
 
     /// The error with what the spec or a pack says about the controller's code.

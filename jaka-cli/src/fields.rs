@@ -159,15 +159,7 @@ impl Field {
 
     /// The name of its value, if its type is an enum that knows it.
     pub(crate) fn value_name(&self, value: &Value) -> Option<&'static str> {
-        match self.wire {
-            Wire::IntEnum(values) => {
-                values.iter().find(|known| Some(known.wire) == value.as_i64()).map(|known| &*known.name)
-            }
-            Wire::TextEnum(values) => {
-                values.iter().find(|known| Some(&*known.wire) == value.as_str()).map(|known| &*known.name)
-            }
-            _ => None,
-        }
+        value_name(self.wire, value)
     }
 
     /// True for floating-point numbers.
@@ -177,21 +169,14 @@ impl Field {
 
     /// The parts that its type names.
     fn members(&self) -> Vec<Self> {
-        match self.wire {
-            Wire::Object(fields) => {
-                fields.iter().map(|field| self.member(field, Step::Key(field.wire.clone()))).collect()
-            }
-            Wire::Tuple { fields, .. } => {
-                fields.iter().enumerate().map(|(index, field)| self.member(field, Step::Index(index))).collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    fn member(&self, field: &'static jaka_spec::Field, step: Step) -> Self {
+        let (Wire::Object(fields) | Wire::Tuple { fields, .. }) = self.wire else { return Vec::new() };
         let dot = if self.name.is_empty() { "" } else { "." };
-        let name = format!("{}{dot}{}", self.name, field.name);
-        self.part(name, field.unit.as_deref(), &field.ty, step)
+        let member = |(index, field): (usize, &'static jaka_spec::Field)| {
+            let is_keyed = matches!(self.wire, Wire::Object(_));
+            let step = if is_keyed { Step::Key(field.wire.clone()) } else { Step::Index(index) };
+            self.part(format!("{}{dot}{}", self.name, field.name), field.unit.as_deref(), &field.ty, step)
+        };
+        fields.iter().enumerate().map(member).collect()
     }
 
     /// An element of a list.
@@ -202,11 +187,18 @@ impl Field {
 
     fn part(&self, name: String, unit: Option<&str>, ty: &'static Type, step: Step) -> Self {
         let unit = unit.or_else(|| of_status().unit(ty)).map(str::to_owned);
-        Self { name, unit, wire: of_status().shape(ty), steps: self.after(step) }
+        Self { name, unit, wire: of_status().shape(ty), steps: self.steps.iter().cloned().chain([step]).collect() }
     }
+}
 
-    fn after(&self, step: Step) -> Vec<Step> {
-        self.steps.iter().cloned().chain([step]).collect()
+/// The name of a value, if it is one of an enum that knows it.
+pub(crate) fn value_name<'s>(shape: Wire<'s>, value: &Value) -> Option<&'s str> {
+    match shape {
+        Wire::IntEnum(known) => known.iter().find(|known| Some(known.wire) == value.as_i64()).map(|known| &*known.name),
+        Wire::TextEnum(known) => {
+            known.iter().find(|known| Some(&*known.wire) == value.as_str()).map(|known| &*known.name)
+        }
+        _ => None,
     }
 }
 

@@ -35,7 +35,7 @@ impl RecordedArgs {
         {
             return Err(Failure::Usage(format!("{} is the recording, which is not overwritten", path.display())));
         }
-        let file = File::create(path).map_err(|error| failed(path, error))?;
+        let file = File::create(path).map_err(|error| Failure::unwritten(path, error))?;
         Ok(Output { path: Some(path.clone()), to: Box::new(io::BufWriter::new(file)) })
     }
 }
@@ -59,14 +59,10 @@ impl Output {
 
     fn failed(&self, error: io::Error) -> Failure {
         match &self.path {
-            Some(path) => failed(path, error),
+            Some(path) => Failure::unwritten(path, error),
             None => Failure::output(error),
         }
     }
-}
-
-fn failed(path: &Path, error: io::Error) -> Failure {
-    Failure::local(format!("cannot write {}", path.display()), error)
 }
 
 /// Reads a recording. One whose last line is cut off, as after a crash, is still used.

@@ -3,9 +3,9 @@
 mod picture;
 mod report;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use std::{fs, io};
 
 use clap::Args;
 use jaka_motion::{Checker, Frames, Limits, TimedPoint, Trajectory};
@@ -70,10 +70,8 @@ impl Follow {
 
     fn show(&self, trajectory: &Trajectory, checker: &Checker) -> Result<(), Failure> {
         if let Some(path) = &self.output {
-            let what = || format!("cannot write {}", path.display());
-            let drawn = picture::svg(trajectory, checker);
-            let svg = drawn.map_err(|text| Failure::local(what(), io::Error::other(text)))?;
-            fs::write(path, svg).map_err(|error| Failure::local(what(), error))?;
+            let written = picture::svg(trajectory, checker).and_then(|svg| fs::write(path, svg));
+            written.map_err(|error| Failure::unwritten(path, error))?;
         }
         let peaks = Peaks::of(trajectory, checker);
         if self.json {

@@ -82,7 +82,7 @@ fn write_draft(path: &Path, spec: &Spec, findings: &Findings) -> Result<(), Fail
         );
         return Ok(());
     };
-    let failed = |error| Failure::local(format!("cannot write {}", path.display()), error);
+    let failed = |error| Failure::unwritten(path, error);
     let mut file = File::create_new(path).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {
             Failure::Usage(format!("{} exists already, and packs are not overwritten", path.display()))

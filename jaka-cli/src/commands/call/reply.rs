@@ -2,12 +2,13 @@
 
 use itertools::Itertools as _;
 use jaka_dynamic::value as read;
-use jaka_spec::{COMMAND_NAME, Choice, Command, ENVELOPE, EnumValue, Field, Request, Scalar, Shape, Spec, Type};
+use jaka_spec::{COMMAND_NAME, Choice, Command, ENVELOPE, Field, Request, Scalar, Shape, Spec, Type};
 use jaka_sync::proto::python;
 use jaka_sync::proto::text::{visible, visible_json};
 use jaka_sync::proto::wire::{Decode, Reader};
 use serde_json::{Map, Value};
 
+use crate::fields::value_name;
 use crate::number::fixed;
 use crate::output;
 
@@ -160,21 +161,9 @@ impl ReplyTable<'_> {
         if let (true, Some(number)) = (value.is_f64(), value.as_f64()) {
             return decimals(number);
         }
-        self.value_name(ty, &value).map_or_else(|| plain(&value), |name| format!("{name} ({})", plain(&value)))
+        let name = value_name(self.spec.shape(ty), &value);
+        name.map_or_else(|| plain(&value), |name| format!("{name} ({})", plain(&value)))
     }
-
-    /// The name of an enum's value.
-    fn value_name(&self, ty: &Type, value: &Value) -> Option<String> {
-        match self.spec.shape(ty) {
-            Shape::IntEnum(values) => named(values, |listed| value.as_i64() == Some(*listed)),
-            Shape::TextEnum(values) => named(values, |listed| value.as_str() == Some(listed)),
-            _ => None,
-        }
-    }
-}
-
-fn named<T>(values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<String> {
-    values.iter().find(|value| is_it(&value.wire)).map(|value| value.name.clone())
 }
 
 fn member(outer: &str, name: &str) -> String {

@@ -1,6 +1,7 @@
 //! A picture of a trajectory: positions, speeds and accelerations of the joints, and the way of the tool centre point.
 
 use std::array;
+use std::io;
 use std::ops::Range;
 
 use itertools::Itertools as _;
@@ -39,7 +40,7 @@ const SAMPLES: u32 = 1000;
 const ALONG: &str = "x in mm; a circle at the start, a square at the end";
 
 /// The picture, as SVG.
-pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> Result<String, String> {
+pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<String> {
     let time_s = |number: u32| trajectory.duration_s() * f64::from(number) / f64::from(SAMPLES);
     let samples: Vec<_> = (0..=SAMPLES).map(time_s).map(|time_s| (time_s, trajectory.at(time_s))).collect();
     let curves = |of: fn(&Sample) -> [f64; 6]| -> [Vec<(f64, f64)>; 6] {
@@ -62,7 +63,7 @@ pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> Result<String, 
         }
         Ok(())
     });
-    drawn.map_err(|error| error.to_string())
+    drawn.map_err(|error| io::Error::other(error.to_string()))
 }
 
 /// A curve for each joint over time, and above them which is which.

@@ -26,45 +26,38 @@ pub(super) struct Check {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let mut findings = ErrorCount::default();
+        let mut found = 0;
         let mut spec = match &self.spec {
-            Some(folder) => whole(folder, &mut findings)?,
+            Some(folder) => whole(folder, &mut found)?,
             None => packs::builtin(),
         };
         for path in &self.packs {
-            if let Some(with_pack) = pack(&spec, path, &mut findings)? {
+            if let Some(with_pack) = pack(&spec, path, &mut found)? {
                 spec = with_pack;
             }
         }
-        match findings.errors {
+        match found {
             0 => Ok(()),
             errors => Err(Failure::Usage(count(errors, "error"))),
         }
     }
 }
 
-/// What was found, which is printed immediately.
-#[derive(Debug, Default)]
-struct ErrorCount {
-    errors: usize,
+/// Prints errors, and counts them.
+fn tell<'e>(found: &mut usize, errors: impl IntoIterator<Item = &'e Error>) -> Result<(), Failure> {
+    errors.into_iter().try_for_each(|error| {
+        *found += 1;
+        output::line(&error.to_string())
+    })
 }
 
-impl ErrorCount {
-    fn errors<'e>(&mut self, errors: impl IntoIterator<Item = &'e Error>) -> Result<(), Failure> {
-        errors.into_iter().try_for_each(|error| {
-            self.errors += 1;
-            output::line(&error.to_string())
-        })
-    }
-
-    /// Checks the examples of the commands of a file against their fields.
-    fn examples(&mut self, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
-        let mut misfits = commands.iter().flat_map(|command| jaka_dynamic::misfits(spec, command));
-        misfits.try_for_each(|misfit| {
-            let error = error(&misfit, source);
-            if misfit.is_lenient { note(&error) } else { self.errors([&error]) }
-        })
-    }
+/// Checks the examples of the commands of a file against their fields.
+fn examples(found: &mut usize, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
+    let mut misfits = commands.iter().flat_map(|command| jaka_dynamic::misfits(spec, command));
+    misfits.try_for_each(|misfit| {
+        let error = error(&misfit, source);
+        if misfit.is_lenient { note(&error) } else { tell(found, [&error]) }
+    })
 }
 
 /// Prints what is not an error.
@@ -80,18 +73,18 @@ fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
 }
 
 /// Checks a folder that is a whole spec; without its spec, packs could not be checked.
-fn whole(folder: &Path, findings: &mut ErrorCount) -> Result<Spec, Failure> {
+fn whole(folder: &Path, found: &mut usize) -> Result<Spec, Failure> {
     let files = files::read(folder)?;
     let sources = files::sources(&files);
     let spec = match jaka_spec::load(&sources) {
         Ok(spec) => spec,
         Err(errors) => {
-            findings.errors(&errors)?;
+            tell(found, &errors)?;
             return Err(Failure::Usage(format!("the spec in {} has errors", folder.display())));
         }
     };
     for (topic, source) in spec.topics.iter().zip(sources) {
-        findings.examples(&spec, &topic.commands, source)?;
+        examples(found, &spec, &topic.commands, source)?;
     }
     let (commands, types, codes) = (spec.commands().count(), spec.types().count(), spec.errors().count());
     let events: usize = spec.events().map(|event| event.codes().count()).sum();
@@ -101,12 +94,12 @@ fn whole(folder: &Path, findings: &mut ErrorCount) -> Result<Spec, Failure> {
 }
 
 /// Checks a pack on top of a spec, and gives the spec with it if it can be loaded.
-fn pack(spec: &Spec, path: &Path, findings: &mut ErrorCount) -> Result<Option<Spec>, Failure> {
+fn pack(spec: &Spec, path: &Path, found: &mut usize) -> Result<Option<Spec>, Failure> {
     let name = path.display().to_string();
     let source = Source { path: &name, text: &packs::read(path)? };
     let pack = match jaka_spec::load_pack(spec, source) {
         Ok(pack) => pack,
-        Err(errors) => return findings.errors(&errors).map(|()| None),
+        Err(errors) => return tell(found, &errors).map(|()| None),
     };
     pack.notes.iter().try_for_each(note)?;
     pack.module_errors.iter().try_for_each(|error| {
@@ -114,7 +107,7 @@ fn pack(spec: &Spec, path: &Path, findings: &mut ErrorCount) -> Result<Option<Sp
         note(&Error { message, ..error.clone() })
     })?;
     let added = pack.spec.topics.last().map_or(&[][..], |topic| &topic.commands);
-    findings.examples(&pack.spec, added, source)?;
+    examples(found, &pack.spec, added, source)?;
     let changes = tools::diff(spec, &pack.spec);
     output::line(&format!("{name}: {}", tools::summary(&changes)))?;
     changes.iter().try_for_each(|change| output::line(&format!("  {change}")))?;

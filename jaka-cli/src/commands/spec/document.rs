@@ -49,7 +49,7 @@ impl Document {
         let text = make(&self.spec.load(None)?.spec);
         let text = visible(&text);
         let Some(path) = &self.output else { return output::write(text.as_bytes()) };
-        fs::write(path, &*text).map_err(|error| Failure::local(format!("cannot write {}", path.display()), error))
+        fs::write(path, &*text).map_err(|error| Failure::unwritten(path, error))
     }
 }
 
