@@ -5,6 +5,8 @@
 use std::process::{Command, Stdio};
 use std::{env, fs, iter};
 
+use jaka_tests::skipped;
+
 use crate::program::{Run, command, jaka, pack, result, scratch};
 
 /// A recording whose packets have three fields.
@@ -42,15 +44,38 @@ fn folder_of_files() -> std::path::PathBuf {
     folder
 }
 
-/// What the words become in bash, which has `=` as a word of its own.
-fn in_bash(words: &[&str]) -> Vec<String> {
-    let script = scratch("jaka.bash");
-    fs::write(&script, jaka(["completions", "bash"]).out).expect("it can be written");
-    let mut bash = shell("bash");
-    bash.args(["-c", ASK, "bash"]).arg(script).arg("jaka").args(words);
-    let Run { code, out, err } = result(bash.spawn().expect("there is a bash"));
+/// What zsh's completion is told of the words of a line. The functions of its completion system print what they are given.
+const ASK_ZSH: &str = r#"
+compdef() { :; }
+compset() { print -r -- "before: ${PREFIX%%=*}="; }
+_files() { print -r -- files; }
+_describe() { local word; for word in "${(@P)2}"; do print -r -- "${${word//\\:/$'\0'}%%:*}"; done; }
+source "$1"; shift
+words=("$@"); CURRENT=$#; PREFIX=${words[-1]}
+_jaka
+"#;
+
+/// What fish makes of a line.
+const ASK_FISH: &str = "source $argv[1]; complete -C $argv[2]";
+
+/// What this script of a shell prints, which sources the completions of `jaka` for it, with these words.
+fn asked(name: &str, options: &[&str], ask: &str, words: &[&str]) -> Vec<String> {
+    let script = scratch(&format!("jaka.{name}"));
+    fs::write(&script, jaka(["completions", name]).out).expect("it can be written");
+    let mut shell = shell(name);
+    shell.args(options).args(["-c", ask]);
+    if name != "fish" {
+        shell.arg(name);
+    }
+    shell.arg(script).args(words);
+    let Run { code, out, err } = result(shell.spawn().expect("the shell is installed"));
     assert_eq!((code, err.as_str()), (Some(0), ""), "{words:?}");
     out.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect()
+}
+
+/// What the words become in bash, which has `=` as a word of its own.
+fn in_bash(words: &[&str]) -> Vec<String> {
+    asked("bash", &[], ASK, &[&["jaka"], words].concat())
 }
 
 fn is_installed(shell: &str) -> bool {
@@ -61,7 +86,7 @@ fn is_installed(shell: &str) -> bool {
 #[test]
 fn bash_completes_what_the_parser_takes() {
     if !is_installed("bash") {
-        return eprintln!("NOT CHECKED: bash is not installed");
+        return skipped("completions of bash", "it is not installed");
     }
     for (words, expected) in [
         (&["sta"][..], &["status"][..]),
@@ -90,21 +115,59 @@ fn bash_completes_what_the_parser_takes() {
 }
 
 #[test]
-fn the_scripts_of_other_shells_can_be_read() {
-    for (name, check) in [("zsh", "-n"), ("fish", "--no-execute")] {
+fn fish_completes_what_the_parser_takes() {
+    if !is_installed("fish") {
+        return skipped("completions of fish", "it is not installed");
+    }
+    for (line, expected) in [
+        ("jaka sta", &["status"][..]),
+        ("jaka spec d", &["diff", "doc"]),
+        ("jaka jog ", &["1", "2", "3", "4", "5", "6", "x", "y", "z"]),
+        ("jaka jog 6 5 --sp", &["--speed"]),
+        ("jaka call joint_move --mode ", &["absolute", "relative"]),
+        ("jaka call joint_move --mode=rel", &["--mode=relative"]),
+        ("jaka status --robot ", &["cell 2", "cell1"]),
+        ("jaka export session.jsonl --fields enabled,jo", &["enabled,joint_actual_position"]),
+        ("jaka status --until '!protective_s", &["'!protective_stop"]),
+        ("jaka replay ses", &["session.jsonl"]),
+        ("jaka status --config=ses", &["--config=session.jsonl"]),
+        ("jaka jog 1 5 --speed 2", &[]),
+    ] {
+        let mut found = asked("fish", &["--no-config"], ASK_FISH, &[line]);
+        found.iter_mut().for_each(|line| line.truncate(line.find('\t').unwrap_or(line.len())));
+        found.sort();
+        assert_eq!(found, expected, "{line}");
+    }
+}
+
+#[test]
+fn zsh_completes_what_the_parser_takes() {
+    if !is_installed("zsh") {
+        return skipped("completions of zsh", "it is not installed");
+    }
+    for (words, expected) in [
+        (&["sta"][..], &["status"][..]),
+        (&["spec", "d"], &["diff", "doc"]),
+        (&["jog", ""], &["1", "2", "3", "4", "5", "6", "x", "y", "z"]),
+        (&["call", "joint_move", "--mode=rel"], &["--mode=relative"]),
+        (&["status", "--robot", "cell\\ "], &["cell 2"]),
+        (&["export", "session.jsonl", "--fields", "enabled,jo"], &["enabled,joint_actual_position"]),
+        (&["replay", "ses"], &["files"]),
+        (&["status", "--config=ses"], &["before: --config=", "files"]),
+        (&["jog", "1", "5", "--speed", "2"], &[]),
+    ] {
+        let mut found = asked("zsh", &["-f"], ASK_ZSH, &[&["jaka"], words].concat());
+        found.sort();
+        assert_eq!(found, expected, "{words:?}");
+    }
+}
+
+#[test]
+fn every_script_asks_the_program() {
+    for name in ["bash", "zsh", "fish", "powershell"] {
         let script = jaka(["completions", name]);
         assert_eq!((script.code, script.err.as_str()), (Some(0), ""));
-        if !is_installed(name) {
-            eprintln!("NOT CHECKED: {name} is not installed");
-            continue;
-        }
-        let file = scratch(name);
-        fs::write(&file, script.out).expect("it can be written");
-        let run = result(shell(name).arg(check).arg(&file).spawn().expect("it is installed"));
-        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{name}");
-    }
-    for name in ["zsh", "fish", "powershell"] {
-        assert!(jaka(["completions", name]).out.contains("complete-words"), "{name}");
+        assert!(script.out.contains("complete-words"), "{name}");
     }
     assert_eq!(jaka(["completions", "tcsh"]).code, Some(2));
 }

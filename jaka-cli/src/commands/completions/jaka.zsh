@@ -4,8 +4,11 @@
 _jaka() {
     local line
     local -a lines values
-    lines=("${(@f)$("${words[1]}" complete-words "--current=${(Q)words[CURRENT]}" -- "${(@Q)words[2,CURRENT-1]}" 2>/dev/null)}")
+    # Without a quote that is still open, and up to the cursor.
+    lines=("${(@f)$("${words[1]}" complete-words "--current=${(Q)PREFIX}" -- "${(@Q)words[2,CURRENT-1]}" 2>/dev/null)}")
     if [[ $lines[1] == file ]]; then
+        # A path may follow the name of an option and an equals sign.
+        [[ $PREFIX == --*=* ]] && compset -P '*='
         _files
         return
     fi
