@@ -110,6 +110,15 @@ impl Act {
         done.map_err(|error| Failure::explained(packs::of_status(), error))
     }
 
+    /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
+    pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut Robot) -> Result<T, Error>) -> Result<T, Failure> {
+        let mut robot = self.target.robot()?;
+        self.under_way.steps(robot.stop_handle());
+        let done = act(&mut robot);
+        self.under_way.answered();
+        done.map_err(|error| Failure::explained(packs::of_status(), error))
+    }
+
     /// Follows a trajectory to its end, or wherever it ends.
     pub(crate) fn follow(
         &self,

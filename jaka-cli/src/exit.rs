@@ -62,7 +62,10 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
         Failure::Printed(_) => {}
         // The reader may be gone: the exit code says enough.
         Failure::CommandLine(error) if command_line::is_help(error) => drop(error.print()),
-        _ => output::error(&chain(failure)),
+        _ => {
+            let hint = failure.hint().map(|hint| format!("\nhint: {hint}")).unwrap_or_default();
+            output::error(&format!("{}{hint}", chain(failure)));
+        }
     }
     ExitCode::from(code(failure))
 }
@@ -143,9 +146,10 @@ fn exit_code(error: &Error) -> u8 {
     } else {
         match error.kind() {
             ErrorKind::StateTimeout { .. } => DEADLINE,
+            ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
+            ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
             ErrorKind::NotReady { .. }
             | ErrorKind::NotAcknowledged { .. }
-            | ErrorKind::Stopped { .. }
             | ErrorKind::StatusUnknown { .. }
             | ErrorKind::BeyondLimit { .. }
             | ErrorKind::NotChecked { .. }

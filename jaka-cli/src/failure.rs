@@ -91,6 +91,43 @@ fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
     known.map(|known| first_sentence(&known.doc).0.to_owned())
 }
 
+impl Failure {
+    /// What to type against what the robot says, which names the calls of a program.
+    pub(crate) fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::Refused { explanation: Some(explanation), .. } => against(explanation),
+            Self::Robot(error) => match error.kind() {
+                ErrorKind::NotReady { explanation } | ErrorKind::Refused { explanation: Some(explanation), .. } => {
+                    against(explanation)
+                }
+                _ => None,
+            },
+            Self::NotReached(not_reached) => match not_reached.end().outcome {
+                Outcome::ProtectiveStop => Some(CLEAR),
+                Outcome::EmergencyStop => Some(RELEASE),
+                Outcome::Disabled => Some(UP),
+                Outcome::ConnectionLost { .. } => Some("`jaka stop` takes the seat back, and stops the arm"),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+const UP: &str = "`jaka up` powers and enables the arm";
+const CLEAR: &str = "when somebody has checked the robot, `jaka clear` leaves the protective stop";
+const RELEASE: &str = "when nobody is at the arm, release it, then `jaka up`";
+
+/// What to type against what keeps the robot from doing something.
+fn against(explanation: &Explanation) -> Option<&'static str> {
+    match explanation {
+        Explanation::NotPowered | Explanation::NotEnabled => Some(UP),
+        Explanation::ProtectiveStop => Some(CLEAR),
+        Explanation::EmergencyStop => Some(RELEASE),
+        _ => None,
+    }
+}
+
 /// What somebody can do about what keeps motions back: each run of this program begins without having acknowledged anything.
 fn remedy(outcome: &Outcome) -> &'static str {
     match outcome {
@@ -112,6 +149,11 @@ impl fmt::Display for Failure {
             Self::CommandLine(error) => f.write_str(&command_line::text(error)),
             Self::Robot(error) => match error.kind() {
                 ErrorKind::NotAcknowledged { outcome } => write!(f, "not sent: {outcome}; {}", remedy(outcome)),
+                ErrorKind::Stopped { accepted, not_sent } => {
+                    let named =
+                        |names: &[String]| if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
+                    write!(f, "interrupted; accepted before: {}; not sent: {}", named(accepted), named(not_sent))
+                }
                 _ => error.fmt(f),
             },
             Self::NotReached(not_reached) if matches!(not_reached.end().outcome, Outcome::Deadline) => {

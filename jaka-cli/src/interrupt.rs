@@ -58,6 +58,8 @@ enum Stage {
     NothingSent,
     /// This may have been sent, and nothing is known of it.
     Sent(String),
+    /// One step goes out after the other, until this is called.
+    Steps(RobotStop),
     /// A motion goes out, or is waited for.
     Moving(RobotStop),
     /// A trajectory is followed: first it is stopped along it, then as a motion.
@@ -80,6 +82,11 @@ impl UnderWay {
     /// This goes out next, such as "`power_on` or `enable_robot`".
     pub(crate) fn sends(&self, what: &str) {
         *self.lock() = Stage::Sent(what.to_owned());
+    }
+
+    /// Steps go out next, of which none follows this stop.
+    pub(crate) fn steps(&self, stop: RobotStop) {
+        *self.lock() = Stage::Steps(stop);
     }
 
     /// A motion goes out next, which this stops.
@@ -111,6 +118,7 @@ impl UnderWay {
                 exit::MAY_HAVE_RUN,
                 &format!("interrupted: {what} may have run; check the robot's state before you go on"),
             ),
+            Stage::Steps(stop) => stop_steps(stop),
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
             Stage::Following(handle, stop) => {
@@ -136,6 +144,13 @@ impl UnderWay {
     fn lock(&self) -> MutexGuard<'_, Stage> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Keeps further steps back. If the controller has taken the stop, the call that sends them says which were accepted.
+fn stop_steps(stop: &RobotStop) {
+    let Err(error) = stop.stop() else { return output::urgent_note("interrupted: no further step is sent") };
+    let text = "interrupted: no further step is sent, and what was sent may have run; check the robot's state before you go on";
+    end_with(exit::MAY_HAVE_RUN, &format!("{text}: {}", chain(&error)));
 }
 
 /// Stops the arm, and says whether the controller has taken the stop. If it has, the wait for the motion ends.

@@ -4,6 +4,7 @@
 
 use std::io::Write;
 use std::net::TcpStream;
+use std::time::Duration;
 
 use expect_test::expect;
 use jaka_sim::{Controller, Delays};
@@ -140,6 +141,43 @@ fn what_does_not_come_about_in_time_is_told() {
     let run = run(&slow, "up --yes --timeout 2");
     assert!(matches!(run.code, Some(4 | 27)), "{run:?}");
     assert_eq!(run.out, "");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_of_up_keeps_further_steps_back() {
+    // Its power takes some seconds.
+    let slow = Controller::start().expect("loopback has free ports");
+    let child = started_at(&slow, "up --yes --quiet");
+    while changes(&slow).is_empty() {
+        slow.wait_for_requests(slow.requests().len() + 1, Duration::from_millis(100));
+    }
+    interrupt(&child);
+    expect![[r"
+        note: interrupted: no further step is sent
+        error: interrupted; accepted before: power_on; not sent: enable_robot
+        exit code 4
+    "]]
+    .assert_eq(&result(child).text());
+    assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
+}
+
+#[test]
+fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
+    let controller = powered();
+    let child = started_at(&controller, "move --joints 170,90,90,90,-90,0 --speed 10 --yes --json");
+    while controller.state().joint_position.0[0] < 1.0 {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let other = TcpStream::connect(controller.command_addr()).expect("the controller listens");
+    let run = result(child);
+    assert!(!controller.state().at_rest, "the arm goes on: {run:?}");
+    let json: serde_json::Value = serde_json::from_str(&run.out).expect("it is one object");
+    assert_eq!((run.code, &json["outcome"]), (Some(4), &"connection_lost".into()), "{run:?}");
+    for part in ["it may go on", "such as the vendor's app", "hint: `jaka stop` takes the seat back"] {
+        assert!(run.err.contains(part), "{run:?}");
+    }
+    drop(other);
 }
 
 #[test]

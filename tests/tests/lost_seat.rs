@@ -15,6 +15,9 @@ const LONG: Duration = Duration::from_secs(60);
 /// An arm that moves, with an input that is low.
 const MOVING: &str = r#"{"len": 100, "emergency_stop": 0, "protective_stop": 0, "powered_on": 1, "enabled": true, "inpos": false, "din": [0]}"#;
 
+/// The reply to a motion.
+const ACCEPTED: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "joint_move"}"#;
+
 /// How the controller ends the connection.
 #[derive(Debug, Clone, Copy)]
 enum Loss {
@@ -43,8 +46,7 @@ fn input() -> InputCondition {
 fn accept_motion(commands: &mut TcpStream) {
     let length = commands.read(&mut [0; 1024]).expect("the robot sends its motion");
     assert!(length > 0, "the robot sends its motion");
-    let reply = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "joint_move"}"#;
-    commands.write_all(reply).expect("the robot is connected");
+    commands.write_all(ACCEPTED).expect("the robot is connected");
 }
 
 /// Lets packets of an arm that moves come while the robot waits, and takes its seat after a while.
@@ -142,4 +144,30 @@ fn a_stop_that_fails_ends_no_wait() {
     });
     assert!(stopped.is_err_and(|error| error.is_refused()));
     assert!(end.is_ok_and(|end| matches!(end.outcome, Outcome::Deadline)));
+}
+
+#[test]
+fn a_reply_that_comes_twice_does_not_keep_a_stop_back() {
+    let (HandFed { mut commands, mut status }, mut robot) = robot();
+    let stop = robot.stop_handle();
+    thread::scope(|scope| {
+        let waiting = scope.spawn(|| robot.run(&turn(), LONG));
+        accept_motion(&mut commands);
+        commands.write_all(ACCEPTED).expect("the robot is connected");
+        // The wait does not read what nobody waits for: that would break the connection before the stop.
+        for _ in 0..20 {
+            status.write_all(MOVING.as_bytes()).expect("the robot is connected");
+            thread::sleep(Duration::from_millis(5));
+        }
+        assert!(!waiting.is_finished(), "the wait goes on");
+        let stopping = scope.spawn(|| stop.stop());
+        let mut request = [0; 1024];
+        let length = commands.read(&mut request).expect("the stop comes");
+        assert!(String::from_utf8_lossy(&request[..length]).contains("stop_program"));
+        // Which of two replies is whose is not known any more.
+        assert!(stopping.join().expect("it does not panic").is_err_and(|error| error.may_have_run()));
+        status.write_all(MOVING.as_bytes()).expect("the robot is connected");
+        let end = waiting.join().expect("it does not panic").expect("it was accepted");
+        assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{end:?}");
+    });
 }

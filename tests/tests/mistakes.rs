@@ -73,7 +73,8 @@ fn seat_taken() -> Vec<String> {
     let controller = jaka_tests::controller();
     let mut client = Client::connect(controller.command_addr()).expect("it listens");
     controller.inject_for("get_joint_pos", Fault::Takeover);
-    vec![refusal(client.get_joint_pos()), refusal(client.get_joint_pos())]
+    let nobody = ReservedPort::any();
+    vec![refusal(Client::connect(nobody.address())), refusal(client.get_joint_pos()), refusal(client.get_joint_pos())]
 }
 
 fn servo_mode() -> Vec<String> {

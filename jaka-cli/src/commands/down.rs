@@ -22,7 +22,7 @@ impl Down {
         let act = self
             .act
             .begin("be disabled and lose its power", &[intent(&DisableRobot::new())?, intent(&PowerOff::new())?])?;
-        act.with_robot("`disable_robot` or `power_off`", |robot| robot.power_down(act.patience(PATIENCE)))?;
+        act.with_steps(|robot| robot.power_down(act.patience(PATIENCE)))?;
         output::line("the arm has no power")
     }
 }

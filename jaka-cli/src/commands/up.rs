@@ -30,7 +30,7 @@ impl Up {
             "get power and be enabled: its brakes release",
             &[intent(&PowerOn::new())?, intent(&EnableRobot::new())?],
         )?;
-        act.with_robot("`power_on` or `enable_robot`", |robot| {
+        act.with_steps(|robot| {
             let patience = act.patience(PATIENCE);
             let progress = Progress::begin(robot, patience);
             let done = robot.power_up(patience);

@@ -108,6 +108,7 @@ fn a_refusal_and_a_lost_reply_are_told_apart() {
         {"command":"joint_move","error":"the controller refused `joint_move` with code 2: call joint_move failed\nThe reason: the arm is not enabled: call `enable_robot`","exit_code":1}
         error: the controller refused `joint_move` with code 2: call joint_move failed
         The reason: the arm is not enabled: call `enable_robot`
+        hint: `jaka up` powers and enables the arm
         exit code 1
     "#]],
     );

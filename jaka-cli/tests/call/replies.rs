@@ -136,6 +136,7 @@ fn refusals_have_code_message_and_meaning() {
         &expect![[r"
             error: the controller refused `enable_robot` with code 2: call enable_robot failed
             The reason: the arm has no power: call `power_on`
+            hint: `jaka up` powers and enables the arm
             exit code 1
         "]],
     );
@@ -145,6 +146,7 @@ fn refusals_have_code_message_and_meaning() {
             {"errorCode": "2", "errorMsg": "call enable_robot failed", "cmdName": "enable_robot"}
             error: the controller refused `enable_robot` with code 2: call enable_robot failed
             The reason: the arm has no power: call `power_on`
+            hint: `jaka up` powers and enables the arm
             exit code 1
         "#]],
     );
