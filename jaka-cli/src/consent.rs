@@ -117,7 +117,7 @@ fn act_question(what: &str, intents: &[Intent<'_>], title: &str) -> String {
 }
 
 fn question(intent: &Intent<'_>, fields: &str, title: &str) -> String {
-    let fields: String = fields.lines().map(|line| format!("  {line}\n")).collect();
+    let fields: String = fields.lines().map(|line| ["  ", line, "\n"].concat()).collect();
     let about = intent.command.map_or("", |command| first_sentence(&command.doc).0);
     let (sent, name, effect) = (intent.line(), visible(&intent.name), intent.effect());
     format!("To {title}:\n{sent}`{name}` {effect}. {}\n{fields}{ONE_CLIENT}\nSend it? [y/N] ", visible(about))

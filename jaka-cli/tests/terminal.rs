@@ -91,6 +91,13 @@ fn a_question_says_what_the_arm_will_do() {
             Go on? [y/N] error: `moveL` was not sent
             exit code 2"#]],
     );
+    assert!(controller.requests().is_empty());
+}
+
+#[test]
+fn a_question_about_a_command_has_its_fields_with_units() {
+    let controller = powered();
+    let asked = |line: &str, expected: &Expect| check(&controller, line, "n\n", expected);
     asked(
         "call joint_move --mode relative --joint-position 1,0,0,0,0,0 --speed 10",
         &expect![[r#"

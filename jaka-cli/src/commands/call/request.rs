@@ -116,8 +116,8 @@ fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     } else {
         ""
     };
-    // Of settings, numbers with these units may be something else.
-    let of_motion = problems.iter().filter(|_| command.effect == Effect::Motion);
-    let unit = of_motion.filter_map(|problem| other_unit(problem.value.parse().ok()?, &problem.allowed)).next();
+    // In settings, numbers with these units may be something else.
+    let mut of_motion = problems.iter().filter(|_| command.effect == Effect::Motion);
+    let unit = of_motion.find_map(|problem| other_unit(problem.value.parse().ok()?, &problem.allowed));
     Failure::Usage(format!("`{}` was not sent:{}{}{hint}", command.wire, lines.concat(), unit.unwrap_or_default()))
 }
