@@ -44,6 +44,7 @@ pub(crate) struct World {
     busy: Duration,
     pub(crate) programs: HashMap<String, Program>,
     pub(crate) runner: Option<Runner>,
+    /// The file for which a trajectory is recorded, and where the arm has been since.
     pub(crate) recorder: Option<(String, Vec<Joints>)>,
     /// The trajectory files, by name; the document's own, which stand in the list from the start, are empty.
     pub(crate) recordings: HashMap<String, Vec<Joints>>,

@@ -36,7 +36,7 @@ macro_rules! kinds {
         }
 
         impl $Kinds {
-            /// One of each kind, for tests that go through all of them.
+            /// One of each kind, in their order and with usual arguments, for tests that go through all of them.
             pub fn one_of_each() -> Vec<Self> {
                 vec![$( Self::$Kind $(($example))? $({ $($field: $field_example),* })? ),*]
             }

@@ -18,6 +18,7 @@ pub(crate) struct Drives {
     pub(crate) commanded: Joints,
     /// Where the joints are.
     pub(crate) actual: Joints,
+    /// How fast the joints were to be in the last cycle, in deg/s.
     commanded_speed: Joints,
     /// How fast the joints were in the last cycle, in deg/s.
     pub(crate) speed: Joints,

@@ -30,6 +30,7 @@ pub(crate) struct Reader {
 
 #[derive(Debug, Default)]
 struct Outbox {
+    /// Each caller that has something written waits for it, so there are never many.
     messages: VecDeque<Message>,
     posted: u64,
     done: u64,
