@@ -27,7 +27,7 @@ pub(crate) struct Packets {
 }
 
 /// What came between packets, since this was taken last.
-#[derive(Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Between {
     /// Bytes that did not belong to a packet, or belonged to an incomplete one.
     pub(crate) bytes: usize,

@@ -46,9 +46,9 @@ impl<S: Decode> Worker<S> {
             let read = panic::catch_unwind(AssertUnwindSafe(|| self.read(&mut packets)));
             let cause = read.unwrap_or(Disconnect::Panicked);
             if self.board.lock().closing {
-                packets.tap.left()
+                packets.tap.left();
             } else {
-                packets.tap.broken(&cause)
+                packets.tap.broken(&cause);
             }
             connected = self.reconnect(cause);
         }

@@ -113,17 +113,17 @@ impl<S: MotionStatus> Robot<S> {
         steps: &mut Steps,
         pause: Pause<Self>,
     ) -> Result<(), Error> {
-        let (since, stops) = (self.monitor.statistics().packets, Arc::clone(&self.latch.stops));
+        let (since, own_stops) = (self.monitor.statistics().packets, Arc::clone(&self.latch.stops));
         if steps.left().is_zero() {
             return Err(self.not_in_time(steps.timeout, since));
         }
-        let gate = || steps.check_stops(&stops);
+        let gate = || steps.check_stops(&own_stops);
         let accepted = self.client.call_through(Some(&gate), command, steps.left());
         accepted.map_err(|error| self.explained(error, steps.left()))?;
         steps.accepted.push(steps.rest.remove(0).to_owned());
         while !is_done(&self.client.call_within(&GetRobotState::new(), steps.left())?) {
             pause(self, QUERY_PERIOD.min(steps.left()))?;
-            steps.check_stops(&stops)?;
+            steps.check_stops(&own_stops)?;
             if steps.left().is_zero() {
                 return Err(self.not_in_time(steps.timeout, since));
             }

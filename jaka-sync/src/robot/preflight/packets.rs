@@ -43,7 +43,7 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         let (elapsed, after) = (self.since.passed(), self.monitor.statistics());
         ended.map_err(|error| ports::of_status(&error, 0))?;
         let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
-        let newest = newest.ok_or_else(|| no_packet())?;
+        let newest = newest.ok_or_else(no_packet)?;
         findings.extend([
             Judgement::nothing("packets come").at(CheckItem::StatusPort),
             rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
