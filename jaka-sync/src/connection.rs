@@ -1,6 +1,5 @@
 //! Connections to a controller.
 
-use std::fmt::Write;
 use std::io;
 use std::net::{SocketAddr, TcpStream};
 use std::time::Duration;
@@ -66,13 +65,8 @@ fn none_answers(mut failed: Vec<(SocketAddr, io::Error)>) -> io::Error {
     let Some((_, last)) = failed.last() else {
         return io::Error::new(io::ErrorKind::NotFound, "the name resolves to no address");
     };
-    let (kind, mut text) = (last.kind(), String::new());
-    for (address, error) in &failed {
-        let separator = if text.is_empty() { "" } else { "; " };
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{separator}{address}: {error}");
-    }
-    io::Error::new(kind, text)
+    let texts: Vec<_> = failed.iter().map(|(address, error)| format!("{address}: {error}")).collect();
+    io::Error::new(last.kind(), texts.join("; "))
 }
 
 fn set_options(stream: &TcpStream, config: &Config) -> io::Result<()> {

@@ -187,8 +187,8 @@ impl Link {
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, Error> {
-        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).through(gate).posted();
-        self.transmit(&outgoing, count, write)
+        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).through(gate);
+        self.transmit(&Outgoing { is_posted: true, ..outgoing }, count, write)
     }
 
     /// Has the socket block or not. It must block where somebody reads it.

@@ -59,11 +59,6 @@ impl<'o> Outgoing<'o> {
         Self { gate, ..self }
     }
 
-    /// The same as commands whose outcomes are counted.
-    pub(super) fn posted(self) -> Self {
-        Self { is_posted: true, ..self }
-    }
-
     pub(super) fn left(&self) -> Duration {
         self.since.left_of(self.timeout)
     }

@@ -25,7 +25,6 @@ pub(super) use self::packet_period::longest_silence;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_points::SetPointGuard;
 pub use self::tcp_box::TcpBox;
-pub(crate) use self::trip::Trip;
 pub use self::trip::{GuardTrip, TripReason};
 use super::inputs::{AnalogCondition, InputCondition};
 #[cfg(doc)]

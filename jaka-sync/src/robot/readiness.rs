@@ -106,11 +106,10 @@ impl<S: MotionStatus> Robot<S> {
     /// Lets set-points pass that hold the arm: those that brake it pass, and no stop has begun.
     pub(crate) fn holding_gate(&self) -> impl Fn() -> Result<(), Error> + use<S> {
         let (latch, braking) = (self.latch.clone(), self.braking_gate());
-        let no_stop = move || match latch.unacknowledged_stop() {
-            None => Ok(()),
-            Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
-        };
-        move || braking().and_then(|()| no_stop())
+        move || {
+            braking()?;
+            latch.unacknowledged_stop().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
+        }
     }
 }
 

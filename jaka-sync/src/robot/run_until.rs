@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 
-use super::guard::{Guard, NotGuarded, Trip, TripReason, longest_silence};
+use super::guard::{Guard, NotGuarded, TripReason, longest_silence};
 use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
@@ -75,7 +75,7 @@ impl<S: MotionStatus> Robot<S> {
             drop(relieved);
             // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
             let stopped = watching.join().unwrap_or_default();
-            Ok::<_, Error>((result, stopped.or_else(|| sentry.written_late())))
+            Ok::<_, Error>((result, stopped.or_else(|| sentry.written(None))))
         })?;
         match (result, sentry.armed.trip()) {
             (Ok(end), _) => Ok(self.end_of_guarded(&sentry, end, stopped)),
@@ -114,7 +114,7 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// The end where the guard has tripped before the motion went out.
-    fn not_begun(&self, guard: &Guard, trip: Trip, waited: Duration) -> Result<MotionEnd, Error> {
+    fn not_begun(&self, guard: &Guard, trip: GuardTrip, waited: Duration) -> Result<MotionEnd, Error> {
         if let TripReason::NotShown(reason) = trip.reason {
             return Err(self.client.link.attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()));
         }
@@ -147,7 +147,7 @@ impl<S: MotionStatus> Robot<S> {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
                 let rest = if is_accepted { self.comes_to_rest(REST) } else { Ok(false) };
                 self.rests = matches!(rest, Ok(true));
-                end.outcome = Outcome::Guard(Arc::new(GuardTrip { reaction, is_at_rest: self.rests, ..trip.report() }));
+                end.outcome = Outcome::Guard(Arc::new(GuardTrip { reaction, is_at_rest: self.rests, ..trip }));
                 end.not_answered = rest.err();
             }
             Some(Why::Blind(problem)) => {

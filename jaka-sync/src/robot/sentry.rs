@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use super::guard::{Armed, Trip};
+use super::guard::{Armed, GuardTrip};
 use super::stops::Sent;
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Outcome, Robot, RobotStop};
@@ -49,23 +49,17 @@ impl<S: MotionStatus> Sentry<S> {
         if !self.armed.shut(blind) || is_relieved() {
             return None;
         }
-        let stopped = self.written(&why).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
+        let stopped = self.written(Some(&why)).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
         self.took(&stopped.stop.accepted);
         Some(stopped)
     }
 
-    /// The stop that the monitor's thread has written, if it has; it writes none any more.
-    fn written(&self, why: &Why) -> Option<Stopped> {
+    /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the guard had tripped, if it has, whatever
+    /// was seen since.
+    pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
         let written = self.armed.take_written()?;
-        // It was written because the guard had tripped, if it has, whatever was seen since.
-        let why = self.armed.trip().map_or_else(|| why.clone(), Why::Trip);
-        Some(Stopped { why: Some(why), stop: self.stop.finish(&written) })
-    }
-
-    /// The same where nobody watches any more.
-    pub(super) fn written_late(&self) -> Option<Stopped> {
-        let written = self.armed.take_written()?;
-        Some(Stopped { why: self.armed.trip().map(Why::Trip), stop: self.stop.finish(&written) })
+        let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
+        Some(Stopped { why, stop: self.stop.finish(&written) })
     }
 
     /// A stop that was not accepted ends the wait.
@@ -101,7 +95,7 @@ pub(super) struct Stopped {
 
 #[derive(Debug, Clone)]
 pub(super) enum Why {
-    Trip(Trip),
+    Trip(GuardTrip),
     Blind(StatusProblem),
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::MotionStatus;
-use super::guard::{Armed, Trip};
+use super::guard::{Armed, GuardTrip};
 use super::readiness::fresh_status;
 use crate::{Monitor, Snapshot, StatusProblem};
 
@@ -15,7 +15,7 @@ const JUST_AFTER: Duration = Duration::from_millis(1);
 #[derive(Debug)]
 pub(super) enum Vigil {
     /// The guard has tripped.
-    Tripped(Trip),
+    Tripped(GuardTrip),
     /// The status is not known any more.
     Blind(StatusProblem),
     /// It was called off, or the time is over; with the newest packet.

@@ -9,7 +9,7 @@ use std::time::Duration;
 use jaka_proto::wire::DecodeError;
 
 use super::condition::Judge;
-use super::{Guard, Trip};
+use super::{Guard, GuardTrip};
 use crate::robot::readiness::{fresh_status, unknown};
 use crate::robot::stops::Written;
 use crate::robot::{MotionStatus, RobotStop, trouble};
@@ -52,7 +52,7 @@ struct Judging {
 
 #[derive(Debug, Default)]
 struct Progress {
-    trip: Option<Trip>,
+    trip: Option<GuardTrip>,
     /// Why the status was not known before the motion was let out, if that was so: then it is not any more.
     blind: Option<StatusProblem>,
     /// True once the motion was let out.
@@ -108,7 +108,7 @@ impl Armed {
     }
 
     /// Why the guard has tripped, if it has.
-    pub(crate) fn trip(&self) -> Option<Trip> {
+    pub(crate) fn trip(&self) -> Option<GuardTrip> {
         lock(&self.0.progress).trip.clone()
     }
 
@@ -117,7 +117,7 @@ impl Armed {
     pub(crate) fn let_out(&self) -> Result<(), Error> {
         let mut progress = lock(&self.0.progress);
         if let Some(trip) = progress.trip.clone() {
-            return Err(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into());
+            return Err(trip.before_start().into_error());
         }
         if let Some(problem) = progress.blind.clone().or_else(|| progress.broken()) {
             return Err(unknown(problem));
@@ -152,7 +152,7 @@ impl Armed {
 
 impl Shared {
     /// Judges a packet, unless that cannot be done.
-    fn judge(&self, packet: &Arc<Snapshot>) -> Result<Option<Trip>, DecodeError> {
+    fn judge(&self, packet: &Arc<Snapshot>) -> Result<Option<GuardTrip>, DecodeError> {
         match trouble::panicked(packet) {
             Some(source) => Err(source.clone()),
             None => catch_unwind(AssertUnwindSafe(|| lock(&self.judging).judge(packet)))
@@ -162,7 +162,7 @@ impl Shared {
 
     /// Takes a judgement, and stops the arm after the first one that calls for it: true if it is news. Whoever learns of it waits for `early` to learn whether the
     /// stop was written.
-    fn act_on(&self, judged: Result<Option<Trip>, DecodeError>) -> bool {
+    fn act_on(&self, judged: Result<Option<GuardTrip>, DecodeError>) -> bool {
         if matches!(judged, Ok(None)) {
             return false;
         }
@@ -176,7 +176,7 @@ impl Shared {
     }
 
     /// Takes a judgement: true if it is news.
-    fn take(&self, result: Result<Option<Trip>, DecodeError>) -> bool {
+    fn take(&self, result: Result<Option<GuardTrip>, DecodeError>) -> bool {
         let mut progress = lock(&self.progress);
         match result {
             Ok(None) => return false,
@@ -201,7 +201,7 @@ impl Progress {
 
 impl Judging {
     /// Judges a packet: the first condition that trips, if one does.
-    fn judge(&mut self, packet: &Arc<Snapshot>) -> Option<Trip> {
+    fn judge(&mut self, packet: &Arc<Snapshot>) -> Option<GuardTrip> {
         if packet.number <= self.last {
             return None;
         }
@@ -210,7 +210,8 @@ impl Judging {
             let reason = judge.judge(packet)?;
             Some((condition, reason, judge.condition.to_string()))
         })?;
-        Some(Trip { condition, text, reason, packet: Arc::clone(packet) })
+        let packet = Arc::clone(packet);
+        Some(GuardTrip { condition, text, reason, packet, reaction: None, is_before_start: false, is_at_rest: false })
     }
 }
 

@@ -40,7 +40,8 @@ impl Judge {
         match self.holds(packet) {
             Ok(holds) => {
                 let held = self.held.replace(holds);
-                let trips = holds && (self.condition.when() == When::Level || held == Some(false));
+                let is_edge = matches!(&self.condition, Condition::Input(input) if input.when == When::Edge);
+                let trips = holds && (!is_edge || held == Some(false));
                 trips.then_some(TripReason::Holds)
             }
             Err(reason) => Some(reason),
@@ -62,13 +63,6 @@ impl Judge {
 }
 
 impl Condition {
-    fn when(&self) -> When {
-        match self {
-            Self::Input(input) => input.when,
-            Self::Inside(_) | Self::Outside(_) | Self::Force(_) | Self::Question(_) => When::Level,
-        }
-    }
-
     pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
         match self {
             Self::Input(input) => input.check(call),

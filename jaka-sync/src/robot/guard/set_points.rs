@@ -1,6 +1,5 @@
 //! A guard of set-points, which is asked in each cycle.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Generator};
@@ -8,7 +7,7 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
-use super::{Armed, ForceLimit, Guard, NotGuarded, Trip, TripReason};
+use super::{Armed, ForceLimit, Guard, GuardTrip, NotGuarded, TripReason};
 use crate::robot::readiness::{fresh_status, unknown};
 use crate::{Error, ErrorKind, Monitor, MotionStatus, Robot, StatusProblem};
 
@@ -43,7 +42,7 @@ impl SetPointGuard {
     /// Fails once the guard has tripped.
     pub(crate) fn check_tripped(&self) -> Result<(), Error> {
         match (self.armed.trip(), self.armed.broken()) {
-            (Some(trip), _) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.report()) }.into()),
+            (Some(trip), _) => Err(trip.into_error()),
             (None, Some(problem)) => Err(unknown(problem)),
             (None, None) => Ok(()),
         }
@@ -52,7 +51,7 @@ impl SetPointGuard {
     /// Fails once the guard has tripped, before anything that moves the arm was sent.
     pub(crate) fn check_before_start(&self) -> Result<(), Error> {
         match self.armed.trip() {
-            Some(trip) => Err(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into()),
+            Some(trip) => Err(trip.before_start().into_error()),
             None => self.check_tripped(),
         }
     }
@@ -124,10 +123,10 @@ impl<S: MotionStatus> Robot<S> {
         let armed = self.arm(guard, patience).map_err(no_status)?;
         match armed.trip() {
             None => Ok(SetPointGuard { armed, force }),
-            Some(Trip { reason: TripReason::NotShown(reason), .. }) => {
+            Some(GuardTrip { reason: TripReason::NotShown(reason), .. }) => {
                 Err(link.attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()))
             }
-            Some(trip) => Err(link.attach(ErrorKind::GuardTripped { trip: Arc::new(trip.before_start()) }.into())),
+            Some(trip) => Err(link.attach(trip.before_start().into_error())),
         }
     }
 }

@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::Snapshot;
 use crate::robot::not_shown::NotShown;
+use crate::{Error, ErrorKind, Snapshot};
 
 /// A guard that has tripped, and what followed.
 #[derive(Debug, Clone)]
@@ -40,25 +40,14 @@ pub enum TripReason {
     Panicked,
 }
 
-/// The first condition that tripped.
-#[derive(Debug, Clone)]
-pub(crate) struct Trip {
-    pub(super) condition: usize,
-    pub(super) text: String,
-    pub(crate) reason: TripReason,
-    pub(crate) packet: Arc<Snapshot>,
-}
-
-impl Trip {
-    /// What is told of it where no stop was written.
-    pub(crate) fn report(self) -> GuardTrip {
-        let Self { condition, text, reason, packet } = self;
-        GuardTrip { condition, text, reason, packet, reaction: None, is_before_start: false, is_at_rest: false }
+impl GuardTrip {
+    /// What is told of it where nothing was sent.
+    pub(crate) fn before_start(self) -> Self {
+        Self { is_before_start: true, ..self }
     }
 
-    /// What is told of it where nothing was sent.
-    pub(crate) fn before_start(self) -> GuardTrip {
-        GuardTrip { is_before_start: true, ..self.report() }
+    pub(crate) fn into_error(self) -> Error {
+        ErrorKind::GuardTripped { trip: Arc::new(self) }.into()
     }
 }
 

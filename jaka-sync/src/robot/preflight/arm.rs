@@ -17,6 +17,9 @@ pub(super) struct Expected(pub(super) Option<Limits>);
 /// Limits of a model that agrees with the controller, and the frames that it has then.
 type Agreeing = (Limits, Frames);
 
+/// What the model was found to be, and what agrees with it; or why it was not compared.
+type Found = Result<(Judgement, Vec<Agreeing>), Judgement>;
+
 /// Joint positions, and the controller's poses at them.
 type Pairs = Vec<(JointPosition, Pose)>;
 
@@ -33,48 +36,42 @@ pub(super) fn read(expected: &Expected, commands: &mut Commands<'_>, findings: &
     let (model, agreeing) = match &expected.0 {
         Some(limits) => one(limits, dh.as_ref().ok(), commands),
         None => published(dh.as_ref().ok(), commands),
-    };
+    }
+    .unwrap_or_else(|failed| (failed, Vec::new()));
     let dh = either(dh.map(|reply| parameters(&agreeing, &reply)));
     let place = place(&agreeing, commands);
     findings.extend([model.at(CheckItem::Model), dh.at(CheckItem::DhParameters), place.at(CheckItem::Limits)]);
 }
 
 /// The model that the arm should be.
-fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Judgement, Vec<Agreeing>) {
-    let pairs = match poses(&limits.model().positions_to_compare(), commands) {
-        Ok(pairs) => pairs,
-        Err(failed) => return (failed, Vec::new()),
-    };
-    let error = match limits.model().fit(&pairs, Tolerance::default()) {
+fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> Found {
+    let pairs = poses(&limits.model().positions_to_compare(), commands)?;
+    match limits.model().fit(&pairs, Tolerance::default()) {
         Ok(fit) => {
             let agreeing = vec![(limits.clone(), fit.frames)];
-            return (Judgement::nothing(format!("poses are those of a {}", names(&agreeing))), agreeing);
+            Ok((Judgement::nothing(format!("poses are those of a {}", names(&agreeing))), agreeing))
         }
-        Err(error) => error,
-    };
-    if let Some(agreeing) = calibrated(limits.model(), dh, &pairs) {
-        return (own_parameters(&agreeing), Vec::new());
+        Err(error) => {
+            let advice = "look at the arm's name plate: limits of another model do not fit this arm";
+            let own = calibrated(limits.model(), dh, &pairs).map(|agreeing| own_parameters(&agreeing));
+            Ok((own.unwrap_or_else(|| Judgement::wrong(difference(&error), advice)), Vec::new()))
+        }
     }
-    let advice = "look at the arm's name plate: limits of another model do not fit this arm";
-    (Judgement::wrong(difference(&error), advice), Vec::new())
 }
 
 /// All published models. Arms of one size, which differ in what a tool or a mounting can take up, agree at once.
-fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> (Judgement, Vec<Agreeing>) {
-    let pairs = match answered(commands) {
-        Ok(pairs) => pairs,
-        Err(failed) => return (failed, Vec::new()),
-    };
+fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> Found {
+    let pairs = answered(commands)?;
     let fits = |model| Some((Limits::of(model), model.fit(&pairs, Tolerance::default()).ok()?.frames));
     let agreeing: Vec<_> = Model::published().iter().filter_map(fits).collect();
     if !agreeing.is_empty() {
-        return (Judgement::nothing(format!("poses are those of {}", names(&agreeing))), agreeing);
+        return Ok((Judgement::nothing(format!("poses are those of {}", names(&agreeing))), agreeing));
     }
     if let Some(agreeing) = Model::published().iter().find_map(|model| calibrated(model, dh, &pairs)) {
-        return (own_parameters(&agreeing), vec![agreeing]);
+        return Ok((own_parameters(&agreeing), vec![agreeing]));
     }
     let advice = "give motions no limits by a published model: they would be those of another arm";
-    (Judgement::look("no published model agrees with the controller", advice), Vec::new())
+    Ok((Judgement::look("no published model agrees with the controller", advice), Vec::new()))
 }
 
 /// The model with the controller's own parameters, if it agrees with these.
