@@ -146,20 +146,30 @@ fn what_does_not_come_about_in_time_is_told() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_of_up_keeps_further_steps_back() {
-    // Its power takes some seconds.
-    let slow = Controller::start().expect("loopback has free ports");
-    let child = started_at(&slow, "up --yes --quiet");
-    while changes(&slow).is_empty() {
-        slow.wait_for_requests(slow.requests().len() + 1, Duration::from_millis(100));
+    use jaka_sim::{Habit, Habits};
+
+    // Power takes some seconds; its reply, and that to the stop, comes at once, or only then.
+    for (habits, text) in [
+        (
+            Habits::none(),
+            "note: interrupted: no further step is sent\nerror: interrupted; accepted before: power_on; not sent: enable_robot\n",
+        ),
+        (
+            Habits::from(Habit::LatePower),
+            "error: interrupted: no further step is sent, and what was sent may have run; ",
+        ),
+    ] {
+        let slow = Controller::builder().habits(habits).start().expect("loopback has free ports");
+        let child = started_at(&slow, "up --yes --quiet");
+        while changes(&slow).is_empty() {
+            slow.wait_for_requests(slow.requests().len() + 1, Duration::from_millis(100));
+        }
+        interrupt(&child);
+        let run = result(child);
+        assert_eq!(run.code, Some(4), "{run:?}");
+        assert!(run.err.starts_with(text), "{run:?}");
+        assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
     }
-    interrupt(&child);
-    expect![[r"
-        note: interrupted: no further step is sent
-        error: interrupted; accepted before: power_on; not sent: enable_robot
-        exit code 4
-    "]]
-    .assert_eq(&result(child).text());
-    assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
 }
 
 #[test]

@@ -274,7 +274,8 @@ impl<S: MotionStatus> Robot<S> {
         });
     }
 
-    /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none.
+    /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none. Once the command connection is lost, no
+    /// longer than until the next status packet: [`Outcome::ConnectionLost`].
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
         let end = self.wait_unless(timeout, &|| false);
         self.report(&end);
