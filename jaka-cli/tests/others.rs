@@ -100,8 +100,8 @@ fn the_help_of_sim_lists_the_faults() {
           collide, press-emergency-stop, release-emergency-stop, cut-power, input 3 high, input 3 low,
           tool-input 3 high, tool-input 3 low
 
-        With `--keys`: keys: c collide, e press-emergency-stop or release-emergency-stop, p cut-power, 0 to
-        9 input 0 high or input 0 low, t tool-input 0 high or tool-input 0 low, ? these keys, q quit
+        With `--keys`: c collide, e press-emergency-stop or release-emergency-stop, p cut-power, 0 to 9
+        input 0 high or input 0 low, t tool-input 0 high or tool-input 0 low, ? this list, q quit
     "#]]
     .assert_eq(list);
 }
