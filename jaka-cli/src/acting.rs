@@ -5,11 +5,11 @@ use std::time::Duration;
 use clap::Args;
 use jaka_motion::{Limits, Trajectory};
 use jaka_sync::proto::Command;
-use jaka_sync::{Client, Error, FollowConfig, FollowEnd, Motion, Robot};
+use jaka_sync::{Error, FollowConfig, FollowEnd, Motion, Robot};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
-use crate::interrupt::UnderWay;
+use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
 use crate::packs;
 use crate::target::{RobotArgs, Target};
@@ -56,15 +56,6 @@ impl ActArgs {
     pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
         if self.robot.is_given() { self.robot.target(&[]).map(Some) } else { Ok(None) }
     }
-
-    /// Makes sure that the user wants the arm to do this, such as "follow way.csv for 12.0 s". Connects to nothing yet.
-    pub(crate) fn begin_motion(&self, what: &str) -> Result<Act, Failure> {
-        let act = Act::at_once(&self.robot)?;
-        if !self.yes && !self.robot.is_simulated() {
-            consent::obtain_motion(what, act.target.title())?;
-        }
-        Ok(act)
-    }
 }
 
 /// The intent to send this.
@@ -84,38 +75,26 @@ impl Act {
         self.target.patience(usual)
     }
 
-    /// Does something with the command port alone, which sends this.
-    pub(crate) fn with_client<T>(
+    /// Does something over this connection, which sends this.
+    pub(crate) fn with<C, T>(
         &self,
+        connect: fn(&Target) -> Result<C, Failure>,
         sends: &str,
-        act: impl FnOnce(&mut Client) -> Result<T, Error>,
+        act: impl FnOnce(&mut C) -> Result<T, Error>,
     ) -> Result<T, Failure> {
-        let mut client = self.target.client()?;
-        self.under_way.sends(sends);
-        let done = act(&mut client);
-        self.under_way.answered();
-        done.map_err(|error| Failure::explained(packs::of_status(), error))
-    }
-
-    /// Does something with both ports, which sends this.
-    pub(crate) fn with_robot<T>(
-        &self,
-        sends: &str,
-        act: impl FnOnce(&mut Robot) -> Result<T, Error>,
-    ) -> Result<T, Failure> {
-        let mut robot = self.target.robot()?;
-        self.under_way.sends(sends);
-        let done = act(&mut robot);
-        self.under_way.answered();
+        let mut connection = connect(&self.target)?;
+        self.under_way.set(Stage::Sent(sends.to_owned()));
+        let done = act(&mut connection);
+        self.under_way.set(Stage::Answered);
         done.map_err(|error| Failure::explained(packs::of_status(), error))
     }
 
     /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
     pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut Robot) -> Result<T, Error>) -> Result<T, Failure> {
         let mut robot = self.target.robot()?;
-        self.under_way.steps(robot.stop_handle());
+        self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
-        self.under_way.answered();
+        self.under_way.set(Stage::Answered);
         done.map_err(|error| Failure::explained(packs::of_status(), error))
     }
 
@@ -128,12 +107,12 @@ impl Act {
     ) -> Result<FollowEnd, Failure> {
         let mut robot = self.target.robot()?.with_limits(limits)?;
         let stop = robot.stop_handle();
-        self.under_way.moves(stop.clone());
+        self.under_way.set(Stage::Moving(stop.clone()));
         let ended = robot.start_follow(trajectory, config).map(|run| {
-            self.under_way.follows(run.handle(), stop);
+            self.under_way.set(Stage::Following(run.handle(), stop));
             run.wait()
         });
-        self.under_way.answered();
+        self.under_way.set(Stage::Answered);
         ended.map_err(|error| Failure::explained(packs::of_status(), error))
     }
 

@@ -62,9 +62,12 @@ pub(crate) fn must_be_askable(intents: &[Intent<'_>]) -> Result<(), Failure> {
     if stdin().is_terminal() {
         return Ok(());
     }
-    let it = if let [_] = intents { "it" } else { "them" };
-    let what = if let [only] = intents { format!("it {}, and ", only.effect()) } else { String::new() };
-    Err(not_sent(intents, &format!(": {what}there is no terminal to ask on; use --yes to send {it} anyway")))
+    let (what, do_it) = match intents {
+        [] => (String::new(), "move it"),
+        [only] => (format!("it {}, and ", only.effect()), "send it"),
+        _ => (String::new(), "send them"),
+    };
+    Err(not_done(intents, &format!(": {what}there is no terminal to ask on; use --yes to {do_it} anyway")))
 }
 
 /// Makes sure that the user wants this to be sent to the robot of this title, of which only the spec says what it does; with its fields as a table.
@@ -74,16 +77,16 @@ pub(crate) fn must_be_askable(intents: &[Intent<'_>]) -> Result<(), Failure> {
 pub(crate) fn obtain(intent: &Intent<'_>, fields: &str, title: &str) -> Result<(), Failure> {
     let intents = from_ref(intent);
     must_be_askable(intents)?;
-    if question::is_confirmed(&question(intent, fields, title))? { Ok(()) } else { Err(not_sent(intents, "")) }
+    if question::is_confirmed(&question(intent, fields, title))? { Ok(()) } else { Err(not_done(intents, "")) }
 }
 
-/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for which these are sent.
+/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for which these are sent, or set-points.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.
 pub(crate) fn obtain_act(what: &str, intents: &[Intent<'_>], title: &str) -> Result<(), Failure> {
     must_be_askable(intents)?;
-    if question::is_confirmed(&act_question(what, intents, title))? { Ok(()) } else { Err(not_sent(intents, "")) }
+    if question::is_confirmed(&act_question(what, intents, title))? { Ok(()) } else { Err(not_done(intents, "")) }
 }
 
 /// Without the way round advisory ranges, which `jaka call` alone has.
@@ -93,22 +96,13 @@ fn not_allowed(invalid: &InvalidArgument) -> Failure {
     Failure::Usage(format!("`{command}` was not sent: field `{field}` is {value}, allowed is {allowed}{hint}"))
 }
 
-fn not_sent(intents: &[Intent<'_>], why: &str) -> Failure {
+fn not_done(intents: &[Intent<'_>], why: &str) -> Failure {
     let names = intents.iter().map(|intent| format!("`{}`", intent.name)).join(" and ");
-    let was = if let [_] = intents { "was" } else { "were" };
-    Failure::Usage(format!("{names} {was} not sent{why}"))
-}
-
-/// Makes sure that the user wants the arm of the robot of this title to do this.
-///
-/// # Errors
-/// The user does not, or cannot be asked.
-pub(crate) fn obtain_motion(what: &str, title: &str) -> Result<(), Failure> {
-    let refused = |why: &str| Failure::Usage(format!("the arm was not moved{why}"));
-    if !stdin().is_terminal() {
-        return Err(refused(": there is no terminal to ask on; use --yes to move it anyway"));
-    }
-    if question::is_confirmed(&act_question(what, &[], title))? { Ok(()) } else { Err(refused("")) }
+    Failure::Usage(match intents {
+        [] => format!("the arm was not moved{why}"),
+        [_] => format!("{names} was not sent{why}"),
+        _ => format!("{names} were not sent{why}"),
+    })
 }
 
 fn act_question(what: &str, intents: &[Intent<'_>], title: &str) -> String {

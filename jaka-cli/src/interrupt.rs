@@ -52,15 +52,16 @@ pub(crate) fn end_whole(code: u8) -> ! {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
 
+/// How far it has come.
 #[derive(Debug, Default)]
-enum Stage {
+pub(crate) enum Stage {
     #[default]
     NothingSent,
-    /// This may have been sent, and nothing is known of it.
+    /// This may have been sent, such as "`power_on` or `enable_robot`", and nothing is known of it.
     Sent(String),
     /// One step goes out after the other, until this is called.
     Steps(RobotStop),
-    /// A motion goes out, or is waited for.
+    /// A motion goes out, or is waited for, which this stops.
     Moving(RobotStop),
     /// A trajectory is followed: first it is stopped along it, then as a motion.
     Following(FollowHandle, RobotStop),
@@ -79,34 +80,9 @@ impl UnderWay {
         Ok(under_way)
     }
 
-    /// This goes out next, such as "`power_on` or `enable_robot`".
-    pub(crate) fn sends(&self, what: &str) {
-        *self.lock() = Stage::Sent(what.to_owned());
-    }
-
-    /// Steps go out next, of which none follows this stop.
-    pub(crate) fn steps(&self, stop: RobotStop) {
-        *self.lock() = Stage::Steps(stop);
-    }
-
-    /// A motion goes out next, which this stops.
-    pub(crate) fn moves(&self, stop: RobotStop) {
-        *self.lock() = Stage::Moving(stop);
-    }
-
-    /// A trajectory is followed, which these stop.
-    pub(crate) fn follows(&self, handle: FollowHandle, stop: RobotStop) {
-        *self.lock() = Stage::Following(handle, stop);
-    }
-
-    /// All has been answered. If a stop is on its way, waits until it is said what has become of it.
-    pub(crate) fn answered(&self) {
-        *self.lock() = Stage::Answered;
-    }
-
-    /// All has been answered, and the next request is awaited.
-    pub(crate) fn idle(&self) {
-        *self.lock() = Stage::Idle;
+    /// It has come to here. If a stop is on its way, waits until it is said what has become of it.
+    pub(crate) fn set(&self, stage: Stage) {
+        *self.lock() = stage;
     }
 
     fn interrupt(&self) {

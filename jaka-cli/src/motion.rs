@@ -7,7 +7,7 @@ use jaka_sync::{Error, MotionEnd, Robot};
 use serde_json::{Map, Value};
 
 use crate::failure::Failure;
-use crate::interrupt::UnderWay;
+use crate::interrupt::{Stage, UnderWay};
 use crate::{exit, output};
 
 /// How long the end of a motion is waited for, unless the command line says otherwise.
@@ -37,9 +37,9 @@ pub(crate) fn end(
     spec: &Spec,
     under_way: &UnderWay,
 ) -> Result<MotionEnd, Failure> {
-    under_way.moves(robot.stop_handle());
+    under_way.set(Stage::Moving(robot.stop_handle()));
     let ended = motion(robot);
-    under_way.answered();
+    under_way.set(Stage::Answered);
     ended.map_err(|error| Failure::explained(spec, error))
 }
 

@@ -87,7 +87,7 @@ impl Follow {
         let speeds = Peaks::of(trajectory, checker).speeds.map(|speed| format!("{:.1}", speed * self.scale)).join(", ");
         let what =
             format!("follow {} for {seconds:.1} s, its joints at up to {speeds} deg/s{before}", self.file.display());
-        let act = self.act.begin_motion(&what)?;
+        let act = self.act.begin(&what, &[])?;
         let mut config = FollowConfig::new().speed_scale(self.scale).deadline(act.patience(Duration::MAX));
         if let Some(speed) = self.approach {
             config = config.approach(speed);

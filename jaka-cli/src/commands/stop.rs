@@ -6,7 +6,7 @@ use jaka_sync::program::StopProgram;
 use crate::acting::Act;
 use crate::failure::Failure;
 use crate::output;
-use crate::target::RobotArgs;
+use crate::target::{RobotArgs, Target};
 
 /// Stop the motion or the program that is running; sent without a question
 ///
@@ -21,7 +21,7 @@ pub(crate) struct Stop {
 impl Stop {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let act = Act::at_once(&self.robot)?;
-        act.with_client("`stop_program`", |client| client.call(&StopProgram::new()))?;
+        act.with(Target::client, "`stop_program`", |client| client.call(&StopProgram::new()))?;
         output::line("the controller has taken the stop (`stop_program`)")
     }
 }

@@ -11,7 +11,7 @@ use super::options::{Keys, Options};
 use super::request::Request;
 use super::{consent, firmware, named, reply, wait};
 use crate::failure::Failure;
-use crate::interrupt::UnderWay;
+use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
 use crate::output;
 use crate::packs::Protocol;
@@ -81,9 +81,9 @@ pub(super) fn send(
     under_way: &UnderWay,
 ) -> Result<Option<String>, Error> {
     let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
-    under_way.sends(&format!("`{}`", request.name));
+    under_way.set(Stage::Sent(format!("`{}`", request.name)));
     let reply = client.call_text(&request.text, target.patience(usual)).map(str::to_owned);
-    under_way.answered();
+    under_way.set(Stage::Answered);
     let may_end = request.command.is_some_and(|command| !command.reply_certain);
     match reply {
         Err(error) if may_end && has_ended(&error) => Ok(None),

@@ -11,7 +11,7 @@ use super::request::Request;
 use super::{consent, exchange, named, request, wait};
 use crate::exit;
 use crate::failure::{Failure, chain};
-use crate::interrupt::UnderWay;
+use crate::interrupt::{Stage, UnderWay};
 use crate::packs::Protocol;
 use crate::target::Target;
 use crate::{motion, output, seat};
@@ -29,14 +29,14 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     let connection = Connection::open(&target, options)?;
     let mut session = Session { protocol, options, target, connection, under_way };
     let mut first = Ok(());
-    session.under_way.idle();
+    session.under_way.set(Stage::Idle);
     for line in stdin().lock().lines() {
         let line = line.map_err(|error| Failure::local("cannot read standard input", error))?;
         if line.trim().is_empty() {
             continue;
         }
         let (answer, failure) = session.answer(&line);
-        session.under_way.idle();
+        session.under_way.set(Stage::Idle);
         output::json(&format!("{answer}\n"))?;
         if let Some(failure) = failure {
             first = first.and(Err(failure));
