@@ -4,6 +4,7 @@ use std::io::{self, ErrorKind};
 use std::net::{IpAddr, SocketAddr, TcpListener};
 
 use clap::Args;
+use itertools::Itertools as _;
 use jaka_sim::{Builder, Controller};
 
 use crate::failure::Failure;
@@ -39,15 +40,14 @@ impl ListenArgs {
             let opened = TcpListener::bind((self.address, *port));
             opened.is_err_and(|error| error.kind() == ErrorKind::AddrInUse)
         };
-        let ports = [self.commands, self.status].into_iter().filter(is_taken).map(|port| port.to_string());
-        let ports: Vec<_> = if error.kind() == ErrorKind::AddrInUse { ports.collect() } else { Vec::new() };
-        let what = match ports.as_slice() {
-            [] => "cannot start the controller".to_owned(),
-            ports => format!(
-                "cannot start the controller: port {} of {} is in use; --commands and --status name other ports, 0 a free one",
-                ports.join(" and "),
+        let ports = [self.commands, self.status].iter().filter(|port| is_taken(port)).join(" and ");
+        let what = if ports.is_empty() || error.kind() != ErrorKind::AddrInUse {
+            "cannot start the controller".to_owned()
+        } else {
+            format!(
+                "cannot start the controller: port {ports} of {} is in use; --commands and --status name other ports, 0 a free one",
                 self.address
-            ),
+            )
         };
         Failure::local(what, error)
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_spec::Spec;
 use jaka_sync::{Error, MotionEnd, Robot};
-use serde_json::{Map, Value};
+use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
@@ -50,9 +50,9 @@ pub(crate) fn end(
 pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Failure> {
     match form {
         Form::Json => {
-            let mut line = Map::from_iter([("command".to_owned(), command.into())]);
-            line.extend(described(&end));
-            output::json(&format!("{}\n", Value::Object(line)))?;
+            let mut line = json!({"command": command});
+            describe(&end, &mut line);
+            output::json(&format!("{line}\n"))?;
         }
         Form::Text if end.outcome.is_reached() => {
             output::line(&format!("{}, after {:.1} s", end.outcome, end.waited.as_secs_f64()))?;
@@ -62,12 +62,9 @@ pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Fai
     end.reached().map_err(Failure::NotReached)
 }
 
-/// How a motion ended, for programs: `outcome`, `text` and `waited_s`.
-pub(crate) fn described(end: &MotionEnd) -> [(String, Value); 3] {
-    let entry = |key: &str, value| (key.to_owned(), value);
-    [
-        entry("outcome", exit::of_motion(&end.outcome).1.into()),
-        entry("text", end.outcome.to_string().into()),
-        entry("waited_s", end.waited.as_secs_f64().into()),
-    ]
+/// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
+pub(crate) fn describe(end: &MotionEnd, line: &mut Value) {
+    line["outcome"] = exit::of_motion(&end.outcome).1.into();
+    line["text"] = end.outcome.to_string().into();
+    line["waited_s"] = end.waited.as_secs_f64().into();
 }

@@ -10,7 +10,7 @@ use jaka_sync::Refusal;
 use jaka_sync::proto::text::visible_json_line;
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::proto::{Envelope, framing};
-use jaka_sync::recording::{Event, Message, Port, Recording};
+use jaka_sync::recording::{Entry, Event, Message, Port, Recording};
 
 use crate::failure::Failure;
 use crate::output;
@@ -126,4 +126,9 @@ pub(crate) fn excerpt(message: &Message, most: usize) -> String {
         Some((end, _)) => format!("{}… ({} bytes)", &text[..end], message.bytes().len()),
         None => text.into_owned(),
     }
+}
+
+/// How many entries are missing where this one stands.
+pub(crate) fn missing(entry: &Entry) -> u64 {
+    if let Event::Dropped { count } = entry.event { count } else { 0 }
 }

@@ -39,7 +39,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     frame.render_widget(Text::from(pins), io_area);
     part(frame, alarms, "Alarms (UTC)", alarm_lines(view));
     if !view.is_fresh() {
-        [state, arm, io_area].into_iter().for_each(|area| frame.buffer_mut().set_style(area, style::old()));
+        for area in [state, arm, io_area] {
+            frame.buffer_mut().set_style(area, style::old());
+        }
     }
     0
 }

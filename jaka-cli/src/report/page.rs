@@ -9,7 +9,8 @@ use jaka_sync::recording::{Entry, Event};
 
 use super::more;
 use super::session::{CommandCount, Session};
-use crate::recorded::excerpt;
+use crate::recorded::{excerpt, missing};
+use crate::utc;
 
 const STYLE: &str = include_str!("page/style.css");
 
@@ -69,14 +70,15 @@ pub(super) fn figure(pictures: &[String]) -> String {
 
 /// What was recorded, in numbers.
 pub(super) fn facts(session: &Session<'_>) -> String {
-    let packets = &session.packets;
+    let (packets, header) = (&session.packets, &session.recording.header);
+    let entries = || session.recording.entries.iter();
     let commands = || session.calls.commands.values();
     let of = |count: fn(&CommandCount) -> usize| commands().map(count).sum::<usize>();
     let mut facts = vec![
-        ("recorded by", session.software.to_owned()),
-        ("began", session.started.clone()),
+        ("recorded by", header.software.clone()),
+        ("began", utc::date_and_time(header.started)),
         ("length", format!("{:.3} s", session.end)),
-        ("connections", connections(&session.connections)),
+        ("connections", connections(entries())),
         ("requests", of(CommandCount::requests).to_string()),
         ("refused", of(|command| command.refused).to_string()),
         ("without reply", of(|command| command.unanswered).to_string()),
@@ -86,18 +88,27 @@ pub(super) fn facts(session: &Session<'_>) -> String {
     let counts = [
         ("not a packet", packets.unreadable as u64),
         ("numbers beyond any arm's, not drawn", packets.undrawn as u64),
-        ("entries missing", session.dropped),
+        ("entries missing", entries().map(missing).fold(0, u64::saturating_add)),
     ];
     facts.extend(counts.into_iter().filter(|(_, count)| *count > 0).map(|(name, count)| (name, count.to_string())));
     facts.extend(
-        session.truncated.iter().map(|error| ("cut off", format!("the file ends in the middle of a line: {error}"))),
+        session
+            .recording
+            .truncated
+            .iter()
+            .map(|error| ("cut off", format!("the file ends in the middle of a line: {error}"))),
     );
     let rows = facts.into_iter().map(|(name, value)| vec![name.to_owned(), text(&value)]);
     table(&[], rows) + &paragraph("Status packets have no time stamp: times are those at which they arrived.")
 }
 
-fn connections(addresses: &[&str]) -> String {
-    let mut different = addresses.iter().sorted().dedup();
+fn connections<'r>(entries: impl Iterator<Item = &'r Entry>) -> String {
+    let addresses = entries.filter_map(|entry| match &entry.event {
+        Event::Connected { address } => Some(address),
+        _ => None,
+    });
+    let addresses: Vec<_> = addresses.sorted().collect();
+    let mut different = addresses.iter().dedup();
     let shown = different.by_ref().take(4).join(", ");
     let more = if different.next().is_some() { ", …" } else { "" };
     match addresses.len() {

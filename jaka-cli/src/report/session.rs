@@ -7,13 +7,12 @@ mod packets;
 
 use std::time::Duration;
 
-use jaka_sync::recording::{Entry, Event, Port, Recording};
+use jaka_sync::recording::{Entry, Port, Recording};
 
 pub(super) use self::calls::{Calls, CommandCount};
 pub(super) use self::happenings::{Happening, Kind};
 pub(super) use self::lateness::Lateness;
 pub(super) use self::packets::Packets;
-use crate::utc;
 
 /// Longer than any session: times are drawn up to this.
 const LONGEST_S: f64 = 1e9;
@@ -21,15 +20,9 @@ const LONGEST_S: f64 = 1e9;
 /// A recording, read for a page.
 #[derive(Debug)]
 pub(super) struct Session<'r> {
-    pub(super) software: &'r str,
-    pub(super) started: String,
+    pub(super) recording: &'r Recording,
     /// The time of the last entry, in seconds, and more than 0.
     pub(super) end: f64,
-    /// Where the file is cut off.
-    pub(super) truncated: Option<String>,
-    /// How many entries could not be written.
-    pub(super) dropped: u64,
-    pub(super) connections: Vec<&'r str>,
     pub(super) packets: Packets,
     pub(super) calls: Calls,
     pub(super) lateness: Lateness,
@@ -48,21 +41,12 @@ impl<'r> Session<'r> {
         happenings.extend(failed);
         happenings.extend(entries.iter().filter_map(happenings::of_connection));
         happenings.sort_by_key(|happening| happening.time);
-        let dropped = entries.iter().map(|entry| if let Event::Dropped { count } = entry.event { count } else { 0 });
-        let connections = entries.iter().filter_map(|entry| match &entry.event {
-            Event::Connected { address } => Some(address.as_str()),
-            _ => None,
-        });
         let is_message = |entry: &&Entry| entry.port == Port::Command && entry.event.message().is_some();
         let mut messages: Vec<_> = entries.iter().filter(is_message).collect();
         messages.sort_by_key(|entry| entry.time);
         Self {
-            software: &recording.header.software,
-            started: utc::date_and_time(recording.header.started),
+            recording,
             end: end.as_secs_f64().clamp(0.001, LONGEST_S),
-            truncated: recording.truncated.as_ref().map(ToString::to_string),
-            dropped: dropped.fold(0, u64::saturating_add),
-            connections: connections.collect(),
             packets,
             calls,
             lateness: Lateness::read(recording),

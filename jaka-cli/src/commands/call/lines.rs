@@ -3,7 +3,7 @@
 use std::io::{BufRead, stdin};
 
 use jaka_spec::COMMAND_NAME;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::exchange::Connection;
 use super::options::Options;
@@ -59,39 +59,36 @@ struct Session<'s> {
 impl Session<'_> {
     /// What is printed for a line, and the failure, if it is one.
     fn answer(&mut self, line: &str) -> (Value, Option<Failure>) {
-        let mut answer = Map::new();
+        let mut answer = json!({});
         if let Some(name) = named_in(line) {
-            answer.insert("command".to_owned(), name);
+            answer["command"] = name;
         }
         let failure = self.carry_out(line, &mut answer).err();
         if let Some(failure) = &failure {
-            answer.insert("error".to_owned(), chain(failure).into());
-            answer.insert("exit_code".to_owned(), exit::code(failure).into());
+            answer["error"] = chain(failure).into();
+            answer["exit_code"] = exit::code(failure).into();
         }
-        (Value::Object(answer), failure)
+        (answer, failure)
     }
 
-    fn carry_out(&mut self, line: &str, answer: &mut Map<String, Value>) -> Result<(), Failure> {
+    fn carry_out(&mut self, line: &str, answer: &mut Value) -> Result<(), Failure> {
         let spec = &self.protocol.spec;
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
-        answer.insert("command".to_owned(), request.name.clone().into());
+        answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
         let motion = if self.options.wait { wait::motion(&request)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
                 let end = motion::end(robot, |robot| motion(robot, patience), spec, &self.under_way)?;
-                answer.extend(motion::described(&end));
+                motion::describe(&end, answer);
                 end.reached().map_err(Failure::NotReached)
             }
             (connection, _) => {
                 let sent = exchange::send(connection.client(), &request, &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
                 let text = reply.as_deref();
-                answer.insert(
-                    "reply".to_owned(),
-                    text.map_or(json!(null), |text| named::reply(spec, request.command, text)),
-                );
+                answer["reply"] = text.map_or(Value::Null, |text| named::reply(spec, request.command, text));
                 text.zip(request.command).map_or(Ok(()), |(text, command)| exchange::must_fit(spec, command, text))
             }
         }

@@ -11,7 +11,7 @@ use super::filter::Filter;
 use crate::failure::Failure;
 use crate::number::count;
 use crate::output;
-use crate::recorded::{command_of, excerpt, refusal_of};
+use crate::recorded::{command_of, excerpt, missing, refusal_of};
 use crate::utc;
 
 /// How many characters of a message are shown.
@@ -94,8 +94,7 @@ fn entries(recording: &Recording, filter: &Filter) -> String {
         let longest = longest.map(|(gap, at)| format!(", the longest gap {gap:.6} s before {at:.6}"));
         text = format!("{}{}\n", count(packets, "status packet"), longest.unwrap_or_default());
     }
-    let missing = shown().map(|entry| if let Event::Dropped { count } = entry.event { count } else { 0 });
-    match missing.sum::<u64>() {
+    match shown().map(missing).sum::<u64>() {
         0 => text,
         missing => format!("{text}{missing} entries are missing, because the file could not be written fast enough\n"),
     }
