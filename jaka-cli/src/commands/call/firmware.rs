@@ -20,10 +20,9 @@ pub(super) fn check(client: &mut Client, spec: &Spec, request: &Request<'_>) -> 
 }
 
 fn missing(spec: &Spec, command: &Command, request: &str, firmware: FirmwareVersion) -> Option<NotInFirmware> {
-    let not = |field, range| NotInFirmware::new(&command.wire, field, firmware, range);
     let own = range(&command.versions);
     if !own.contains(firmware) {
-        return Some(not(None, own));
+        return Some(NotInFirmware::new(&command.wire, None, firmware, own));
     }
     let body: Value = serde_json::from_str(request).unwrap_or_default();
     let given: Vec<_> = match &command.request {
@@ -34,19 +33,8 @@ fn missing(spec: &Spec, command: &Command, request: &str, firmware: FirmwareVers
             variant.iter().flat_map(|variant| keyed(&variant.fields, &body)).collect()
         }
     };
-    let check = FirmwareCheck { spec, firmware };
-    let found = given.into_iter().find_map(|(field, value)| check.field("", field, value));
-    found.map(|Found { field, value, range }| {
-        let missing = not(Some(field), range);
-        value.map_or(missing.clone(), |value| missing.with_value(value))
-    })
-}
-
-/// What the firmware does not have: a field, or a value of one.
-struct Found {
-    field: String,
-    value: Option<String>,
-    range: FirmwareRange,
+    let check = FirmwareCheck { spec, command, firmware };
+    given.into_iter().find_map(|(field, value)| check.field("", field, value))
 }
 
 fn range(versions: &Versions) -> FirmwareRange {
@@ -62,21 +50,22 @@ fn keyed<'v>(fields: &'v [Field], object: &'v Value) -> impl Iterator<Item = (&'
 
 struct FirmwareCheck<'s> {
     spec: &'s Spec,
+    command: &'s Command,
     firmware: FirmwareVersion,
 }
 
 impl FirmwareCheck<'_> {
     /// The first field that the firmware does not have: this one, or one inside it.
-    fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<Found> {
+    fn field(&self, outer: &str, field: &Field, value: &Value) -> Option<NotInFirmware> {
         let place = if outer.is_empty() { field.name.clone() } else { format!("{outer}.{}", field.name) };
         let range = range(&field.versions);
         if !range.contains(self.firmware) {
-            return Some(Found { field: place, value: None, range });
+            return Some(NotInFirmware::new(&self.command.wire, Some(place), self.firmware, range));
         }
         self.value(&place, &field.ty, value)
     }
 
-    fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<Found> {
+    fn value(&self, place: &str, ty: &Type, value: &Value) -> Option<NotInFirmware> {
         match self.spec.shape(ty) {
             Shape::List(element, _) => {
                 let mut elements = value.as_array()?.iter().enumerate();
@@ -93,9 +82,15 @@ impl FirmwareCheck<'_> {
     }
 
     /// The value of an enum, if the firmware does not have it.
-    fn listed<T: Display>(&self, place: &str, values: &[EnumValue<T>], is_it: impl Fn(&T) -> bool) -> Option<Found> {
+    fn listed<T: Display>(
+        &self,
+        place: &str,
+        values: &[EnumValue<T>],
+        is_it: impl Fn(&T) -> bool,
+    ) -> Option<NotInFirmware> {
         let listed = values.iter().find(|listed| is_it(&listed.wire))?;
         let range = Some(range(&listed.versions)).filter(|range| !range.contains(self.firmware))?;
-        Some(Found { field: place.to_owned(), value: Some(listed.wire.to_string()), range })
+        let missing = NotInFirmware::new(&self.command.wire, Some(place.to_owned()), self.firmware, range);
+        Some(missing.with_value(listed.wire.to_string()))
     }
 }
