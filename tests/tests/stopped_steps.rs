@@ -26,7 +26,7 @@ impl Arm {
     fn reply(&mut self, command: &str) -> String {
         match command {
             "power_on" | "enable_robot" | "disable_robot" | "power_off" => {
-                self.switching = Some((command.to_owned(), 3))
+                self.switching = Some((command.to_owned(), 3));
             }
             "get_robot_state" => self.switch(),
             _ => {}
