@@ -5,7 +5,7 @@
 use std::process::{Command, Stdio};
 use std::{env, fs, iter};
 
-use jaka_tests::skipped;
+use jaka_tests::{left_out, skipped};
 
 use crate::program::{Run, command, jaka, pack, result, scratch};
 
@@ -117,7 +117,7 @@ fn bash_completes_what_the_parser_takes() {
 #[test]
 fn fish_completes_what_the_parser_takes() {
     if !is_installed("fish") {
-        return skipped("completions of fish", "it is not installed");
+        return left_out("completions of fish", "it is not installed");
     }
     for (line, expected) in [
         ("jaka sta", &["status"][..]),
@@ -146,7 +146,7 @@ fn fish_completes_what_the_parser_takes() {
 #[test]
 fn zsh_completes_what_the_parser_takes() {
     if !is_installed("zsh") {
-        return skipped("completions of zsh", "it is not installed");
+        return left_out("completions of zsh", "it is not installed");
     }
     for (words, expected) in [
         (&["sta"][..], &["status"][..]),

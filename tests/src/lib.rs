@@ -20,7 +20,7 @@ pub use hand_fed::HandFed;
 pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
-pub use skipped::skipped;
+pub use skipped::{left_out, skipped};
 
 /// The project's README, for its example to be compiled.
 #[cfg(doctest)]
