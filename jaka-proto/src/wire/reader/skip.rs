@@ -89,6 +89,7 @@ impl Reader<'_> {
             Some(b'[') => self.after_brackets(b'[', b']'),
             Some(b'"') => after_string(self.text.as_bytes(), self.at + 1),
             Some(b'-' | b'0'..=b'9') => self.after_number(),
+            _ if self.eat("false") || self.eat("true") => return Ok(()),
             _ => return self.skip_strictly(),
         };
         self.at = end.ok_or_else(|| self.malformed("a value that ends"))?;
