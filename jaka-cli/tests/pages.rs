@@ -219,10 +219,10 @@ fn run(folder: &Path, line: &str, yes: &str) -> (Option<i32>, String) {
 }
 
 /// The lines of `jaka` of a page. Those in one list run in order; a motion along a trajectory takes its time, whatever the lines before it did.
-fn runs(text: &str) -> Vec<Vec<&str>> {
+fn runs(text: &str) -> [Vec<&str>; 2] {
     let all = lines(text).into_iter().filter(|line| line.starts_with("jaka "));
-    let (alone, others): (Vec<_>, _) = all.partition(|line| line.starts_with("jaka follow"));
-    alone.into_iter().map(|line| vec![line]).chain([others]).collect()
+    let (trajectories, others) = all.partition(|line| line.starts_with("jaka follow"));
+    [trajectories, others]
 }
 
 /// Runs lines of a page in order, each on an arm that is powered and enabled.
