@@ -47,7 +47,7 @@ pub(crate) const CONTROLLER_ERROR: u8 = 26;
 pub(crate) const DEADLINE: u8 = 27;
 /// Status packets that can be read no longer come; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;
-/// On Ctrl-C the controller did not take the stop, or it is not known whether it did; the arm may still move.
+/// On Ctrl-C, or of `jaka stop`, the controller did not take the stop, or it is not known whether it did; the arm may still move.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
 /// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at rest.
@@ -79,6 +79,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::Refused { .. } => REFUSED,
         Failure::NotReached(not_reached) => of_motion(&not_reached.end().outcome).0,
         Failure::NotCompleted(not_completed) => of_trajectory(not_completed.end().outcome).0,
+        Failure::NotStopped(_) => NOT_STOPPED,
         Failure::NotInTime(_) => DEADLINE,
         Failure::NotSent(_) => NOT_MOVED,
         Failure::Departs(_) => DEPARTS,

@@ -34,6 +34,8 @@ pub(crate) enum Failure {
     NotReached(NotReached),
     /// A trajectory was begun, and not completed.
     NotCompleted(NotCompleted),
+    /// A stop was not taken, or that is not known.
+    NotStopped(Box<Failure>),
     /// What was waited for did not come in time.
     NotInTime(String),
     /// A motion was not sent: why, and what helps.
@@ -107,6 +109,7 @@ impl Failure {
                 Outcome::EmergencyStop => Some(RELEASE),
                 Outcome::Disabled => Some(UP),
                 Outcome::ConnectionLost { .. } => Some("`jaka stop` takes the seat back, and stops the arm"),
+                Outcome::StatusLost { .. } => Some("`jaka stop` is worth a try: commands may still pass"),
                 _ => None,
             },
             _ => None,
@@ -134,6 +137,15 @@ fn remedy(outcome: &Outcome) -> &'static str {
         Outcome::ProtectiveStop => "when somebody has checked the robot, `jaka clear`",
         Outcome::EmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
         _ => "when somebody has checked the robot, run this again",
+    }
+}
+
+/// What it means that a stop has failed.
+pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
+    if may_have_run {
+        "it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop"
+    } else {
+        "the controller has not taken the stop; the arm may still move, use the emergency stop"
     }
 }
 
@@ -170,6 +182,10 @@ impl fmt::Display for Failure {
             Self::Refused { refusal, .. } => write!(f, "{refusal}\nThe code is not in the spec."),
             Self::Local { what, .. } => f.write_str(what),
             Self::Printed(_) => Ok(()),
+            Self::NotStopped(failure) => {
+                let may_have_run = matches!(&**failure, Self::Robot(error) if error.may_have_run());
+                f.write_str(not_taken(may_have_run))
+            }
             Self::Interrupted => f.write_str("interrupted"),
         }
     }
@@ -183,6 +199,7 @@ impl StdError for Failure {
             Self::NotReached(not_reached) => not_reached.source(),
             Self::NotCompleted(not_completed) => not_completed.source(),
             Self::Local { source, .. } => Some(source),
+            Self::NotStopped(failure) => Some(&**failure),
             _ => None,
         }
     }

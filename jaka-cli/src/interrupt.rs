@@ -1,17 +1,21 @@
 //! Ctrl-C, and the signals by which a system ends programs.
 
 use std::io::{self, stdout};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use std::{process, thread};
 
 use jaka_sync::{FollowHandle, RobotStop};
 
-use crate::failure::{Failure, chain};
+use crate::failure::{Failure, chain, not_taken};
 use crate::{exit, logging, output, raw, record};
 
 /// How long the program may take to end by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How soon a controller answers a stop as a rule.
+const SOON: Duration = Duration::from_millis(500);
 
 /// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. It should make the program end soon; otherwise
 /// the program is ended with success.
@@ -94,7 +98,10 @@ impl UnderWay {
                 exit::MAY_HAVE_RUN,
                 &format!("interrupted: {what} may have run; check the robot's state before you go on"),
             ),
-            Stage::Steps(stop) => stop_steps(stop),
+            Stage::Steps(stop) => {
+                stop_steps(stop);
+                *stage = Stage::Sent("what was sent".to_owned());
+            }
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
             Stage::Following(handle, stop) => {
@@ -122,25 +129,30 @@ impl UnderWay {
     }
 }
 
-/// Keeps further steps back. If the controller has taken the stop, the call that sends them says which were accepted.
+/// Keeps further steps back. The call that sends them says which were accepted, once those that went out have been answered.
 fn stop_steps(stop: &RobotStop) {
-    let Err(error) = stop.stop() else { return output::urgent_note("interrupted: no further step is sent") };
-    let text = "interrupted: no further step is sent, and what was sent may have run; check the robot's state before you go on";
-    end_with(exit::MAY_HAVE_RUN, &format!("{text}: {}", chain(&error)));
+    output::urgent_note("interrupted: no further step is sent");
+    // A controller may answer it only after the step before. Without an answer, too, no step follows.
+    stop.stop().ok();
 }
 
 /// Stops the arm, and says whether the controller has taken the stop. If it has, the wait for the motion ends.
 fn stop_arm(stop: &RobotStop) {
-    let Err(error) = stop.stop() else {
-        return output::urgent_note("interrupted: the controller has taken the stop (`stop_program`)");
-    };
-    let taken = if error.may_have_run() {
-        "it is not known whether the controller has taken the stop"
-    } else {
-        "the controller has not taken the stop"
-    };
-    let text = format!("interrupted, but {taken}; the arm may still move, use the emergency stop: {}", chain(&error));
-    end_with(exit::NOT_STOPPED, &text)
+    let (answered, waiting) = mpsc::channel::<()>();
+    thread::spawn(move || {
+        if waiting.recv_timeout(SOON) == Err(RecvTimeoutError::Timeout) {
+            output::urgent_note("interrupted: the stop has no answer yet; if the arm goes on, use the emergency stop");
+        }
+    });
+    let stopped = stop.stop();
+    drop(answered);
+    match stopped {
+        Ok(()) => output::urgent_note("interrupted: the controller has taken the stop (`stop_program`)"),
+        Err(error) => end_with(
+            exit::NOT_STOPPED,
+            &format!("interrupted, but {}: {}", not_taken(error.may_have_run()), chain(&error)),
+        ),
+    }
 }
 
 fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {

@@ -51,7 +51,7 @@ impl Planned {
             || "the controller's own acceleration".to_owned(),
             |acceleration| format!("an acceleration of {acceleration} {unit}²"),
         );
-        let pace = format!("at {speed} {unit}, with {acceleration}");
+        let pace = format!("at {speed} {unit} scaled by the rapid rate, with {acceleration}");
         match (*goal, from) {
             (Goal::Joints(to), from) => {
                 let longest =
@@ -173,35 +173,39 @@ mod tests {
             to,
             Some(HERE),
             &expect![
-                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: joint 3, which has the longest way (-4.5 deg), at 20 deg/s, with an acceleration of 50 deg/s²"
+                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: joint 3, which has the longest way (-4.5 deg), at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
             to,
             None,
             &expect![
-                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: the joint with the longest way at 20 deg/s, with an acceleration of 50 deg/s²"
+                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: the joint with the longest way at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
             Goal::Joint(5, -2.5),
             Some(HERE),
-            &expect!["turn joint 6 by -2.5 deg, from 12.3 to 9.8 deg, at 20 deg/s, with an acceleration of 50 deg/s²"],
+            &expect![
+                "turn joint 6 by -2.5 deg, from 12.3 to 9.8 deg, at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
+            ],
         );
         check(
             Goal::Joint(5, -2.5),
             None,
-            &expect!["turn joint 6 by -2.5 deg, at 20 deg/s, with an acceleration of 50 deg/s²"],
+            &expect![
+                "turn joint 6 by -2.5 deg, at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
+            ],
         );
         check(
             Goal::Pose([-400.0, 100.0, 450.0, 180.0, 0.0, 90.0]),
             None,
             &expect![
-                "lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 20 mm/s, with an acceleration of 50 mm/s²"
+                "lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 20 mm/s scaled by the rapid rate, with an acceleration of 50 mm/s²"
             ],
         );
         let line = Planned { goal: Goal::Line(2, -10.0), speed: 20.0, acceleration: None };
-        expect!["lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s, with the controller's own acceleration"].assert_eq(&line.told(None));
+        expect!["lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration"].assert_eq(&line.told(None));
     }
 
     #[test]

@@ -238,8 +238,8 @@ fn the_help_explains_exit_codes() {
           26  the controller reports an error
           27  what was waited for did not come in time; a motion may go on
           28  no status packets that can be read any more; the arm may still move
-          29  Ctrl-C, and the controller has not taken the stop, or it is not known
-              whether it has; the arm may still move
+          29  Ctrl-C or `jaka stop`, and the controller has not taken the stop, or it
+              is not known whether it has; the arm may still move
           30  `jaka follow`: set-points were too late or refused, or a joint did not
               follow; the message says whether the arm is at rest
           130  Ctrl-C before anything was sent that changes something, or before what

@@ -221,12 +221,19 @@ fn a_connection_that_always_breaks_is_given_up() {
     let controller = controller(Firmware::Document);
     controller.inject_always(Fault::Close);
     let run = probe(&controller, &[]);
+    assert_eq!((run.code, run.out.as_str(), controller.requests().len()), (Some(4), "", 1));
+    assert!(run.err.contains("another client, such as the vendor's app, may hold its one seat"), "{}", run.err);
+
+    let controller = self::controller(Firmware::Document);
+    controller.inject(Fault::None);
+    controller.inject_always(Fault::Close);
+    let run = probe(&controller, &[]);
     assert_eq!(run.code, Some(7));
     let given_up = run.out.lines().filter(|line| line.contains("not probed: the connection broke 4 times")).count();
-    assert_eq!(controller.requests().len(), 4, "{}", run.out);
+    assert_eq!(controller.requests().len(), 5, "{}", run.out);
     let spec = jaka_spec::builtin().expect("the built-in spec is correct");
     let queries = spec.commands().filter(|command| command.effect == Effect::Query && command.is_bare());
-    assert_eq!(given_up, queries.count() - 4, "{}", run.out);
+    assert_eq!(given_up, queries.count() - 5, "{}", run.out);
 }
 
 #[test]

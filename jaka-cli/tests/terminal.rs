@@ -58,7 +58,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "move --joints 0,90,80,90,-90,0 --speed 10 --model zu5",
         &expect![[r#"
-            The arm of 127.0.0.1 will go to the joint positions 0, 90, 80, 90, -90, 0 deg: joint 3, which has the longest way (-10 deg), at 10 deg/s, with an acceleration of 72 deg/s².
+            The arm of 127.0.0.1 will go to the joint positions 0, 90, 80, 90, -90, 0 deg: joint 3, which has the longest way (-10 deg), at 10 deg/s scaled by the rapid rate, with an acceleration of 72 deg/s².
               {"cmdName":"joint_move","relFlag":0,"jointPosition":[0,90,80,90,-90,0],"speed":10,"accel":72}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `joint_move` was not sent
@@ -67,7 +67,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "move --pose -400,100,450,180,0,90 --speed 50 --acceleration 200",
         &expect![[r#"
-            The arm of 127.0.0.1 will lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 50 mm/s, with an acceleration of 200 mm/s².
+            The arm of 127.0.0.1 will lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 50 mm/s scaled by the rapid rate, with an acceleration of 200 mm/s².
               {"cmdName":"moveL","relFlag":0,"cartPosition":[-400,100,450,180,0,90],"speed":50,"accel":200}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `moveL` was not sent
@@ -76,7 +76,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "jog 6 5 --speed 5",
         &expect![[r#"
-            The arm of 127.0.0.1 will turn joint 6 by 5 deg, from 0 to 5 deg, at 5 deg/s, with the controller's own acceleration.
+            The arm of 127.0.0.1 will turn joint 6 by 5 deg, from 0 to 5 deg, at 5 deg/s scaled by the rapid rate, with the controller's own acceleration.
               {"cmdName":"joint_move","relFlag":1,"jointPosition":[0,0,0,0,0,5],"speed":5}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `joint_move` was not sent
@@ -85,7 +85,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "jog z -10 --speed 20",
         &expect![[r#"
-            The arm of 127.0.0.1 will lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s, with the controller's own acceleration.
+            The arm of 127.0.0.1 will lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration.
               {"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,-10,0,0,0],"speed":20}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `moveL` was not sent

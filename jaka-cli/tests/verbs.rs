@@ -7,7 +7,7 @@ use std::net::TcpStream;
 use std::time::Duration;
 
 use expect_test::expect;
-use jaka_sim::{Controller, Delays};
+use jaka_sim::{Controller, Delays, Fault};
 use jaka_tests::ReservedPort;
 
 #[cfg(unix)]
@@ -148,27 +148,23 @@ fn what_does_not_come_about_in_time_is_told() {
 fn an_interrupt_of_up_keeps_further_steps_back() {
     use jaka_sim::{Habit, Habits};
 
-    // Power takes some seconds; its reply, and that to the stop, comes at once, or only then.
-    for (habits, text) in [
-        (
-            Habits::none(),
-            "note: interrupted: no further step is sent\nerror: interrupted; accepted before: power_on; not sent: enable_robot\n",
-        ),
-        (
-            Habits::from(Habit::LatePower),
-            "error: interrupted: no further step is sent, and what was sent may have run; ",
-        ),
+    // Power and enabling take a while; their replies, and that to the stop, come at once, or only then.
+    for (habits, steps, said) in [
+        (Habits::none(), 1, "accepted before: power_on; not sent: enable_robot"),
+        (Habits::from(Habit::LatePower), 1, "accepted before: power_on; not sent: enable_robot"),
+        (Habits::from(Habit::LatePower), 2, "accepted before: power_on, enable_robot; not sent: nothing"),
     ] {
-        let slow = Controller::builder().habits(habits).start().expect("loopback has free ports");
+        let slow = Controller::builder().habits(habits).time_scale(3.0).start().expect("loopback has free ports");
         let child = started_at(&slow, "up --yes --quiet");
-        while changes(&slow).is_empty() {
+        while changes(&slow).len() < steps {
             slow.wait_for_requests(slow.requests().len() + 1, Duration::from_millis(100));
         }
         interrupt(&child);
         let run = result(child);
-        assert_eq!(run.code, Some(4), "{run:?}");
-        assert!(run.err.starts_with(text), "{run:?}");
-        assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
+        let text = format!("note: interrupted: no further step is sent\nerror: interrupted; {said}\n");
+        assert_eq!((run.code, run.err), (Some(4), text));
+        let sent = [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#];
+        assert_eq!(changes(&slow), [&sent[..steps], &[r#"{"cmdName":"stop_program"}"#]].concat());
     }
 }
 
@@ -358,4 +354,20 @@ fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
     assert_eq!(queued.code, Some(27), "{queued:?}");
     assert!(queued.err.contains("hint: `jaka stop` stops it"), "{queued:?}");
     assert_eq!(changes(&controller).len(), 2);
+}
+
+#[test]
+fn a_stop_that_is_not_taken_names_the_emergency_stop() {
+    let controller = powered();
+    let refusal = r#"{"errorCode":"2","errorMsg":"call stop_program failed","cmdName":"stop_program"}"#;
+    controller.inject_for("stop_program", Fault::Instead(refusal.into()));
+    let refused = run(&controller, "stop");
+    assert_eq!(refused.code, Some(29), "{refused:?}");
+    let text = "error: the controller has not taken the stop; the arm may still move, use the emergency stop: ";
+    assert!(refused.err.starts_with(text), "{refused:?}");
+    controller.inject_for("stop_program", Fault::Drop);
+    let unanswered = run(&controller, "stop --timeout 0.2");
+    assert_eq!(unanswered.code, Some(29), "{unanswered:?}");
+    let text = "error: it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop: ";
+    assert!(unanswered.err.starts_with(text), "{unanswered:?}");
 }

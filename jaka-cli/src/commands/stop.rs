@@ -21,7 +21,8 @@ pub(crate) struct Stop {
 impl Stop {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let act = Act::at_once(&self.robot)?;
-        act.with(Target::client, "`stop_program`", |client| client.call(&StopProgram::new()))?;
+        let stopped = act.with(Target::client, "`stop_program`", |client| client.call(&StopProgram::new()));
+        stopped.map_err(|failure| Failure::NotStopped(Box::new(failure)))?;
         output::line("the controller has taken the stop (`stop_program`)")
     }
 }

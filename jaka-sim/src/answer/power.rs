@@ -24,6 +24,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             world.state.powered = false;
             Outcome::Accepted
         }
+        // Events 0x0F003A and 0x0F0027.
+        Request::DisableRobot(_) if world.is_moving() || world.runner.is_some() => Outcome::Refused,
         Request::DisableRobot(_) => {
             world.cancel_changes(|change| change != Change::PoweredOn);
             world.state.enabled = false;

@@ -56,7 +56,7 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
-    ///   step is sent then, until [`acknowledge`](Self::acknowledge).
+    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
@@ -76,7 +76,8 @@ impl<S: MotionStatus> Robot<S> {
         let is_up = |status: &S| {
             told(status).is_ok_and(|status| status.powered_on != Some(false) && status.enabled != Some(false))
         };
-        self.monitor.wait_until(is_up, steps.left()).map(drop)
+        self.monitor.wait_until(is_up, steps.left())?;
+        steps.check_stops(&self.latch.stops)
     }
 
     /// Disables the arm and switches its power off, each step when the controller says that the one before is done (`get_robot_state`,
@@ -102,7 +103,8 @@ impl<S: MotionStatus> Robot<S> {
         let is_down = |status: &S| {
             told(status).is_ok_and(|status| status.powered_on != Some(true) && status.enabled != Some(true))
         };
-        self.monitor.wait_until(is_down, steps.left()).map(drop)
+        self.monitor.wait_until(is_down, steps.left())?;
+        steps.check_stops(&self.latch.stops)
     }
 
     /// Sends the next step, and waits until the controller says that it has done it.

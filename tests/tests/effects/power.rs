@@ -42,7 +42,10 @@ fn an_enabled_arm_moves(arm: &mut Arm) {
 fn a_disabled_arm_stands_still(arm: &mut Arm) {
     arm.client.joint_move(&turn(40.0)).expect("the arm is enabled");
     arm.wait(1);
-    arm.client.disable_robot().expect("it answers");
+    refused(arm.client.disable_robot());
+    arm.client.stop_program().expect("it answers");
+    arm.wait(1);
+    arm.client.disable_robot().expect("the arm is at rest");
     let status = arm.status();
     assert_eq!((status.powered_on, status.enabled, status.in_position), (Some(true), Some(false), Some(true)));
     arm.wait(1);

@@ -18,20 +18,20 @@ const MOST_RECONNECTS: u32 = 3;
 /// Sends every query that needs no argument, and nothing else.
 ///
 /// # Errors
-/// The first connection cannot be made. What goes wrong later is a finding.
+/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes wrong later is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Result<Vec<Finding>, Failure> {
-    let mut connection = Connection { target, client: Ok(target.client()?), reconnects: 0 };
+    let mut connection = Connection { target, client: Ok(target.client()?), has_answered: false, reconnects: 0 };
     let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();
     let ask = |(number, command): (usize, &&Command)| {
         if progress.is_interrupted() {
-            return Finding::without(command.wire.as_str(), Outcome::NotProbed("interrupted".to_owned()));
+            return Ok(Finding::without(command.wire.as_str(), Outcome::NotProbed("interrupted".to_owned())));
         }
         progress.show(number, queries.len(), &command.wire);
         connection.ask(spec, command)
     };
     let findings = queries.iter().enumerate().map(ask).collect();
     progress.clear();
-    Ok(findings)
+    findings
 }
 
 /// The connection to the controller, and a new one where it breaks.
@@ -39,13 +39,14 @@ struct Connection<'t> {
     target: &'t Target,
     /// Why there is no connection, if there is none.
     client: Result<Client, String>,
+    has_answered: bool,
     reconnects: u32,
 }
 
 impl Connection<'_> {
-    fn ask(&mut self, spec: &Spec, command: &Command) -> Finding {
+    fn ask(&mut self, spec: &Spec, command: &Command) -> Result<Finding, Failure> {
         let name = command.wire.as_str();
-        let not_probed = |why| Finding::without(name, Outcome::NotProbed(why));
+        let not_probed = |why| Ok(Finding::without(name, Outcome::NotProbed(why)));
         let required: Vec<_> =
             jaka_dynamic::arguments(spec, command).into_iter().filter(|argument| argument.required).collect();
         if !required.is_empty() {
@@ -64,8 +65,11 @@ impl Connection<'_> {
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
         let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);
-        let Err(error) = asked else { return finding(reply) };
-        match error.kind() {
+        let Err(error) = asked else {
+            self.has_answered = true;
+            return Ok(finding(reply));
+        };
+        let found = match error.kind() {
             ErrorKind::Refused { refusal, .. } => {
                 let outcome = Outcome::Refused { code: refusal.code, message: refusal.message.clone() };
                 // So firmware refuses what it does not know, without a name.
@@ -80,11 +84,16 @@ impl Connection<'_> {
             _ => {
                 let outcome = unanswered(&error);
                 if error.is_disconnected() {
+                    if !self.has_answered && matches!(outcome, Outcome::NoReply(_)) {
+                        return Err(error.into());
+                    }
                     self.reconnect(name);
                 }
-                Finding::without(name, outcome)
+                return Ok(Finding::without(name, outcome));
             }
-        }
+        };
+        self.has_answered = true;
+        Ok(found)
     }
 
     fn reconnect(&mut self, command: &str) {
