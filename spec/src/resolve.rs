@@ -178,13 +178,16 @@ fn message_types(command: &str) -> [String; 2] {
 
 /// Runs the checks that need all files.
 pub(crate) fn check(index: &Index<'_>, report: &Report) {
+    // What goes through the parts of types would not end on one that contains itself, which is an error of its own.
+    let has_ends = (0..index.types.len()).all(|id| !reaches_itself(index, TypeId(id)));
     for (what, Placed { at, value }) in &index.needs {
         let problem = match value {
             Need::Type(ty) => type_problem(index, ty),
             Need::Enum(id) => (!is_enum(&index.types[id.0].kind)).then(|| NO_ENUM.to_owned()),
             Need::Reply(id) if !index.defined.contains(id) => None,
             Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
-            Need::Advised(fields) => advice::problem(fields, &index.types),
+            Need::Advised(fields) if has_ends => advice::problem(fields, &index.types),
+            Need::Advised(_) => None,
         };
         if let Some(problem) = problem {
             report.error(*at, format!("{what}: {problem}"));

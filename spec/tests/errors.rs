@@ -110,6 +110,7 @@ doc = "C."
 [[command.request]]
 wire = "d"
 type = "Node"
+advised = [{ max = 1 }]
 doc = "D."
 
 [[type]]
@@ -127,7 +128,7 @@ doc = "The next ones."
             spec/test.toml:16:8: command `go`, field `b`: `flaot` is not a type; a type is bool, int, float, text, json, the name of a `[[type]]`, one of these with `[]` or `[6]` after it, or python(…) around one
             spec/test.toml:21:8: command `go`, field `c`: `0` is not an array length from 1 to 64
             spec/test.toml:26:8: command `go`, field `d`: the type `Node` contains itself
-            spec/test.toml:36:8: type `Node`, field `next`: the type `Node` contains itself
+            spec/test.toml:37:8: type `Node`, field `next`: the type `Node` contains itself
         "]],
     );
 }
