@@ -1,4 +1,4 @@
-//! Requests, replies and status packets: `cargo bench -p jaka-benches --bench codec`.
+//! Requests, replies and status packets: `cargo bench --manifest-path benches/Cargo.toml --bench codec`.
 
 fn main() {
     let works = [jaka_benches::encode::works(), jaka_benches::reply::works(), jaka_benches::status::works()];

@@ -1,4 +1,4 @@
-//! Framing: `cargo bench -p jaka-benches --bench framing`.
+//! Framing: `cargo bench --manifest-path benches/Cargo.toml --bench framing`.
 
 fn main() {
     for mut work in jaka_benches::framing::works() {

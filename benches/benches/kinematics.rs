@@ -1,4 +1,5 @@
-//! Kinematics and checks against limits: `cargo bench -p jaka-benches --bench kinematics`. A set-point may take 20 microseconds in all; that nothing
+//! Kinematics and checks against limits: `cargo bench --manifest-path benches/Cargo.toml --bench kinematics`. A
+//! set-point may take 20 microseconds in all; that nothing
 //! allocates is `tests/counts.rs`'s.
 
 fn main() {

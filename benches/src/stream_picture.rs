@@ -86,7 +86,10 @@ mod tests {
     fn the_picture_in_the_docs_is_what_its_command_makes() {
         let made = svg().expect("it can be drawn");
         let committed = include_str!("../../docs/streams.svg");
-        assert!(made == committed, "cargo run -p jaka-benches --bin stream_picture -- docs/streams.svg");
+        assert!(
+            made == committed,
+            "cargo run --manifest-path benches/Cargo.toml --bin stream_picture -- docs/streams.svg"
+        );
         assert!(made.len() <= 100_000, "{} bytes", made.len());
     }
 }

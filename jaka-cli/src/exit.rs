@@ -166,10 +166,10 @@ fn exit_code(error: &Error) -> u8 {
 mod tests {
     use std::time::Duration;
 
-    use jaka_sim::{Controller, Fault};
+    use jaka_sim::Fault;
+    use jaka_sync::Client;
     use jaka_sync::motion::JointMove;
-    use jaka_sync::{Client, Config};
-    use jaka_tests::ReservedPort;
+    use jaka_tests::{Arm, ReservedPort};
 
     use super::*;
 
@@ -186,8 +186,8 @@ mod tests {
 
     #[test]
     fn codes_tell_whether_the_command_may_have_run() {
-        let controller = Controller::start().unwrap();
-        let mut client = Config::new().reply_timeout(SHORT).connect_client(controller.command_addr()).unwrap();
+        let arm = Arm::simulated().without_power().config(|config| config.reply_timeout(SHORT));
+        let (controller, mut client) = arm.with_client();
         assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
         assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
         controller.inject(Fault::Drop);
@@ -202,9 +202,8 @@ mod tests {
     fn codes_tell_what_the_network_does() {
         let nobody = ReservedPort::any();
         assert_eq!(code(Client::connect(nobody.address())), NO_CONNECTION);
-        let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
-        // The first packet comes, however busy the machine is.
-        let mut status = Config::new().reply_timeout(20 * SHORT).connect_status(controller.status_addr()).unwrap();
+        let controller = Arm::simulated().no_packets().start();
+        let mut status = controller.config().connect_status(controller.status_addr()).unwrap();
         status.next_packet().unwrap();
         assert_eq!(code(status.next_packet()), LOST);
     }

@@ -1,6 +1,8 @@
 //! Ctrl-C, and the signals by which a system ends programs.
 
-use std::io::{self, stdout};
+#[cfg(not(test))]
+use std::io;
+use std::io::stdout;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -11,19 +13,28 @@ use jaka_sync::{FollowHandle, RobotStop};
 use crate::failure::{Failure, chain, not_taken};
 use crate::{exit, logging, output, raw, record};
 
-/// How long the program may take to end by itself.
+/// Patience with a program that is about to end, where it ends with the same code.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Patience with a program that writes what it has before it ends.
+const LONG_PATIENCE: Duration = Duration::from_secs(60);
 
 /// How soon a controller answers a stop as a rule.
 const SOON: Duration = Duration::from_millis(500);
 
-/// Calls `call` on Ctrl-C, and on the signals by which a system ends programs. It should make the program end soon; otherwise
-/// the program is ended with success.
-pub(crate) fn on_interrupt(mut call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    handle(move || {
-        call();
-        thread::sleep(PATIENCE);
-        end(0);
+/// Calls `call` on the first Ctrl-C, and on the signals by which a system ends programs. It makes the program end with
+/// all that is left to write. A further one, or a minute, ends the program with success.
+pub(crate) fn on_interrupt(call: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+    let mut call = Some(call);
+    handle(move || match call.take() {
+        Some(call) => {
+            call();
+            thread::spawn(|| {
+                thread::sleep(LONG_PATIENCE);
+                end(0);
+            });
+        }
+        None => end(0),
     })
 }
 
@@ -155,6 +166,15 @@ fn stop_arm(stop: &RobotStop) {
     }
 }
 
+/// The handler of a command that runs in a test is called by the test.
+#[cfg(test)]
+#[expect(clippy::unnecessary_wraps, reason = "so has the other")]
+fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+    crate::tests::handle(call);
+    Ok(())
+}
+
+#[cfg(not(test))]
 fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
     ctrlc::set_handler(call).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
 }

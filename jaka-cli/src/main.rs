@@ -36,6 +36,8 @@ mod report;
 mod seat;
 mod seconds;
 mod target;
+#[cfg(test)]
+mod tests;
 mod units;
 mod utc;
 

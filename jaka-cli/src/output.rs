@@ -5,15 +5,21 @@
 //! visible once more; only [`write()`] passes on bytes as they are, for which its caller is responsible.
 
 use std::borrow::Cow;
-use std::io::{Write, stdout};
+use std::io::Write;
+#[cfg(not(test))]
+use std::io::stdout;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+#[cfg(not(test))]
+use anstream::stderr;
 use clap::builder::styling::{AnsiColor, Style};
 use itertools::Itertools as _;
 use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 
 use crate::failure::Failure;
 use crate::raw::with_returns;
+#[cfg(test)]
+use crate::tests::{stderr, stdout};
 
 /// What people read in place of a value that a packet does not have.
 pub(crate) const ABSENT: &str = "–";
@@ -44,7 +50,8 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 /// From now on, notes and warnings are left out.
 pub(crate) fn be_quiet() {
-    IS_QUIET.store(true, Ordering::Relaxed);
+    // Tests run several commands in one process.
+    IS_QUIET.store(!cfg!(test), Ordering::Relaxed);
 }
 
 /// True if notes and warnings are left out.
@@ -84,7 +91,7 @@ pub(crate) fn urgent_note(text: &str) {
 /// Writes to standard error, with colours where they are used. The reader may be gone.
 fn tell(style: Style, kind: &str, text: &str) {
     let text = format!("{style}{kind}:{style:#} {}\n", visible_lines(text));
-    anstream::stderr().lock().write_all(&with_returns(text.as_bytes())).ok();
+    stderr().lock().write_all(&with_returns(text.as_bytes())).ok();
 }
 
 /// Rows of two columns, the second of which begins at the same place in all of them.

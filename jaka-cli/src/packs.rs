@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 use clap::Args;
 use jaka_spec::{Source, Spec};
@@ -66,7 +66,8 @@ impl SpecArgs {
 
 /// The built-in spec.
 pub(crate) fn builtin() -> Spec {
-    jaka_spec::builtin().expect("the spec's own tests load it")
+    static BUILTIN: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
+    BUILTIN.clone()
 }
 
 /// The text of a file that is named on the command line.

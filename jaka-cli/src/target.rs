@@ -25,6 +25,9 @@ use crate::seconds::some_seconds;
 /// How long connecting may take by default.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
+/// Patience with a simulated controller. It shares this process: a machine that holds it up holds up the command, too.
+const SIMULATED: Duration = Duration::from_secs(60);
+
 /// The options of a command that talks to a robot.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Robot")]
@@ -131,6 +134,10 @@ impl AddressArgs {
 
     /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
+        #[cfg(test)]
+        if let Some(target) = crate::tests::target(self.timeout) {
+            return Ok(target);
+        }
         let (address, controller) = match self.sim {
             Some(model) => {
                 let controller = self.simulated(model, packs)?;
@@ -138,14 +145,15 @@ impl AddressArgs {
                     title: format!("simulated {}", model.name()),
                     commands: controller.command_addr().to_string(),
                     status: controller.status_addr().to_string(),
-                    timeout: self.timeout,
-                    connect_timeout: self.timeout,
+                    timeout: self.timeout.or(Some(SIMULATED)),
+                    connect_timeout: self.timeout.or(Some(SIMULATED)),
+                    stale_after: Some(SIMULATED),
                 };
                 (address, Some(controller))
             }
             None => (RobotAddress::find(self, &Environment::read())?, None),
         };
-        Ok(Target { config: address.config(), address, timeout: self.timeout, controller })
+        Ok(Target { config: address.configure(Config::new()), address, timeout: self.timeout, controller })
     }
 
     /// A controller for one command, which has no delays.
@@ -173,6 +181,14 @@ pub(crate) struct Target {
 }
 
 impl Target {
+    /// A robot at these addresses, connected to by this config and this `--timeout`.
+    #[cfg(test)]
+    pub(crate) fn at(config: Config, [commands, status]: [String; 2], timeout: Option<Duration>) -> Self {
+        let title = "127.0.0.1".to_owned();
+        let address = RobotAddress { title, commands, status, timeout, connect_timeout: timeout, stale_after: None };
+        Self { config: address.configure(config), address, timeout, controller: None }
+    }
+
     /// What people call the robot: its name and address.
     pub(crate) fn title(&self) -> &str {
         &self.address.title

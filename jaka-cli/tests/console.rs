@@ -3,7 +3,8 @@
 use std::process::Stdio;
 
 use expect_test::{Expect, expect};
-use jaka_sim::{Controller, Delays, Fault};
+use jaka_sim::Fault;
+use jaka_tests::{Arm, LONG};
 
 use crate::program::{address_of, command, jaka, result, run, scratch};
 
@@ -19,7 +20,7 @@ fn log(err: &str) -> String {
 
 #[test]
 fn verbose_tells_connections_requests_and_replies() {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    let controller = Arm::real_time().without_power().start();
     let expected = format!(
         "connected to {} (port for commands)\n-> {}\n<- {}",
         controller.command_addr(),
@@ -42,7 +43,7 @@ fn verbose_tells_connections_requests_and_replies() {
 
 #[test]
 fn a_log_is_whole_when_the_command_fails() {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = Arm::real_time().without_power().start();
     controller.inject(Fault::Drop);
     let words = ["-v", "call", "get_version", "--timeout", "0.3"].map(str::to_owned);
     let run = jaka(words.into_iter().chain(address_of(&controller)));
@@ -70,13 +71,13 @@ fn quiet_hides_warnings_and_no_errors() {
 #[cfg(unix)]
 #[test]
 fn quiet_does_not_hide_that_a_command_may_have_run() {
-    let controller = Controller::start().expect("loopback has free ports");
+    let controller = Arm::real_time().without_power().start();
     for words in [["-q", "call", "power_on", "--yes"], ["call", "power_on", "--yes", "-q"]] {
         controller.inject(Fault::Drop);
         let before = controller.requests().len();
         let mut command = command(words.map(str::to_owned).into_iter().chain(address_of(&controller)));
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
-        assert!(controller.wait_for_requests(before + 1, std::time::Duration::from_secs(30)), "the command comes");
+        assert!(controller.wait_for_requests(before + 1, LONG), "the command comes");
         crate::common::interrupt(&child);
         expect![[r"
             error: interrupted: `power_on` may have run; check the robot's state before you go on

@@ -52,7 +52,7 @@ fn finding<'r>(run: &'r Run, item: &str) -> &'r str {
 #[test]
 fn a_pressed_emergency_stop_is_named_by_the_first_look() {
     let controller = Controller::start(&["--schedule", "press-emergency-stop at 0s"]);
-    let seen = controller.run("status --until emergency_stop --timeout 30");
+    let seen = controller.run("status --until emergency_stop --timeout 60");
     assert_eq!(seen.code, Some(0), "{seen:?}");
     let check = controller.run("check --yes");
     assert_eq!(check.code, Some(9), "{check:?}");

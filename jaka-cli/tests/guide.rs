@@ -2,12 +2,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-use jaka_sim::{Controller, Delays, Firmware};
+use jaka_sim::{Controller, Firmware};
 use jaka_spec::{BUILTIN, Source, load, load_pack};
 use jaka_sync::motion::JointMove;
-use jaka_sync::{Client, Config, ErrorKind, Monitor, Robot};
+use jaka_sync::{ErrorKind, Monitor, Robot};
+use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
 use crate::program::{Run, address_of, command, run, scratch};
@@ -19,14 +19,11 @@ use newer::NewerCommands as _;
 const GUIDE: &str = include_str!("../../jaka-sync/docs/newer-firmware.md");
 const PACK: &str = include_str!("guide/newer.toml");
 
-/// Longer than anything takes.
-const LONG: Duration = Duration::from_secs(30);
-
 /// A controller with the guide's firmware.
-fn controller() -> Controller {
+fn controller(arm: ArmBuilder) -> Arm {
     let pack = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/guide/newer.toml");
-    let builder = Controller::builder().firmware(Firmware::Document).delays(Delays::NONE).pack(pack);
-    let controller = builder.start().expect("loopback has free ports");
+    let arm = arm.without_power().controller(|controller| controller.firmware(Firmware::Document).pack(pack));
+    let controller = arm.start();
     controller.set_reply("get_version", [("version".to_owned(), json!("1.7.2_02_X64"))]);
     controller.set_reply("get_payload", [("demo_identified_at".to_owned(), json!(1_795_254_000))]);
     let keys = [("demo_brakes", json!(1)), ("protective_stop", json!("free"))];
@@ -105,7 +102,7 @@ fn the_guide_s_commands_print_what_it_shows() {
     fs::remove_dir_all(&folder).ok();
     fs::create_dir_all(&folder).expect("it can be made");
     upstream(&folder.join("upstream"));
-    let controller = controller();
+    let controller = controller(Arm::real_time());
     let [draft, pack] = blocks("toml")[..] else { panic!("the guide shows the draft and the pack") };
     assert_eq!(pack, PACK, "the guide's pack is the one that is compiled here");
     let file = folder.join("newer.toml");
@@ -126,26 +123,23 @@ fn the_guide_s_commands_print_what_it_shows() {
 
 #[test]
 fn the_guide_s_pack_is_used_by_a_program() {
-    let controller = controller();
+    let controller = controller(Arm::simulated());
     controller.set_reply("demo_motion_state", [("queue".to_owned(), 3.into())]);
-    let connect = || Client::connect(controller.command_addr()).expect("the controller takes the client");
-    let mut client = connect();
+    let mut client = controller.client();
     client.check_firmware().expect("the controller says its version");
     assert_eq!(client.demo_motion_state().expect("firmware 1.7.2 has it").queue, 3);
     assert_eq!(client.get_payload_newer().expect("it is answered").identified_at, Some(1_795_254_000));
     drop(client);
 
     let motion = JointMove::absolute([5.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0);
-    let config = Config::new();
-    let monitor: Monitor = config.connect_monitor(controller.status_addr()).expect("the port is open");
-    let mut robot = Robot::new(connect(), monitor);
+    let mut robot = controller.robot();
     robot.power_up(LONG).expect("it has power at once");
     let error = robot.run(&motion, LONG).expect_err("the built-in type cannot read the protective stop");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error}");
     drop(robot);
 
-    let monitor: Monitor<newer::RobotStatus> = config.connect_monitor(controller.status_addr()).expect("it is open");
-    let mut robot = Robot::with_monitor(connect(), monitor);
+    let monitor: Monitor<newer::RobotStatus> = controller.monitor();
+    let mut robot = Robot::with_monitor(controller.client(), monitor);
     robot.run(&motion, LONG).expect("it is accepted").reached().expect("the arm reaches its target");
     assert_eq!(robot.demo_motion_state().expect("a robot takes it, too").queue, 3);
     controller.set_status([("protective_stop".to_owned(), json!("stopped"))]);

@@ -6,10 +6,11 @@ use std::net::TcpStream;
 use std::path::PathBuf;
 use std::thread;
 
-use jaka_sim::{Controller, Delays, Fault, StatusFault};
+use jaka_sim::{Controller, Fault, StatusFault};
 use jaka_spec::{Source, load_pack};
 use jaka_sync::proto::text::is_visible;
 use jaka_sync::recording::Recording;
+use jaka_tests::Arm;
 use serde_json::{Value, json};
 
 use crate::common::started;
@@ -34,10 +35,6 @@ fn assert_harmless(what: &str, text: &str) {
 fn assert_run(what: &str, run: &Run) {
     assert_harmless(&format!("{what}, standard output"), &run.out);
     assert_harmless(&format!("{what}, standard error"), &run.err);
-}
-
-fn controller() -> Controller {
-    Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
 }
 
 /// The program with these words before the address of a controller.
@@ -80,7 +77,7 @@ fn no_reply_reaches_a_terminal_raw() {
     for (kind, reply) in replies() {
         let json = [&["call", "get_version", "--json"][..], &["call", "get_version", "--json=wire"]];
         for options in [&["call", "get_version"][..], &["call", "--raw", "get_version"]].into_iter().chain(json) {
-            let controller = controller();
+            let controller = Arm::real_time().without_power().start();
             controller.inject_for("get_version", Fault::Instead(reply.clone()));
             let run = jaka_at(&controller, &[options, &["--timeout", "0.3", "--yes"]].concat());
             assert_run(&format!("{kind}, {options:?}"), &run);
@@ -91,7 +88,7 @@ fn no_reply_reaches_a_terminal_raw() {
 
 #[test]
 fn json_of_the_controller_stays_the_same_json() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     let reply = json!({"errorCode": "0", "cmdName": "get_version", "version": HOSTILE});
     controller.inject_for("get_version", Fault::Instead(format!("{reply:#}").into_bytes()));
     let run = jaka_at(&controller, &["call", "get_version", "--json=wire"]);
@@ -110,7 +107,7 @@ fn no_check_shows_a_controllers_text_raw() {
 }
 
 fn check_shows_harmless_text(kind: &str, reply: Vec<u8>) {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.set_state(|state| (state.error_message, state.error_code) = (HOSTILE.to_owned(), HOSTILE.to_owned()));
     controller.set_status([("rapidrate".to_owned(), json!(HOSTILE))]);
     controller.inject_for("get_version", Fault::Instead(reply));
@@ -123,7 +120,7 @@ fn check_shows_harmless_text(kind: &str, reply: Vec<u8>) {
 fn no_probe_shows_a_controller_s_text_raw_and_its_draft_is_a_pack() {
     for (number, (kind, reply)) in replies().into_iter().enumerate() {
         for options in [&["probe", "--yes"][..], &["probe", "--yes", "--json"]] {
-            let controller = controller();
+            let controller = Arm::real_time().without_power().start();
             controller.set_state(|state| state.error_message = HOSTILE.to_owned());
             controller.inject_for("get_version", Fault::Instead(reply.clone()));
             let path = fresh(&format!("hostile-{number}.toml"));
@@ -142,7 +139,7 @@ fn no_probe_shows_a_controller_s_text_raw_and_its_draft_is_a_pack() {
 fn a_draft_does_not_overwrite_a_finished_pack() {
     let path = fresh("finished.toml");
     fs::write(&path, "finished").expect("the folder is there");
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.set_reply("get_version", [("version".to_owned(), json!("1.7")), ("build".to_owned(), json!(1))]);
     let run = jaka_at(&controller, &["probe", "--yes", "--draft", path.to_str().expect("it is UTF-8")]);
     assert_eq!(run.code, Some(2), "{}", run.err);
@@ -155,7 +152,7 @@ fn a_draft_does_not_overwrite_a_finished_pack() {
 /// Shows two packets in each way.
 fn assert_status_is_harmless(packet: &[u8]) {
     for options in ["--format=table", "--format=csv", "--format=json", "--raw"] {
-        let controller = controller();
+        let controller = Arm::real_time().without_power().start();
         controller.status_fault(StatusFault::Instead(packet.to_vec()));
         let fields = ["--fields", "error_code,error_message,enabled,torque_sensor"];
         let rest = if options == "--raw" { &[][..] } else { &fields };
@@ -187,7 +184,7 @@ fn no_status_packet_reaches_a_terminal_raw() {
 fn neither_a_recording_nor_its_replay_passes_on_what_a_terminal_obeys() {
     let path = fresh("hostile.jsonl");
     let file = path.to_str().expect("it is UTF-8");
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     let reply = json!({"errorCode": "2", "errorMsg": HOSTILE, "cmdName": "get_version"}).to_string();
     controller.inject_for("get_version", Fault::Instead(reply.clone().into_bytes()));
     assert_run("call --record", &jaka_at(&controller, &["call", "get_version", "--record", file]));

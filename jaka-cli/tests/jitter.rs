@@ -3,7 +3,7 @@
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
 use expect_test::expect;
-use jaka_sim::{Controller, Delays};
+use jaka_tests::Arm;
 use serde_json::Value;
 
 use crate::common::{jaka, output};
@@ -88,7 +88,7 @@ fn people_read_two_tables_and_what_to_change() {
 
 #[test]
 fn a_robot_is_only_asked_with_consent() {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    let controller = Arm::real_time().without_power().start();
     let words = |options: &[&str]| {
         let options = ["jitter", "--seconds", "0.1", "--json"].iter().chain(options).map(|&word| word.to_owned());
         options.chain(address_of(&controller)).collect::<Vec<_>>()

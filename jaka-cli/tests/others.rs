@@ -33,7 +33,7 @@ fn sim(options: &[&str]) -> (Child, BufReader<ChildStdout>, String) {
 
 /// Waits until the status of a simulated controller shows this.
 fn wait_until(port: &str, condition: &str) {
-    let args = ["status", "-r", "127.0.0.1", "--status-port", port, "--timeout", "30", "--until", condition];
+    let args = ["status", "-r", "127.0.0.1", "--status-port", port, "--timeout", "60", "--until", condition];
     let (_, stderr, code) = output(&mut jaka(&args));
     assert_eq!((stderr.as_str(), code), ("", Some(0)), "{condition}");
 }

@@ -8,6 +8,7 @@
 
 mod named;
 
+use std::collections::BTreeMap;
 use std::fs;
 #[cfg(target_os = "linux")]
 use std::io::Write;
@@ -15,16 +16,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
 use std::thread;
-use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays};
+use jaka_sim::Controller;
+use jaka_tests::Arm;
 
-use crate::common::{end, interrupt};
+use crate::common::{end, interrupt, wait_until};
 use crate::program::{jaka, scratch};
 #[cfg(target_os = "linux")]
 use crate::pseudo;
-
-const LONG: Duration = Duration::from_secs(60);
 
 /// Lines that may end otherwise than with 0, and how.
 const OTHER_CODES: [(&str, &[i32]); 4] = [
@@ -32,9 +31,9 @@ const OTHER_CODES: [(&str, &[i32]); 4] = [
     ("jaka call new_command --raw", &[1]),
     // There may be something to look at: an arm without power, a machine that is slow.
     ("jaka check", &[0, 8]),
-    // A machine that is busy sends set-points too late.
-    ("jaka follow weld.csv --model zu5 --sim", &[0, 30]),
-    ("jaka follow weld.csv -r", &[0, 30]),
+    // A machine that holds up the program or the controller ends it otherwise.
+    ("jaka follow weld.csv --model zu5 --sim", &[0, 4, 28, 30]),
+    ("jaka follow weld.csv -r", &[0, 4, 28, 30]),
 ];
 
 const PACK: &str = include_str!("guide/newer.toml");
@@ -110,7 +109,9 @@ fn folder() -> PathBuf {
 fn write_config(folder: &Path, controller: &Controller) {
     let robot = |name: &str| {
         let (commands, status) = (controller.command_addr().port(), controller.status_addr().port());
-        format!("[robots.\"{name}\"]\naddress = '127.0.0.1'\ncommand_port = {commands}\nstatus_port = {status}\n")
+        let ports = format!("command_port = {commands}\nstatus_port = {status}\n");
+        let times = "timeout = 60\nconnect_timeout = 60\nstale_after = 60\n";
+        format!("[robots.\"{name}\"]\naddress = '127.0.0.1'\n{ports}{times}")
     };
     let text = format!("robot = 'cell1'\n{}{}", robot("cell1"), robot("10.5.5.100"));
     fs::write(folder.join("config.toml"), text).expect("it can be written");
@@ -170,11 +171,7 @@ fn run_monitor(folder: &Path, line: &str) -> Option<(Option<i32>, String)> {
     prepare(&mut terminal, folder);
     let mut child = pseudo::started(terminal)?;
     let shown = || fs::read_to_string(folder.join("out")).unwrap_or_default();
-    let since = Instant::now();
-    while !shown().contains("live") && child.try_wait().expect("it is a child").is_none() {
-        assert!(since.elapsed() < LONG, "{line} shows nothing: {}", shown());
-        thread::sleep(Duration::from_millis(10));
-    }
+    wait_until(line, || shown().contains("live") || has_ended(&mut child));
     let mut keys = child.stdin.take().expect("it is piped");
     keys.write_all(b"q").ok();
     Some((end(child).code(), shown()))
@@ -186,69 +183,63 @@ fn run_monitor(_folder: &Path, _line: &str) -> Option<(Option<i32>, String)> {
     None
 }
 
-/// Waits until a command that goes on has something to show, and interrupts it.
-fn interrupt_when_it_works(folder: &Path, before: u64, child: &mut Child) {
-    let since = Instant::now();
-    while size(folder) <= before && child.try_wait().expect("it is a child").is_none() {
-        assert!(since.elapsed() < LONG, "it shows nothing");
-        thread::sleep(Duration::from_millis(10));
-    }
-    if child.try_wait().expect("it is a child").is_none() {
+/// Waits until a command that goes on has shown something in this file, once it handles Ctrl-C, and interrupts it.
+fn interrupt_when_it_works(line: &str, shown: &Path, child: &mut Child) {
+    wait_until(line, || fs::metadata(shown).is_ok_and(|file| file.len() > 0) || has_ended(child));
+    if !has_ended(child) {
         interrupt(child);
     }
 }
 
-/// Of all files of the folder.
-fn size(folder: &Path) -> u64 {
-    let files = fs::read_dir(folder).expect("it is there").filter_map(|entry| entry.ok()?.metadata().ok());
-    files.map(|file| file.len()).sum()
+fn has_ended(child: &mut Child) -> bool {
+    child.try_wait().expect("it is a child").is_some()
 }
 
 /// Runs a line to its end: its exit code, and what it said.
 fn run(folder: &Path, line: &str, yes: &str) -> (Option<i32>, String) {
     let line = runnable(line, yes);
     fs::write(folder.join("out"), "").and_then(|()| fs::write(folder.join("err"), "")).expect("they can be written");
-    let before = size(folder);
+    let shown = folder.join(line.split_once(" > ").map_or("out", |(_, file)| file));
     let mut child = start(folder, &line);
     if goes_on(line.trim_start_matches("exec ")) {
-        interrupt_when_it_works(folder, before, &mut child);
+        interrupt_when_it_works(&line, &shown, &mut child);
     }
     let code = end(child).code();
     let text = |name: &str| fs::read_to_string(folder.join(name)).unwrap_or_default();
     (code, text("out") + &text("err"))
 }
 
-/// The lines of `jaka` of a page. Those in one list run in order; a motion along a trajectory takes its time, whatever the lines before it did.
-fn runs(text: &str) -> [Vec<&str>; 2] {
-    let all = lines(text).into_iter().filter(|line| line.starts_with("jaka "));
-    let (trajectories, others) = all.partition(|line| line.starts_with("jaka follow"));
-    [trajectories, others]
+/// Folder in which lines run, and arms that are as lines need them.
+struct Place {
+    folder: PathBuf,
+    quick: Arm,
+    /// For set-points, which come in real time.
+    steady: Arm,
 }
 
-/// Runs lines of a page in order, each on an arm that is powered and enabled.
-fn assert_run(page: &str, lines: &[&str]) {
-    let controller = |time_scale: f64| {
-        Controller::builder().delays(Delays::NONE).time_scale(time_scale).start().expect("loopback has free ports")
-    };
-    // Set-points come in real time.
-    let (quick, steady) = (controller(5.0), controller(1.0));
-    let folder = folder();
-    for line in lines {
-        let controller = if line.starts_with("jaka follow") { &steady } else { &quick };
-        write_config(&folder, controller);
+impl Place {
+    fn new() -> Self {
+        let arm = |time_scale| Arm::real_time().controller(|controller| controller.time_scale(time_scale)).start();
+        Self { folder: folder(), quick: arm(5.0), steady: arm(1.0) }
+    }
+
+    /// Runs a line of a page on an arm that is powered and enabled.
+    fn assert_runs(&self, page: &str, line: &str) {
+        let controller = if line.starts_with("jaka follow") { &self.steady } else { &self.quick };
+        write_config(&self.folder, controller);
         controller.set_state(|state| (state.powered, state.enabled) = (true, true));
         // What a line reads is there, whatever the lines before have written in its place; what it writes is not.
         for (name, text) in [("session.jsonl", SESSION), ("newer.toml", PACK)] {
-            fs::write(folder.join(name), text).expect("it can be written");
+            fs::write(self.folder.join(name), text).expect("it can be written");
         }
         for name in named::written(line) {
-            fs::remove_file(folder.join(name)).ok();
+            fs::remove_file(self.folder.join(name)).ok();
         }
-        let ended =
-            if line.starts_with("jaka monitor") { run_monitor(&folder, line) } else { Some(run(&folder, line, "")) };
-        let Some(mut ended) = ended else { continue };
+        let is_monitor = line.starts_with("jaka monitor");
+        let ended = if is_monitor { run_monitor(&self.folder, line) } else { Some(run(&self.folder, line, "")) };
+        let Some(mut ended) = ended else { return };
         if ended.0 == Some(2) && ended.1.contains("--yes") {
-            ended = run(&folder, line, " --yes");
+            ended = run(&self.folder, line, " --yes");
         }
         let other = OTHER_CODES.iter().find(|(begin, _)| line.starts_with(begin));
         let codes = other.map_or(&[0][..], |(_, codes)| *codes);
@@ -259,18 +250,21 @@ fn assert_run(page: &str, lines: &[&str]) {
 #[test]
 fn every_line_of_jaka_runs_as_it_stands() {
     let pages = pages();
-    let all: Vec<_> = pages.iter().flat_map(|(_, text)| lines(text)).collect();
-    assert!(all.iter().filter(|line| line.starts_with("jaka ")).count() > 50, "{all:?}");
-    // Lines wait for arms. The code of the Chinese README is that of the English one.
-    let pages = pages.iter().filter(|(page, _)| page != "README.zh.md");
-    let left = Mutex::new(pages.flat_map(|(page, text)| runs(text).into_iter().map(move |lines| (page, lines))));
+    let all = pages.iter().flat_map(|(page, text)| lines(text).into_iter().map(move |line| (line, &**page)));
+    let all: Vec<_> = all.filter(|(line, _)| line.starts_with("jaka ")).collect();
+    assert!(all.len() > 50, "{all:?}");
+    // One that several pages have runs once. Lines wait for arms most of the time.
+    let left = Mutex::new(all.into_iter().collect::<BTreeMap<_, _>>().into_iter());
     thread::scope(|scope| {
-        for number in 0..4 {
+        for number in 0..8 {
             // Each has a folder of its own, by the thread's name.
             let worker = thread::Builder::new().name(format!("pages-{number}"));
             let next = || left.lock().expect("no other has panicked with it").next();
-            let all = move || std::iter::from_fn(next).for_each(|(page, lines)| assert_run(page, &lines));
-            worker.spawn_scoped(scope, all).expect("a thread starts");
+            let work = move || {
+                let place = Place::new();
+                std::iter::from_fn(next).for_each(|(line, page)| place.assert_runs(page, line));
+            };
+            worker.spawn_scoped(scope, work).expect("a thread starts");
         }
     });
 }
@@ -287,7 +281,7 @@ fn every_line_of_cargo_and_of_scripts_names_what_there_is() {
     assert!(count > 60, "{count}");
     for wrong in [
         "cargo run --example second_motion",
-        "cargo bench -p jaka-benches --bench none",
+        "cargo bench --manifest-path benches/Cargo.toml --bench none",
         "fuzz/campain 60",
         "jaka-sync",
     ] {

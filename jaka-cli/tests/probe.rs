@@ -1,28 +1,25 @@
-//! `jaka probe`, as its users run it.
+//! `jaka probe`, as its users run it: `src/tests/probe.rs` has what it reports.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::net::TcpListener;
 use std::path::PathBuf;
 use std::thread;
 
-use expect_test::{expect, expect_file};
-use jaka_sim::{Controller, Delays, Fault, Firmware};
-use jaka_spec::{Effect, Source, Spec, load_pack};
-use jaka_sync::{Client, StatusStream};
-use jaka_tests::spec;
+use expect_test::expect;
+use jaka_sim::Firmware;
+use jaka_spec::{Source, load_pack};
+use jaka_tests::{Arm, ReservedPort, spec};
 use serde_json::{Value, json};
 
 use crate::program::{Run, address_of, jaka, pack, scratch};
 
-fn controller(firmware: Firmware) -> Controller {
-    Controller::builder().firmware(firmware).delays(Delays::NONE).start().expect("loopback has free ports")
+fn arm() -> Arm {
+    Arm::real_time().without_power().controller(|controller| controller.firmware(Firmware::Document)).start()
 }
 
-fn probe(controller: &Controller, options: &[&str]) -> Run {
-    let options = options.iter().copied().map(str::to_owned);
-    jaka(["probe", "--yes"].map(str::to_owned).into_iter().chain(options).chain(address_of(controller)))
+fn probe(arm: &Arm) -> Run {
+    jaka(["probe", "--yes"].map(str::to_owned).into_iter().chain(address_of(arm)))
 }
 
 /// A file that does not exist yet.
@@ -32,83 +29,10 @@ fn unwritten(name: &str) -> PathBuf {
     path
 }
 
-/// The report without what changes with each release.
-fn report(run: &Run) -> String {
-    run.text().replace(env!("CARGO_PKG_VERSION"), "VERSION")
-}
-
-fn effect_of(spec: &Spec, request: &str) -> Effect {
-    let request: Value = serde_json::from_str(request).expect("requests are JSON");
-    spec.command(request["cmdName"].as_str().expect("they name their command")).expect("the spec has it").effect
-}
-
-#[test]
-fn a_controller_that_fits_the_document() {
-    let controller = controller(Firmware::Document);
-    let run = probe(&controller, &["--packets", "2"]);
-    expect_file!["snapshots/probe_document.txt"].assert_eq(&report(&run));
-    let spec = spec();
-    let requests = controller.requests();
-    assert!(requests.iter().all(|request| effect_of(&spec, request) == Effect::Query), "{requests:?}");
-    assert_eq!(requests.len(), requests.iter().collect::<BTreeSet<_>>().len(), "each is asked once");
-}
-
-#[test]
-fn an_old_controller() {
-    let run = probe(&controller(Firmware::V1_5_14), &[]);
-    expect_file!["snapshots/probe_1_5_14.txt"].assert_eq(&report(&run));
-}
-
-#[test]
-fn a_newer_controller() {
-    let run = probe(&controller(Firmware::Newer), &[]);
-    expect_file!["snapshots/probe_newer.txt"].assert_eq(&report(&run));
-}
-
-/// Replies that drift: unknown keys, other forms, another type, and no reply at all.
-fn drifted() -> Controller {
-    let controller = controller(Firmware::Document);
-    controller.set_reply("get_version", [("build".to_owned(), json!(17)), ("type".to_owned(), json!("x"))]);
-    controller
-        .set_reply("get_payload", [("mass".to_owned(), json!("1.5")), ("inertia moment".to_owned(), json!([0.5, 1]))]);
-    controller.set_reply("get_joint_pos", [("joint_pos".to_owned(), json!("none"))]);
-    controller.inject_for(
-        "drag_status",
-        Fault::Instead(br#"{"errorCode":"2","errorMsg":"no sensor","cmdName":"drag_status"}"#.to_vec()),
-    );
-    controller.inject_for("get_dh_param", Fault::Drop);
-    controller.inject_for("get_traj_config", Fault::Close);
-    controller.inject_for("get_tool_payload", Fault::Garbage { bytes: 40, seed: 7 });
-    controller
-}
-
-#[test]
-fn a_controller_that_drifts() {
-    let draft = unwritten("drifted.toml");
-    let run = probe(&drifted(), &["--timeout", "0.3", "--draft", &draft.display().to_string()]);
-    assert_eq!(run.code, Some(7), "{}", run.text());
-    expect_file!["snapshots/probe_drifted.txt"].assert_eq(&report(&run));
-    let text = fs::read_to_string(&draft).expect("the draft is written");
-    expect_file!["snapshots/draft.toml"].assert_eq(&text);
-    let pack = load_pack(&spec(), Source { path: "drifted.toml", text: &text }).expect("the draft loads");
-    assert!(pack.notes.is_empty(), "{:?}", pack.notes);
-}
-
-#[test]
-fn with_its_draft_a_controller_departs_no_more() {
-    let controller = controller(Firmware::Document);
-    controller.set_reply("get_version", [("build".to_owned(), json!(17))]);
-    let draft = unwritten("build.toml").display().to_string();
-    assert_eq!(probe(&controller, &["--draft", &draft]).code, Some(7));
-    let again = probe(&controller, &["--pack", &draft]);
-    assert_eq!(again.code, Some(0), "{}", again.text());
-    assert!(again.out.contains("packs       build.toml\n"), "{}", again.out);
-}
-
 #[test]
 fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
-    let controller = controller(Firmware::Document);
-    let mut stream = StatusStream::connect(controller.status_addr()).expect("the port is open");
+    let controller = arm();
+    let mut stream = controller.config().connect_status(controller.status_addr()).expect("the port is open");
     stream.next_packet().expect("a packet comes");
     let mut packet: Value = serde_json::from_str(stream.packet_text().expect("it is kept")).expect("packets are JSON");
     packet["brakeState"] = json!(1);
@@ -167,76 +91,6 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
 }
 
 #[test]
-fn nothing_to_draft_is_said() {
-    let draft = unwritten("none.toml");
-    let run = probe(&controller(Firmware::Document), &["--draft", &draft.display().to_string()]);
-    assert_eq!(run.code, Some(0));
-    expect![[r"
-        note: no draft is written: no message has a key that is not in the spec, or a value that cannot be read
-    "]]
-    .assert_eq(&run.err);
-    assert!(!draft.exists());
-}
-
-#[test]
-fn the_report_as_json_has_the_same() {
-    let run = probe(&drifted(), &["--timeout", "0.3", "--json"]);
-    assert_eq!(run.code, Some(7), "{}", run.text());
-    let report: Value = serde_json::from_str(&run.out).expect("it is JSON");
-    let version = report["commands"].as_array().expect("all are there").iter().find(|it| it["name"] == "get_version");
-    expect![[r#"
-        {
-          "code": null,
-          "departures": [
-            {
-              "advisory": false,
-              "expected": "int",
-              "field": "build",
-              "found": "17",
-              "kind": "unknown",
-              "more": 0,
-              "readable": true
-            },
-            {
-              "advisory": false,
-              "expected": "text",
-              "field": "type",
-              "found": "\"x\"",
-              "kind": "unknown",
-              "more": 0,
-              "readable": true
-            }
-          ],
-          "name": "get_version",
-          "outcome": "answered",
-          "raw": "{\"build\":17,\"cmdName\":\"get_version\",\"errorCode\":\"0\",\"errorMsg\":\"\",\"type\":\"x\",\"version\":\"1.6.5_01_X86\"}",
-          "text": null
-        }"#]].assert_eq(&format!("{:#}", version.expect("it was asked")));
-    assert_eq!((&report["controller"], &report["packs"]), (&json!("1.6.5_01_X86"), &json!([])));
-    assert_eq!(report["status"]["outcome"], "answered");
-}
-
-#[test]
-fn a_connection_that_always_breaks_is_given_up() {
-    let controller = controller(Firmware::Document);
-    controller.inject_always(Fault::Close);
-    let run = probe(&controller, &[]);
-    assert_eq!((run.code, run.out.as_str(), controller.requests().len()), (Some(4), "", 1));
-    assert!(run.err.contains("another client, such as the vendor's app, may hold its one seat"), "{}", run.err);
-
-    let controller = self::controller(Firmware::Document);
-    controller.inject(Fault::None);
-    controller.inject_always(Fault::Close);
-    let run = probe(&controller, &[]);
-    assert_eq!(run.code, Some(7));
-    let given_up = run.out.lines().filter(|line| line.contains("not probed: the connection broke 4 times")).count();
-    assert_eq!(controller.requests().len(), 5, "{}", run.out);
-    let spec = jaka_spec::builtin().expect("the built-in spec is correct");
-    let queries = spec.commands().filter(|command| command.effect == Effect::Query && command.is_bare());
-    assert_eq!(given_up, queries.count() - 5, "{}", run.out);
-}
-
-#[test]
 fn what_a_pack_adds_is_probed_too() {
     let run = jaka(["probe", "--sim", "--pack", &pack("newer.toml")]);
     assert_eq!(run.code, Some(0), "{}", run.text());
@@ -246,96 +100,17 @@ fn what_a_pack_adds_is_probed_too() {
 
 #[test]
 fn without_a_controller_there_is_nothing_to_report() {
-    let controller = controller(Firmware::Document);
-    let address = address_of(&controller);
-    drop(controller);
-    let run = jaka(["probe", "--yes"].map(str::to_owned).into_iter().chain(address));
+    let nobody = ReservedPort::any();
+    let port = nobody.address().port().to_string();
+    let run = jaka(["probe", "--yes", "--robot", "127.0.0.1", "--command-port", &port, "--status-port", &port]);
     assert_eq!((run.code, run.out.as_str()), (Some(3), ""));
 }
 
 #[test]
 fn the_probe_takes_over_the_command_port() {
-    let controller = controller(Firmware::Document);
-    let mut client = Client::connect(controller.command_addr()).expect("the port is open");
+    let controller = arm();
+    let mut client = controller.client();
     client.get_version().expect("it is answered");
-    assert_eq!(probe(&controller, &[]).code, Some(0));
+    assert_eq!(probe(&controller).code, Some(0));
     assert!(client.get_version().expect_err("another client has taken its place").is_disconnected());
-}
-
-/// Only types changed; numbers in arrays are whole by chance, and one is too large.
-#[test]
-fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
-    let controller = controller(Firmware::Document);
-    controller.set_reply("get_joint_pos", [("joint_pos".to_owned(), json!([1, 2, 3]))]);
-    controller.set_reply("get_version", [("version".to_owned(), json!(17))]);
-    let draft = unwritten("fw-1.7.2 (new).toml").display().to_string();
-    let run = probe(&controller, &["--draft", &draft]);
-    assert_eq!(run.code, Some(7), "{}", run.text());
-    expect![[r#"
-        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
-        title = "What a controller of unknown version sends beyond the spec"
-
-        # TODO: whether this is right. get_version: unreadable: `version` is 17; expected is text
-        [[override]]
-        target = "get_version"
-        reply = "version"
-        type = "int"
-
-        # TODO: whether this is right. get_joint_pos: unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): [1,2,3]
-        [[override]]
-        target = "get_joint_pos"
-        reply = "joint_pos"
-        type = "float[]"
-    "#]].assert_eq(&fs::read_to_string(&draft).expect("the draft is written"));
-    let again = probe(&controller, &["--pack", &draft]);
-    assert_eq!(again.code, Some(0), "{}", again.text());
-    let checked = jaka(["spec", "check", &draft]);
-    assert!(checked.out.contains(": note: it cannot be given to `pack!`: the file's name"), "{}", checked.out);
-
-    controller.set_reply(
-        "get_payload",
-        [("demo_serial".to_owned(), json!(u64::MAX)), ("demo_list".to_owned(), json!([1, 2]))],
-    );
-    let draft = unwritten("numbers.toml").display().to_string();
-    probe(&controller, &["--draft", &draft]);
-    let text = fs::read_to_string(&draft).expect("the draft is written");
-    let types: Vec<_> = text.lines().filter(|line| line.starts_with("wire") || line.starts_with("type")).collect();
-    expect![[r#"
-        type = "int"
-        wire = "demo_list"
-        type = "float[]"
-        wire = "demo_serial"
-        type = "json"
-        type = "float[]""#]]
-    .assert_eq(&types.join("\n"));
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupt_leaves_a_report_of_what_was_found() {
-    use crate::program::{command, result};
-    let controller = controller(Firmware::Document);
-    controller.inject(Fault::None);
-    controller.inject(Fault::Drop);
-    let words = ["probe", "--yes", "--timeout", "2"].map(str::to_owned).into_iter().chain(address_of(&controller));
-    let mut command = command(words);
-    command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
-    let child = command.spawn().expect("the program starts");
-    assert!(controller.wait_for_requests(2, std::time::Duration::from_secs(30)), "two are asked");
-    crate::common::interrupt(&child);
-    let run = result(child);
-    assert_eq!((run.code, run.err.as_str()), (Some(130), "error: interrupted\n"), "{run:?}");
-    let row = |name: &str| {
-        let begin = format!("{name} ");
-        let line = run.out.lines().find(|line| line.starts_with(&begin)).unwrap_or_else(|| panic!("{name}: {run:?}"));
-        line[begin.len()..].trim().to_owned()
-    };
-    let asked = controller.requests();
-    let asked: Vec<Value> = asked.iter().map(|text| serde_json::from_str(text).expect("it is JSON")).collect();
-    let asked: Vec<_> = asked.iter().map(|request| request["cmdName"].as_str().expect("it is a text")).collect();
-    assert_eq!((row(asked[0]), row(asked[1])), ("ok".to_owned(), "no reply: none within 2s".to_owned()));
-    let spec = spec();
-    let queries = spec.commands().filter(|command| command.effect == Effect::Query).map(|command| &*command.wire);
-    assert!(queries.filter(|name| !asked.contains(name)).all(|name| row(name).starts_with("not probed: ")));
-    assert_eq!((row("status packet"), asked.len()), ("not probed: interrupted".to_owned(), 2));
 }

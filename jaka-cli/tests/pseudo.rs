@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::process::{Child, Command, Stdio};
 
-use crate::common::leave_the_user;
+use crate::common::{ended, leave_the_user};
 
 /// The program.
 pub(crate) const JAKA: &str = env!("CARGO_BIN_EXE_jaka");
@@ -40,7 +40,6 @@ pub(crate) fn start_on_terminal(script: &str) -> Option<Child> {
 pub(crate) fn on_terminal(line: &str, typed: &str) -> Option<(String, Option<i32>)> {
     let mut child = start_on_terminal(&format!("exec '{JAKA}' {line}"))?;
     child.stdin.take().expect("it is piped").write_all(typed.as_bytes()).expect("it is read");
-    let output = child.wait_with_output().expect("it ends");
-    let shown = String::from_utf8(output.stdout).expect("it writes UTF-8").replace("\r\n", "\n");
-    Some((shown, output.status.code()))
+    let (shown, _, code) = ended(child);
+    Some((shown.replace("\r\n", "\n"), code))
 }

@@ -168,8 +168,11 @@ fn a_recording_that_is_cut_off_is_used_and_a_damaged_one_is_not() {
 /// Recordings that are served until Ctrl-C.
 #[cfg(unix)]
 mod served {
-    use std::io::{BufRead, BufReader, Read};
+    use std::io::{BufRead, BufReader, Read, Write};
+    use std::net::TcpStream;
     use std::process::{Child, ChildStdout};
+    use std::thread;
+    use std::time::Duration;
 
     use super::*;
     use crate::common::{end, interrupt, started};
@@ -199,8 +202,13 @@ mod served {
     }
 
     /// What a replay has printed after its addresses when it is interrupted.
-    fn finish(mut child: Child, mut out: BufReader<ChildStdout>) -> String {
+    fn finish(child: Child, out: BufReader<ChildStdout>) -> String {
         interrupt(&child);
+        rest(child, out)
+    }
+
+    /// Output until its end, errors and exit code.
+    fn rest(mut child: Child, mut out: BufReader<ChildStdout>) -> String {
         let (mut text, mut errors) = (String::new(), String::new());
         out.read_to_string(&mut text).unwrap();
         child.stderr.take().unwrap().read_to_string(&mut errors).unwrap();
@@ -226,6 +234,24 @@ mod served {
             exit code Some(7)
         "#]]
         .assert_eq(&(line + &finish(child, out)));
+    }
+
+    #[test]
+    fn all_deviations_are_written_however_slow_the_reader_is() {
+        let (child, out, robot) = serve(&version("slow.jsonl"), &["--mode", "matching"]);
+        let mut client = TcpStream::connect(format!("127.0.0.1:{}", robot[3])).unwrap();
+        // More than a pipe has room for.
+        let name = "x".repeat(2000);
+        for _ in 0..100 {
+            write!(client, "{{\"cmdName\":\"{name}\"}}").unwrap();
+            assert!(client.read(&mut [0; 1000]).unwrap() > 0, "it is answered");
+        }
+        interrupt(&child);
+        // Before a short wait the program has no reason to give up. This makes the test slower, and never wrong.
+        thread::sleep(Duration::from_millis(1500));
+        let found = rest(child, out);
+        assert_eq!(found.matches("deviation: ").count(), 100);
+        assert!(found.ends_with("error: 100 deviations from the recording\nexit code Some(7)\n"), "{found}");
     }
 
     #[test]

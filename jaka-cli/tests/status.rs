@@ -3,10 +3,9 @@
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
 use std::io::{BufRead, BufReader};
-use std::time::Duration;
 
 use expect_test::expect;
-use jaka_sim::Controller;
+use jaka_tests::Arm;
 
 #[cfg(unix)]
 use crate::common::interrupt;
@@ -49,7 +48,7 @@ fn a_table_shows_the_usual_fields() {
 
 /// What the program prints of a controller whose status packets have this `errcode`.
 fn printed_with_code(code: &str, args: &[&str]) -> String {
-    let controller = Controller::start().unwrap();
+    let controller = Arm::real_time().without_power().start();
     controller.set_state(|state| code.clone_into(&mut state.error_code));
     let port = controller.status_addr().port().to_string();
     printed(&[&["--robot", "127.0.0.1", "--status-port", &port, "--fields", "errcode"], args].concat())
@@ -188,7 +187,7 @@ fn it_ends_in_peace_when_interrupted() {
 
 #[test]
 fn a_lost_connection_is_reported() {
-    let controller = Controller::start().unwrap();
+    let controller = Arm::real_time().without_power().start();
     let port = controller.status_addr().port().to_string();
     let args = ["status", "--robot", "127.0.0.1", "--status-port", &port, "--watch", "0", "--fields", "enabled"];
     let (mut child, mut out, _) = started(&mut jaka(&args));
@@ -202,8 +201,8 @@ fn a_lost_connection_is_reported() {
 }
 
 /// A controller that sends no packets on its own but the first, and the arguments to reach it.
-fn quiet_controller() -> (Controller, [String; 6]) {
-    let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+fn quiet_controller() -> (Arm, [String; 6]) {
+    let controller = Arm::real_time().without_power().no_packets().start();
     let port = controller.status_addr().port().to_string();
     (controller, ["status", "-r", "127.0.0.1", "--watch=0", "--status-port", &port].map(str::to_owned))
 }
@@ -249,9 +248,9 @@ fn a_packet_that_cannot_be_read_is_reported() {
 
 #[test]
 fn a_condition_is_waited_for() {
-    let controller = Controller::start().unwrap();
+    let controller = Arm::real_time().without_power().start();
     let port = controller.status_addr().port().to_string();
-    let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "-f", "enabled", "--timeout", "30", "--watch=0"];
+    let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "-f", "enabled", "--timeout", "60", "--watch=0"];
     let (child, mut out, _) = started(jaka(&args).args(["--until", "enabled && !protective_stop"]));
     let mut line = String::new();
     out.read_line(&mut line).unwrap();
@@ -267,14 +266,13 @@ fn a_condition_is_waited_for() {
 #[test]
 fn a_condition_that_does_not_come_in_time_is_a_failure() {
     let failed = failure(&mut jaka(&["status", "--sim", "--timeout", "1", "--until", "enabled || rapid_rate > 1"]));
-    expect![[r#"
-        error: `enabled || rapid_rate > 1` did not hold within 1s; the last packet: enabled false, rapid_rate 1
-        exit code Some(27)"#]]
-    .assert_eq(&failed);
+    // What the last packet showed is told, if one has come: the unit tests of the condition have it.
+    assert!(failed.starts_with("error: `enabled || rapid_rate > 1` did not hold within 1s; "), "{failed}");
+    assert!(failed.ends_with("\nexit code Some(27)"), "{failed}");
     let (controller, args) = quiet_controller();
     // Also where no packet comes any more.
-    let (_, stderr, code) = output(jaka(&[]).args(args).args(["--timeout", "3", "--until", "enabled"]));
-    expect!["error: `enabled` did not hold within 3s; the last packet: enabled false\n"].assert_eq(&stderr);
+    let (_, stderr, code) = output(jaka(&[]).args(args).args(["--timeout", "1", "--until", "enabled"]));
+    assert!(stderr.starts_with("error: `enabled` did not hold within 1s; "), "{stderr}");
     assert_eq!(code, Some(27));
     drop(controller);
 }

@@ -7,8 +7,7 @@ use std::net::TcpListener;
 use std::path::PathBuf;
 
 use expect_test::expect;
-use jaka_sim::Controller;
-use jaka_tests::ReservedPort;
+use jaka_tests::{Arm, ReservedPort};
 
 use crate::common::{failure, jaka, output};
 use crate::program::scratch;
@@ -29,7 +28,7 @@ fn without_an_address_the_ways_to_give_one_are_named() {
 
 #[test]
 fn the_config_file_has_robots_by_name() {
-    let controller = Controller::start().unwrap();
+    let controller = Arm::real_time().without_power().start();
     let port = controller.status_addr().port();
     let text = format!("robot = 'cell1'\n[robots.cell1]\naddress = '127.0.0.1'\nstatus_port = {port}\n");
     let path = config("names.toml", &text);
@@ -53,7 +52,7 @@ fn the_usual_config_file_is_in_the_users_folder() {
     expect![[r#"
         error: `cell 2` is not an address, and the config file has no robot of that name
         exit code Some(2)"#]]
-    .assert_eq(&failure(jaka(&["status"]).env("XDG_CONFIG_HOME", &folder)));
+    .assert_eq(&failure(jaka(&["status"]).env_remove("JAKA_CONFIG").env("XDG_CONFIG_HOME", &folder)));
 }
 
 #[test]
@@ -62,7 +61,7 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
     let folder = path.display().to_string().replace("wrong.toml", "");
     let failed = failure(jaka(&["status", "-r", "cell1"]).arg("--config").arg(&path));
     expect![[r#"
-        error: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`
+        error: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`
         exit code Some(2)"#]].assert_eq(&failed.replace(&folder, ""));
     let failed = failure(&mut jaka(&["status", "-r", "cell1", "--config", "nowhere.toml"]));
     expect![[r#"

@@ -7,12 +7,12 @@ use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command};
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
-use std::time::Duration;
 
 use expect_test::{Expect, expect};
 use jaka_sim::Controller;
+use jaka_tests::{Arm, LONG};
 
-use crate::program::{address_of, jaka, powered};
+use crate::program::{address_of, jaka};
 use crate::pseudo::{JAKA, on_terminal, start_on_terminal};
 
 /// Runs a line on a controller, with this answer, and compares what is shown.
@@ -24,7 +24,7 @@ fn check(controller: &Controller, line: &str, answer: &str, expected: &Expect) {
 
 #[test]
 fn a_question_says_what_the_arm_will_do() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let asked = |line: &str, expected: &Expect| check(&controller, line, "n\n", expected);
     asked(
         "up",
@@ -96,7 +96,7 @@ fn a_question_says_what_the_arm_will_do() {
 
 #[test]
 fn a_question_about_a_command_has_its_fields_with_units() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let asked = |line: &str, expected: &Expect| check(&controller, line, "n\n", expected);
     asked(
         "call joint_move --mode relative --joint-position 1,0,0,0,0,0 --speed 10",
@@ -144,7 +144,7 @@ fn a_question_about_a_command_has_its_fields_with_units() {
 
 #[test]
 fn what_is_beyond_a_limit_is_refused_before_a_question() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let refused = |line: &str, expected: &Expect| check(&controller, line, "", expected);
     refused(
         "move --joints 0,90,176,90,-90,0 --speed 10 --model zu5",
@@ -186,7 +186,7 @@ fn what_is_beyond_a_limit_is_refused_before_a_question() {
 
 #[test]
 fn whoever_takes_the_seat_is_asked_or_warned() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     check(
         &controller,
         "check",
@@ -260,7 +260,7 @@ impl Keys {
     }
 
     fn next(&self) -> String {
-        self.shown.recv_timeout(Duration::from_secs(60)).expect("a line comes")
+        self.shown.recv_timeout(LONG).expect("a line comes")
     }
 
     /// What is shown after this key, without the time.

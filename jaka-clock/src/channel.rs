@@ -1,16 +1,23 @@
 //! One end of a connection, whose reads and writes wait in the time of a clock.
+//!
+//! Between two ends that take part, the clock counts the bytes on their way: what a read brings, what a write takes,
+//! and when, depends on nothing else. The system carries the bytes, however long that takes it in real time. Of an end
+//! that does not take part only the system knows.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::state::{Found, Reason, Way};
+use crate::state::{Found, Reason, Room, State, Way};
 use crate::{SimulatedClock, Work};
 
 /// One end of a connection that takes part in the time of a clock: it knows which bytes are on their way, if the other end takes part, too.
 ///
+/// Up to 1 MiB is on its way to an end that takes part and does not read; then a write waits.
+///
 /// The socket stays its owner's, and blocks. All its reads, writes and ends go through here. It is dropped after the socket.
+/// [`Stream`](crate::Stream) is both in one.
 #[derive(Debug)]
 pub struct Channel {
     clock: SimulatedClock,
@@ -19,25 +26,24 @@ pub struct Channel {
     is_nonblocking: AtomicBool,
 }
 
-/// How long bytes may take that were written.
-const ARRIVAL: Duration = Duration::from_secs(1);
-
-/// How long the system may take to make room for bytes, before this waits for the other end to read.
-const ROOM: Duration = Duration::from_millis(5);
-
-/// How long to look at a connection whose other end does not take part, before this looks at the clock again.
+/// Longest wait of one call of the system, in real time.
 const SLICE: Duration = Duration::from_millis(2);
 
-/// How long time stands still, in real time, for bytes of an end that does not take part.
-const GRACE: Duration = Duration::from_millis(100);
+/// Most that counts of one call of the system, which may return late: on a busy machine, or after the process was
+/// stopped.
+const LONGEST_SLICE: Duration = Duration::from_millis(10);
+
+/// Real time within which the system carries bytes and makes the room that it has. It takes microseconds.
+const TRANSPORT: Duration = Duration::from_secs(5);
 
 impl SimulatedClock {
-    /// Connections to this address are accepted by a thread of this process, which then calls [`accepted`](Self::accepted).
+    /// Announces that connections to this address are accepted by a thread of this process, which then calls
+    /// [`accepted`](Self::accepted).
     pub fn listen(&self, address: SocketAddr) {
         self.lock().listeners.insert(address);
     }
 
-    /// They are not accepted any more.
+    /// Announces that they are not accepted any more.
     pub fn stop_listening(&self, address: SocketAddr) {
         self.lock().stop_listening(address);
     }
@@ -65,15 +71,12 @@ impl SimulatedClock {
     }
 }
 
-/// How long, in real time, until the system is asked again for room that it is about to give.
-const MOMENT: Duration = Duration::from_micros(20);
-
 impl Channel {
     /// Of an end that takes part already.
     fn new(clock: &SimulatedClock, stream: &TcpStream, local: SocketAddr, peer: SocketAddr) -> io::Result<Self> {
         let channel = Self { clock: clock.clone(), local, peer, is_nonblocking: AtomicBool::new(false) };
-        stream.set_read_timeout(Some(ARRIVAL))?;
-        stream.set_write_timeout(Some(ROOM))?;
+        stream.set_read_timeout(Some(SLICE))?;
+        stream.set_write_timeout(Some(SLICE))?;
         Ok(channel)
     }
 
@@ -86,26 +89,50 @@ impl Channel {
     ///
     /// # Errors
     /// [`ErrorKind::WouldBlock`] if nothing has come in time; what the socket reports.
-    pub fn read(&self, stream: &TcpStream, space: &mut [u8], patience: Option<Duration>) -> io::Result<usize> {
+    pub fn read(&self, mut stream: &TcpStream, space: &mut [u8], patience: Option<Duration>) -> io::Result<usize> {
         let until = self.clock.deadline(patience);
         let way = self.inbound();
-        loop {
+        let count = loop {
             let mut state = self.clock.lock();
             match state.found(way) {
-                Found::Something => {
-                    let announced = state.pipe(way).unread;
+                Found::Bytes(count) => {
                     drop(state);
-                    return self.read_announced(stream, space, announced);
+                    let end = count.min(space.len());
+                    break self.on_its_way(count, || stream.read(&mut space[..end]))?;
+                }
+                Found::End => {
+                    drop(state);
+                    break self.on_its_way(0, || stream.read(space))?;
                 }
                 Found::Stranger => {
                     drop(state);
-                    return self.read_from_stranger(stream, space, until);
+                    let is_stranger = |state: &mut State| state.found(way) == Found::Stranger;
+                    match self.ask_system(Reason::Readable(way), until, is_stranger, || stream.read(space)) {
+                        Some(read) => break read?,
+                        None => self.fail_if_over(&self.clock.lock(), until)?,
+                    }
                 }
-                Found::Nothing if self.is_nonblocking() || until.is_some_and(|until| until <= state.now) => {
-                    return Err(ErrorKind::WouldBlock.into());
+                Found::Nothing => {
+                    self.fail_if_over(&state, until)?;
+                    self.clock.wait(state, Reason::Readable(way), until, || ());
                 }
-                Found::Nothing => self.clock.wait(state, Reason::Readable(way), until, || ()),
             }
+        };
+        self.clock.lock().read(way, count);
+        Ok(count)
+    }
+
+    /// Number of bytes that a read would bring at least, without reading or waiting: 0 at the end.
+    ///
+    /// # Errors
+    /// [`ErrorKind::WouldBlock`] if a read would wait; what the socket reports.
+    pub fn peek(&self, stream: &TcpStream) -> io::Result<usize> {
+        let found = self.clock.lock().found(self.inbound());
+        match found {
+            Found::Nothing => Err(ErrorKind::WouldBlock.into()),
+            Found::Bytes(count) => self.on_its_way(count, || stream.peek(&mut [0])),
+            Found::End => self.on_its_way(0, || stream.peek(&mut [0])),
+            Found::Stranger => stream.peek(&mut [0]),
         }
     }
 
@@ -116,32 +143,39 @@ impl Channel {
     pub fn write(&self, mut stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<usize> {
         let until = self.clock.deadline(patience);
         let way = self.outbound();
-        loop {
-            let reads = self.clock.lock().pipe(way).reads;
-            match stream.write(bytes) {
-                Ok(count) => {
-                    self.clock.lock().wrote(way, count);
-                    return Ok(count);
-                }
-                Err(error) if !is_time_up(&error) => return Err(error),
-                Err(_) => {}
-            }
+        let count = loop {
             let mut state = self.clock.lock();
-            if self.is_nonblocking() || until.is_some_and(|until| until <= state.now) {
-                return Err(ErrorKind::WouldBlock.into());
+            let room = state.room(way);
+            match room {
+                Room::Bytes(count) => {
+                    drop(state);
+                    let written = write_into_room(stream, &bytes[..count.min(bytes.len())])?;
+                    if written > 0 || bytes.is_empty() {
+                        break written;
+                    }
+                    // The system has less room than the clock knows of: it gets some when the other end reads.
+                    let mut state = self.clock.lock();
+                    self.fail_if_over(&state, until)?;
+                    if state.room(way) == room {
+                        self.clock.wait(state, Reason::Writable(way), until, || ());
+                    }
+                }
+                Room::Nothing => {
+                    self.fail_if_over(&state, until)?;
+                    self.clock.wait(state, Reason::Writable(way), until, || ());
+                }
+                Room::Stranger => {
+                    drop(state);
+                    let is_stranger = |state: &mut State| state.room(way) == Room::Stranger;
+                    match self.ask_system(Reason::Writable(way), until, is_stranger, || stream.write(bytes)) {
+                        Some(written) => break written?,
+                        None => self.fail_if_over(&self.clock.lock(), until)?,
+                    }
+                }
             }
-            if !state.pipe(way).has_reader {
-                drop(state);
-                return self.write_to_stranger(stream, bytes, until);
-            }
-            if state.pipe(way).unread == 0 {
-                // All has been read: the system gives the room in a moment, which takes no time of the clock.
-                drop(state);
-                std::thread::sleep(MOMENT);
-            } else if state.pipe(way).reads == reads {
-                self.clock.wait(state, Reason::Writable(way), until, || ());
-            }
-        }
+        };
+        self.clock.lock().wrote(way, count);
+        Ok(count)
     }
 
     /// Writes all.
@@ -151,11 +185,9 @@ impl Channel {
     pub fn write_all(&self, stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<()> {
         let mut rest = bytes;
         while !rest.is_empty() {
-            match self.write(stream, rest, patience) {
-                Ok(0) => return Err(ErrorKind::WriteZero.into()),
-                Ok(count) => rest = &rest[count..],
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
+            match self.write(stream, rest, patience)? {
+                0 => return Err(ErrorKind::WriteZero.into()),
+                count => rest = &rest[count..],
             }
         }
         Ok(())
@@ -189,58 +221,38 @@ impl Channel {
         self.is_nonblocking.load(Ordering::SeqCst)
     }
 
-    /// Reads what the other end has written: the system has it, or is about to.
-    fn read_announced(&self, stream: &TcpStream, space: &mut [u8], announced: i64) -> io::Result<usize> {
-        let read = self.read_once(stream, space);
-        if read.as_ref().is_err_and(is_time_up) {
-            // It was lost on the way: it is waited for no longer.
-            self.clock.lock().pipe(self.inbound()).unread -= announced;
-        }
-        read
+    /// Fails where a wait until then is over, or none is wanted.
+    fn fail_if_over(&self, state: &State, until: Option<Duration>) -> io::Result<()> {
+        let is_over = self.is_nonblocking() || until.is_some_and(|until| until <= state.now);
+        if is_over { Err(ErrorKind::WouldBlock.into()) } else { Ok(()) }
     }
 
-    fn read_once(&self, mut stream: &TcpStream, space: &mut [u8]) -> io::Result<usize> {
-        let read = stream.read(space);
-        if let Ok(count) = &read {
-            self.clock.lock().read(self.inbound(), *count);
-        }
-        read
+    /// Reads what the other end has written, so many bytes, or its end: the system has it, or is about to.
+    fn on_its_way(&self, count: usize, read: impl FnMut() -> io::Result<usize>) -> io::Result<usize> {
+        transported(read).unwrap_or_else(|| {
+            log::warn!(target: "jaka_clock", "what was written on a connection has not come for {TRANSPORT:?}");
+            // It is waited for no longer.
+            self.clock.lock().read(self.inbound(), count);
+            Err(ErrorKind::WouldBlock.into())
+        })
     }
 
-    fn read_from_stranger(&self, stream: &TcpStream, space: &mut [u8], until: Option<Duration>) -> io::Result<usize> {
-        let way = self.inbound();
-        let read = with_slices(stream, || {
-            let mut attempt = || {
-                let read = self.read_once(stream, space);
-                if read.as_ref().is_err_and(is_time_up) { None } else { Some(read) }
-            };
-            let since = Instant::now();
-            let grace = if self.is_nonblocking() { Duration::ZERO } else { GRACE };
-            loop {
-                if let Some(read) = attempt() {
-                    return Some(read);
-                }
-                let knows_it_now = self.clock.lock().found(way) != Found::Stranger;
-                if knows_it_now || self.is_nonblocking() {
-                    return None;
-                }
-                if since.elapsed() >= grace {
-                    return self.clock.poll(Reason::Readable(way), until, attempt);
-                }
-            }
-        })?;
-        read.unwrap_or_else(|| Err(ErrorKind::WouldBlock.into()))
-    }
-
-    fn write_to_stranger(&self, mut stream: &TcpStream, bytes: &[u8], until: Option<Duration>) -> io::Result<usize> {
-        let written = self.clock.poll(Reason::Writable(self.outbound()), until, || {
-            let written = stream.write(bytes);
-            if written.as_ref().is_err_and(is_time_up) { None } else { Some(written) }
-        });
-        if let Some(Ok(count)) = &written {
-            self.clock.lock().wrote(self.outbound(), *count);
-        }
-        written.unwrap_or_else(|| Err(ErrorKind::WouldBlock.into()))
+    /// Asks the system for what only it knows, at first while time stands still; none where the time is over, or the
+    /// clock knows it now.
+    fn ask_system<T>(
+        &self,
+        reason: Reason,
+        until: Option<Duration>,
+        is_stranger: impl Fn(&mut State) -> bool,
+        mut attempt: impl FnMut() -> io::Result<T>,
+    ) -> Option<io::Result<T>> {
+        let mut ask = || match attempt() {
+            Err(error) if is_time_up(&error) => (!is_stranger(&mut self.clock.lock())).then_some(None),
+            done => Some(Some(done)),
+        };
+        let grace = if self.is_nonblocking() { Duration::ZERO } else { self.clock.grace() };
+        let answer = for_long(grace, &mut ask);
+        answer.or_else(|| if self.is_nonblocking() { None } else { self.clock.poll(reason, until, ask) })?
     }
 }
 
@@ -250,15 +262,41 @@ impl Drop for Channel {
     }
 }
 
-/// Systems differ in what they call it.
-fn is_time_up(error: &io::Error) -> bool {
-    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
+/// Writes into room that the system has, or is about to have; less where it has less.
+fn write_into_room(mut stream: &TcpStream, bytes: &[u8]) -> io::Result<usize> {
+    let mut written = 0;
+    while written < bytes.len() {
+        match transported(|| stream.write(&bytes[written..])) {
+            Some(Ok(count)) if count > 0 => written += count,
+            // The next write has the error again.
+            Some(Err(error)) if written == 0 => return Err(error),
+            _ => break,
+        }
+    }
+    Ok(written)
 }
 
-/// Reads that end soon.
-fn with_slices<T>(stream: &TcpStream, act: impl FnOnce() -> T) -> io::Result<T> {
-    stream.set_read_timeout(Some(SLICE))?;
-    let done = act();
-    stream.set_read_timeout(Some(ARRIVAL))?;
-    Ok(done)
+/// The outcome of a call of the system that is about to have one.
+fn transported<T>(mut call: impl FnMut() -> io::Result<T>) -> Option<io::Result<T>> {
+    for_long(TRANSPORT, || Some(call()).filter(|outcome| !outcome.as_ref().is_err_and(is_time_up)))
+}
+
+/// Attempts once, and again until so much time has passed, of which a stop of the process or a late return takes
+/// little.
+fn for_long<T>(time: Duration, mut attempt: impl FnMut() -> Option<T>) -> Option<T> {
+    let mut left = time;
+    loop {
+        let since = Instant::now();
+        let found = attempt();
+        left = left.saturating_sub(since.elapsed().min(LONGEST_SLICE));
+        if found.is_some() || left.is_zero() {
+            return found;
+        }
+    }
+}
+
+/// True where a call only waited. Systems differ in what they call it, and interrupt a call when the process is
+/// stopped.
+fn is_time_up(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
 }

@@ -20,8 +20,11 @@ use crate::state::{MovesTime, Reason, State};
 /// A thread takes part from its first wait in the time of the clock until it ends. What it does in between takes no time. Three things must be told to the clock:
 /// - a thread that is started while others take part: [`participant`](Self::participant);
 /// - a wait for something else, such as the end of another thread: [`outside`](Self::outside). Otherwise time stands still for ever;
-/// - what goes through the hands of others, such as a proxy between client and controller, arrives when the system says so: on a connection whose other end does
-///   not take part, time stands still for 100 ms of real time whenever a wait for bytes begins.
+/// - what goes through the hands of others, such as a proxy between client and controller, arrives when the system says
+///   so: on a connection whose other end does not take part, time stands still for 100 ms of real time whenever a wait
+///   for bytes begins, or for so long as [`with_grace`](Self::with_grace) says. What is later comes at a time that
+///   depends on the machine. A program or test takes part with its own connections by [`connect`](Self::connect) and
+///   [`bind`](Self::bind).
 ///
 /// Instants of the clock can be compared with each other alone.
 #[derive(Clone)]
@@ -30,13 +33,29 @@ pub struct SimulatedClock(Arc<Inner>);
 struct Inner {
     /// The instant of no time.
     origin: Instant,
+    /// Real time for which this stands still for an end that does not take part.
+    grace: Duration,
     state: Mutex<State>,
 }
+
+/// Real time for which a clock stands still for an end that does not take part, unless the user says otherwise.
+const GRACE: Duration = Duration::from_millis(100);
 
 impl SimulatedClock {
     /// A clock of its own, which begins now.
     pub fn new() -> Self {
-        Self(Arc::new(Inner { origin: Instant::now(), state: Mutex::default() }))
+        Self::with_grace(GRACE)
+    }
+
+    /// A clock that stands still for so long, in real time, when a wait for a connection begins whose other end does
+    /// not take part. With a minute, what another program answers always comes at the time at which it was asked; but a
+    /// wait for one that is silent takes a minute.
+    pub fn with_grace(grace: Duration) -> Self {
+        Self(Arc::new(Inner { origin: Instant::now(), grace, state: Mutex::default() }))
+    }
+
+    pub(crate) fn grace(&self) -> Duration {
+        self.0.grace
     }
 
     /// What the time is.

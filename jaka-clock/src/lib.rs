@@ -4,6 +4,8 @@ mod channel;
 mod clock;
 mod seat;
 mod state;
+mod stream;
 
 pub use channel::Channel;
 pub use clock::{Participant, SimulatedClock, Work};
+pub use stream::{Listener, Stream};

@@ -38,6 +38,9 @@ pub(crate) struct State {
     pub(crate) listeners: HashSet<SocketAddr>,
     /// Connections that were made, and that the other end has not accepted yet.
     coming: HashSet<Way>,
+    /// Connections that were accepted, and whose programs have not said that they were made: these may be held up, or
+    /// take no part.
+    accepted: HashSet<Way>,
 }
 
 /// A thread that waits.
@@ -58,29 +61,43 @@ pub(crate) enum MovesTime {
     No,
 }
 
-/// What is known of the bytes from one end of a connection to the other.
+/// Bytes on their way from one end of a connection to the other.
 #[derive(Debug, Default)]
 pub(crate) struct Pipe {
-    /// How many were written and not read. Below zero where they were read before their writer could say so.
+    /// Number of bytes that were written and not read. Below zero where a read overtakes the writer, which says so
+    /// after its write.
     pub(crate) unread: i64,
-    /// How often some were read.
-    pub(crate) reads: u64,
-    /// None come any more after those that are unread.
-    pub(crate) is_closed: bool,
-    /// Whether the reader takes part.
-    pub(crate) has_reader: bool,
+    /// No bytes come after those that are unread.
+    is_closed: bool,
+    has_reader: bool,
     has_writer: bool,
 }
 
-/// What a reader finds.
+/// Bytes that a reader finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Found {
-    /// Bytes, or the end.
-    Something,
+    /// So many were written and not read.
+    Bytes(usize),
     Nothing,
+    /// The writer is gone, and all its bytes were read.
+    End,
     /// The other end does not take part: the system alone knows.
     Stranger,
 }
+
+/// Room that a writer finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Room {
+    /// For so many bytes.
+    Bytes(usize),
+    Nothing,
+    /// The other end does not take part, or is gone: the system alone knows.
+    Stranger,
+}
+
+/// Number of bytes that can be on their way to a participant. Less than the room that systems have for a connection on
+/// loopback, so that what a write takes depends on the reader alone.
+pub(crate) const WINDOW: i64 = 1 << 20;
 
 impl State {
     pub(crate) fn begin_work(&mut self) {
@@ -181,40 +198,53 @@ impl State {
     }
 
     pub(crate) fn read(&mut self, way: Way, count: usize) {
-        let pipe = self.pipe(way);
-        pipe.unread -= signed(count);
-        pipe.reads += 1;
+        self.pipe(way).unread -= signed(count);
         self.signal(Reason::Writable(way));
     }
 
-    /// What the reader of this way finds.
     pub(crate) fn found(&mut self, way: Way) -> Found {
         let pipe = self.pipe(way);
         match pipe {
-            _ if pipe.is_closed || pipe.unread > 0 => Found::Something,
-            _ if pipe.has_writer => Found::Nothing,
+            Pipe { unread: 1.., .. } => Found::Bytes(usize::try_from(pipe.unread).unwrap_or(usize::MAX)),
+            Pipe { is_closed: true, .. } => Found::End,
+            Pipe { has_writer: true, .. } => Found::Nothing,
             _ => Found::Stranger,
+        }
+    }
+
+    pub(crate) fn room(&mut self, way: Way) -> Room {
+        let pipe = self.pipe(way);
+        if pipe.is_closed || !pipe.has_reader {
+            return Room::Stranger;
+        }
+        match usize::try_from(WINDOW.saturating_sub(pipe.unread)) {
+            Ok(count @ 1..) => Room::Bytes(count),
+            _ => Room::Nothing,
         }
     }
 
     /// Nobody accepts connections there any more.
     pub(crate) fn stop_listening(&mut self, address: SocketAddr) {
         self.listeners.remove(&address);
-        let before = self.coming.len();
-        self.coming.retain(|(_, server)| !is_at(address, *server));
-        for _ in self.coming.len()..before {
+        self.accepted.retain(|(_, server)| !is_at(address, *server));
+        let lost: Vec<_> = self.coming.iter().copied().filter(|(_, server)| is_at(address, *server)).collect();
+        for (client, server) in lost {
+            self.coming.remove(&(client, server));
+            // Its end is on its way.
+            self.drop_end(server, client);
             self.end_work();
         }
     }
 
-    /// An end of a connection that was made takes part. Where a participant accepts it, time stands still until it has.
+    /// An end of a connection that was made takes part. Where a participant accepts it, its other end takes part, too,
+    /// and time stands still until it is accepted.
     pub(crate) fn connected(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.open(local, peer);
-        let is_accepted = self.pipe((peer, local)).has_writer;
-        if !is_accepted
-            && self.listeners.iter().any(|listener| is_at(*listener, peer))
-            && self.coming.insert((local, peer))
-        {
+        // Its other end may be gone again by now.
+        let is_accepted = self.accepted.remove(&(local, peer));
+        if !is_accepted && self.listeners.iter().any(|listener| is_at(*listener, peer)) {
+            self.open(peer, local);
+            self.coming.insert((local, peer));
             self.begin_work();
         }
     }
@@ -223,6 +253,7 @@ impl State {
     pub(crate) fn accepted(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.open(local, peer);
         if !self.coming.remove(&(peer, local)) {
+            self.accepted.insert((peer, local));
             self.begin_work();
         }
     }

@@ -1,6 +1,4 @@
-//! Who may receive which reply, and what becomes of requests.
-
-mod naive;
+//! The exchange by examples. Random runs are in `tests/tests/exchange_client/`, against a model.
 
 use std::time::{Duration, Instant};
 
@@ -288,4 +286,37 @@ fn what_is_out_of_sync_names_the_command() {
             "one of two replies to `jog` is lost, and it is not known which",
         ]
     );
+}
+
+/// Takes an hour if a step takes as long as there are outstanding commands.
+#[test]
+fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
+    const COUNT: usize = 500_000;
+    let since = Instant::now();
+    let mut exchange = Exchange::default();
+    let send = |exchange: &mut Exchange| -> Vec<RequestId> { (0..COUNT).map(|_| exchange.send("a".into())).collect() };
+    let dropped = send(&mut exchange);
+    for request in dropped {
+        exchange.abandon(request);
+    }
+    let awaited = send(&mut exchange);
+    for _ in 0..COUNT {
+        exchange.post("a", since);
+    }
+    let reply = named("a");
+    for number in 0..3 * COUNT {
+        let mut nobody = Waiter::nobody();
+        let envelope = nobody.read(&reply).expect("the text is JSON");
+        let delivery = exchange.receive(&reply, envelope, &mut nobody).expect("it is outstanding").delivery;
+        assert_eq!(delivery, [Delivery::Discarded, Delivery::Pending, Delivery::Counted][number / COUNT]);
+    }
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (0, 0));
+    assert_eq!(exchange.take_posted_outcomes().accepted, COUNT as u64);
+    let (mut text, mut reader) = (String::new(), TextOnly);
+    for request in awaited {
+        let mut waiter = Waiter::new(request, &mut text, &mut reader);
+        exchange.take_pending(&mut waiter);
+        assert_eq!(waiter.take_outcome(), Some(Ok(())));
+    }
+    assert!(since.elapsed() < Duration::from_secs(300), "{:?}", since.elapsed());
 }

@@ -237,11 +237,21 @@ impl Controller {
     /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
     /// accepted.
     pub fn disconnect(&self) {
-        self.shared.command_listener.wait_until_accepted();
-        self.shared.status_listener.wait_until_accepted();
+        self.wait_until_accepted();
         self.shared.active_client.close();
         self.shared.readers.close();
         self.shared.links.abort();
+    }
+
+    /// Waits until the controller has accepted every connection made before this call, on both ports.
+    ///
+    /// A client's `connect` returns as soon as the system has the connection. Only after this call has a new command
+    /// client taken the port
+    /// from the one before it. If the system has no socket left to wait with, only what has been accepted so far
+    /// counts.
+    pub fn wait_until_accepted(&self) {
+        self.shared.command_listener.wait_until_accepted();
+        self.shared.status_listener.wait_until_accepted();
     }
 
     /// Waits until no command client is connected; false if one still is after `timeout`.

@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::time::Duration;
 
-use crate::common::{Peer, assert_accepted, document, stepped};
+use crate::common::{Peer, assert_accepted, document, enabled, stepped};
 use jaka_sim::{ArmFault, Controller, State};
 
 fn ms(time: u64) -> Duration {
@@ -47,8 +47,7 @@ fn each_fault_changes_what_its_name_says() {
 
 #[test]
 fn a_collision_comes_in_its_cycle_however_far_time_goes_on_at_once() {
-    let controller = document().stepped_clock().at(ms(2000), ArmFault::Collide).start().expect("loopback has ports");
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    let controller = enabled(document().stepped_clock().at(ms(2000), ArmFault::Collide));
     let mut peer = Peer::commands(&controller);
     let turn = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[90,0,0,0,0,0],"speed":10,"accel":100}"#;
     assert_accepted(&peer.ask(turn), "joint_move");

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, ready, request, stepped};
+use crate::common::{Peer, assert_accepted, assert_refused, assert_unknown, fresh, json, request, stepped};
 use jaka_proto::{Command, Envelope, Request, Visit, read_payload};
 use jaka_spec::Requirement;
 
@@ -33,7 +33,7 @@ fn power_comes_before_enabling_and_enabling_before_motion() {
 
 #[test]
 fn servo_mode_ends_with_what_it_needs() {
-    let controller = ready();
+    let controller = stepped();
     let mut peer = Peer::commands(&controller);
     let enter = r#"{"cmdName":"servo_move","relFlag":1}"#;
     for end in ["power_off", "disable_robot"] {
@@ -128,7 +128,7 @@ const PAIRS: [(&str, &str, &str); 22] = [
 
 #[test]
 fn a_get_after_a_set_gives_it_back() {
-    let controller = ready();
+    let controller = stepped();
     let mut peer = Peer::commands(&controller);
     for (set, get, expected) in PAIRS {
         assert_eq!(peer.ask(&format!("{{\"cmdName\":{set}}}"))["errorCode"], "0", "{set}");
@@ -188,7 +188,7 @@ fn what_has_no_query_is_in_the_state() {
 
 #[test]
 fn what_the_controller_cannot_carry_out_is_refused() {
-    let controller = ready();
+    let controller = stepped();
     let mut peer = Peer::commands(&controller);
     let requests = [
         ("joint_move", r#""relFlag":0"#),
@@ -271,7 +271,7 @@ fn every_example_of_the_spec_is_answered() {
 
 #[test]
 fn requirements_are_those_of_the_spec() {
-    let controller = ready();
+    let controller = stepped();
     let mut peer = Peer::commands(&controller);
     let spec = jaka_spec::builtin().expect("the spec is correct");
     for command in spec.commands() {

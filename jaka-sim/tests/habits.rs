@@ -1,9 +1,8 @@
 //! What real controllers do that no document says, one by one, on a clock that the test moves on.
 
-use std::io::ErrorKind;
 use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, assert_accepted, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, enabled, json, request};
 use jaka_sim::{Controller, Delays, Firmware, Habit, Habits, State};
 
 const CYCLE: Duration = Duration::from_millis(8);
@@ -12,11 +11,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// A controller with these habits whose arm is enabled, and a client.
 fn with(habits: impl Into<Habits>) -> (Controller, Peer) {
     let builder = Controller::builder().delays(Delays::NONE).stepped_clock().firmware(Firmware::Newer);
-    let controller = builder.habits(habits).status_period(Duration::MAX).start().expect("loopback has ports");
-    controller.set_state(|state| {
-        state.powered = true;
-        state.enabled = true;
-    });
+    let controller = enabled(builder.habits(habits).status_period(Duration::MAX));
     let peer = Peer::commands(&controller);
     (controller, peer)
 }
@@ -143,10 +138,7 @@ fn commanded_positions_lead_while_the_arm_moves() {
 fn assert_silent(controller: &Controller, peer: &Peer) {
     // This waits for a thread that is about to send a reply.
     controller.release();
-    peer.stream.set_nonblocking(true).expect("an option can be set");
-    let peeked = peer.stream.peek(&mut [0]).map_err(|error| error.kind());
-    peer.stream.set_nonblocking(false).expect("an option can be set");
-    assert_eq!(peeked, Err(ErrorKind::WouldBlock));
+    assert!(!peer.has_something());
 }
 
 #[test]
@@ -336,9 +328,7 @@ fn real_firmware_enters_servo_mode_at_once_on_an_idle_arm_and_never_while_it_mov
 fn a_habit_of_the_firmware_can_be_left_out() {
     let events = |habits: Habits| {
         let builder = Controller::builder().delays(Delays::NONE).stepped_clock().habits(habits);
-        let controller = builder.start().expect("loopback has ports");
-        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-        controller.state().error_code
+        enabled(builder).state().error_code
     };
     let usual = Firmware::V1_5_14.habits();
     assert_eq!(usual, Habits::from([Habit::LatePower, Habit::ServoAtRest, Habit::Events]));

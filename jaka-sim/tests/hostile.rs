@@ -5,13 +5,21 @@ mod common;
 use std::collections::VecDeque;
 use std::io::{ErrorKind, Write};
 use std::net::TcpStream;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, request, skipped};
+use common::{LIMIT, Peer, assert_accepted, fresh, request, simulated, skipped};
 use jaka_sim::{Controller, Fault, StatusFault};
 
-/// How much memory a test may take, in MiB. The tests run side by side, and what they send is far more.
+/// Most memory that a test may take, in MiB. What it sends is far more.
 const MOST_MEMORY: usize = 64;
+
+/// Waits for the other tests: memory and descriptors are those of one of them.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// The memory of this process, in MiB, if pages have 4 KiB; 0 where it is not known, which is told.
 fn memory() -> usize {
@@ -45,7 +53,7 @@ fn assert_well(controller: &Controller, before: usize) {
 /// Sends these bytes over and over, and reads what comes; true if the controller takes it all.
 fn flood(peer: &mut Peer, bytes: &[u8], times: usize) -> bool {
     let mut theirs = peer.stream.try_clone().expect("a socket can be shared");
-    std::thread::scope(|scope| {
+    thread::scope(|scope| {
         scope.spawn(move || std::io::copy(&mut theirs, &mut std::io::sink()));
         let taken = (0..times).all(|_| peer.stream.write_all(bytes).is_ok());
         peer.stream.shutdown(std::net::Shutdown::Both).ok();
@@ -53,7 +61,8 @@ fn flood(peer: &mut Peer, bytes: &[u8], times: usize) -> bool {
     })
 }
 
-/// Sends these bytes over and over until the connection is full; the number of bytes that it has taken.
+/// Sends these bytes over and over until the connection is full, or the controller is held up; the number of bytes that
+/// it has taken.
 fn fill(stream: &mut TcpStream, bytes: &[u8]) -> usize {
     stream.set_write_timeout(Some(Duration::from_millis(300))).expect("a timeout can be set");
     let mut sent = 0;
@@ -61,6 +70,8 @@ fn fill(stream: &mut TcpStream, bytes: &[u8]) -> usize {
         assert!(sent < 256 << 20, "the connection has no end");
         match stream.write(bytes) {
             Ok(count) => sent += count,
+            // The process was stopped for a moment.
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
             Err(error) => {
                 assert!(matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut), "{error}");
                 return sent;
@@ -80,6 +91,7 @@ fn random(seed: u64) -> Vec<u8> {
 
 #[test]
 fn random_bytes() {
+    let _alone = alone();
     let (controller, before) = (fresh(), memory());
     for seed in 0..8 {
         let bytes = random(seed);
@@ -94,6 +106,7 @@ fn random_bytes() {
 
 #[test]
 fn a_hundred_megabytes_without_a_brace() {
+    let _alone = alone();
     let (controller, before) = (fresh(), memory());
     let bytes = vec![b'x'; 1 << 20];
     assert!(flood(&mut Peer::commands(&controller), &bytes, 100));
@@ -113,6 +126,7 @@ fn a_hundred_megabytes_without_a_brace() {
 
 #[test]
 fn requests_as_long_as_they_may_be() {
+    let _alone = alone();
     let (controller, before) = (fresh(), memory());
     let text = format!("{{\"cmdName\":\"get_version\",\"a\":\"{}\"}}", "x".repeat(60 << 10));
     assert!(flood(&mut Peer::commands(&controller), text.as_bytes(), 2_000));
@@ -122,6 +136,7 @@ fn requests_as_long_as_they_may_be() {
 
 #[test]
 fn a_thousand_connections() {
+    let _alone = alone();
     let (controller, before) = (fresh(), memory());
     let (mut peers, most) = (VecDeque::new(), most_connections());
     for count in 0..1000 {
@@ -147,6 +162,7 @@ fn a_thousand_connections() {
 
 #[test]
 fn a_command_client_that_never_reads() {
+    let _alone = alone();
     let (controller, before) = (fresh(), memory());
     let mut peer = Peer::commands(&controller);
     fill(&mut peer.stream, request("get_joint_pos").repeat(1_000).as_bytes());
@@ -158,11 +174,12 @@ fn a_command_client_that_never_reads() {
 
 #[test]
 fn a_status_reader_that_never_reads() {
-    let (controller, before) = (fresh(), memory());
-    let mut peer = Peer::status(&controller);
-    let other = Peer::status(&controller);
-    let mut stream = other.stream.try_clone().expect("a socket can be shared");
-    let read = std::thread::spawn(move || std::io::copy(&mut stream, &mut std::io::sink()));
+    let _alone = alone();
+    let ((clock, controller), before) = (simulated(), memory());
+    let mut peer = Peer::simulated_status(&controller);
+    let mut other = Peer::simulated_status(&controller);
+    let place = clock.participant();
+    let read = thread::spawn(move || place.run(|| std::io::copy(&mut other.stream, &mut std::io::sink())));
     // It is dropped when its buffers are full, and the other one gets all.
     controller.status_fault(StatusFault::Instead(vec![b' '; 1 << 20]));
     for _ in 0..100 {
@@ -171,13 +188,14 @@ fn a_status_reader_that_never_reads() {
     controller.status_fault(StatusFault::None);
     assert_well(&controller, before);
     drop(controller);
-    let all = read.join().expect("nothing fails there").expect("the end is not an error");
+    let all = clock.outside(|| read.join()).expect("nothing fails there").expect("the end is not an error");
     assert!(all > 100 << 20);
     assert!(peer.read_to_end().len() < 100 << 20);
 }
 
 #[test]
 fn replies_that_are_kept_back_without_end() {
+    let _alone = alone();
     for fault in [Fault::Hold, Fault::WithNext, Fault::Delay(Duration::MAX)] {
         let (controller, before) = (fresh(), memory());
         controller.inject_always(fault);

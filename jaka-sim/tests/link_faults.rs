@@ -1,10 +1,11 @@
 //! Links that stall, delay and cut, as plain sockets see them.
 
 use std::io::{ErrorKind, Read};
+use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
-use jaka_sim::{Controller, Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, Takeover};
+use crate::common::{LIMIT, Peer, assert_accepted, document, fresh, json, request, simulated};
+use jaka_sim::{Controller, Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, SimulatedClock, Takeover};
 
 /// How long nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.
 const QUIET: Duration = Duration::from_millis(40);
@@ -22,7 +23,13 @@ fn connected() -> (Controller, Peer, Peer) {
 /// True if neither bytes nor an end come.
 fn is_quiet(peer: &Peer) -> bool {
     peer.stream.set_read_timeout(Some(QUIET)).expect("a timeout can be set");
-    let peeked = peer.stream.peek(&mut [0]);
+    let peeked = loop {
+        match peer.stream.peek(&mut [0]) {
+            // The process was stopped for a moment.
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            peeked => break peeked,
+        }
+    };
     peer.stream.set_read_timeout(Some(LIMIT)).expect("a timeout can be set");
     peeked.is_err_and(|error| matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut))
 }
@@ -162,17 +169,17 @@ fn a_late_reply_comes_although_requests_are_held() {
 #[test]
 fn a_delay_lets_as_much_pass() {
     for direction in Direction::ALL {
-        let (controller, mut commands, _status) = connected();
+        let (clock, controller) = simulated();
+        let mut commands = Peer::simulated_commands(&controller);
         controller.link(Port::Command).direction(direction).delay(DELAY);
-        let began = Instant::now();
         // Those that come one by one would take 30 s.
         for _ in 0..200 {
             commands.send(request("get_version"));
         }
         for _ in 0..200 {
             assert_accepted(&json(&commands.receive()), "get_version");
+            assert_eq!(clock.elapsed(), DELAY);
         }
-        assert!((DELAY..LIMIT).contains(&began.elapsed()), "{:?}", began.elapsed());
     }
 }
 
@@ -317,7 +324,7 @@ fn a_reset_is_held_too() {
     assert!(controller.wait_for_disconnect(LIMIT));
     assert!(is_quiet(&commands));
     controller.links().release();
-    let error = commands.stream.read(&mut [0]).expect_err("the reset is an error");
+    let error = commands.stream.read_exact(&mut [0]).expect_err("the reset is an error");
     assert_eq!(error.kind(), ErrorKind::ConnectionReset);
 }
 
@@ -390,19 +397,24 @@ fn no_thread_waits_for_a_link() {
 #[test]
 fn too_much_that_waits_ends_the_connection() {
     const MIB: usize = 1 << 20;
-    let (controller, mut commands, mut status) = connected();
+    let (clock, controller) = simulated();
+    let mut commands = Peer::simulated_commands(&controller);
+    let mut status = Peer::simulated_status(&controller);
+    assert_accepted(&commands.call("get_version"), "get_version");
+    status.receive();
     controller.links().to_client().hold();
     for _ in 0..20 {
         controller.send_status(&vec![b' '; MIB]);
     }
     let sent = (0..20).filter(|_| controller.send(&vec![b' '; MIB]).is_ok()).count();
     assert_eq!(sent, 16);
-    assert!(is_quiet(&commands) && is_quiet(&status));
+    assert!(commands.is_quiet_for(DELAY) && status.is_quiet_for(DELAY));
+    let place = clock.participant();
     controller.links().release();
-    let status = status.read_to_end_in_parallel();
+    let status = thread::spawn(move || place.run(|| status.read_to_end().len()));
     // What could not be sent is not missing where it was not taken.
     assert_eq!(commands.receive_bytes(16 * MIB), vec![b' '; 16 * MIB]);
-    assert_eq!(status.join().expect("no panic"), 16 * MIB);
+    assert_eq!(clock.outside(|| status.join()).expect("no panic"), 16 * MIB);
     assert_accepted(&commands.call("get_version"), "get_version");
 }
 
@@ -427,18 +439,18 @@ fn a_planned_fault_has_its_time() {
     let hold = LinkEvent::new(LinkFault::Hold).port(Port::Status).lasting(DELAY);
     let cut = LinkEvent::new(LinkFault::Cut).port(Port::Status).to_client().after(DELAY * 2);
     let plan = FaultPlan::new().link(hold).link(cut);
-    let began = Instant::now();
-    let builder = Controller::builder().faults(plan).status_period(Duration::from_millis(10));
+    let clock = SimulatedClock::new();
+    let builder = document().faults(plan).status_period(Duration::from_millis(10)).clock(&clock);
     let controller = builder.start().expect("loopback has ports");
-    let mut status = Peer::status(&controller);
-    assert_passed(Port::Status, &mut status);
-    assert!(began.elapsed() >= DELAY);
-    let mut is_cut = false;
-    while !is_cut && began.elapsed() < LIMIT {
-        is_cut = is_quiet(&status);
-        if !is_cut {
-            status.receive();
-        }
+    let mut status = Peer::simulated_status(&controller);
+    // Those of 0 ms to 150 ms have waited.
+    for _ in 0..=15 {
+        status.receive();
+        assert_eq!(clock.elapsed(), DELAY);
     }
-    assert!(is_cut);
+    for count in 16..30 {
+        status.receive();
+        assert_eq!(clock.elapsed(), Duration::from_millis(10) * count);
+    }
+    assert!(status.is_quiet_for(LIMIT));
 }

@@ -1,8 +1,9 @@
 //! Status packets.
 
+use std::thread;
 use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, fresh, json, stepped};
+use crate::common::{LIMIT, Peer, fresh, json, simulated, stepped};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
 use jaka_sim::Controller;
@@ -182,16 +183,20 @@ fn packets_come_by_themselves() {
 fn a_reader_who_does_not_read_is_dropped_and_delays_no_other() {
     // More than the kernel takes for a reader who does not read.
     const MUCH: usize = 64 << 20;
-    let controller = fresh();
-    let mut slow = Peer::status(&controller);
+    let (clock, controller) = simulated();
+    let mut slow = Peer::simulated_status(&controller);
     slow.receive();
-    let mut reader = Peer::status(&controller);
+    let mut reader = Peer::simulated_status(&controller);
     reader.receive();
-    std::thread::scope(|scope| {
-        scope.spawn(|| controller.send_status(&vec![b' '; MUCH]));
+    let place = clock.participant();
+    thread::scope(|scope| {
+        let sender = scope.spawn(|| place.run(|| controller.send_status(&vec![b' '; MUCH])));
         // The other one gets all of it while the first is waited for.
         assert_eq!(reader.receive_bytes(MUCH).len(), MUCH);
+        assert_eq!(clock.elapsed(), Duration::ZERO);
+        clock.outside(|| sender.join()).expect("nothing fails there");
     });
+    assert_eq!(clock.elapsed(), Duration::from_secs(1));
     assert!(slow.read_to_end().len() < MUCH);
     controller.publish();
     assert_eq!(typed(&reader.receive()).powered_on, Some(false));

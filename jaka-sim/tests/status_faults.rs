@@ -1,8 +1,8 @@
 //! What a monitor must survive.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, fresh, json};
+use crate::common::{Peer, fresh, json, simulated};
 use jaka_sim::{Controller, FaultPlan, StatusFault};
 
 /// A reader that has had its first packet, and a controller that sends none but those asked for.
@@ -31,20 +31,21 @@ fn no_packet_comes() {
 #[test]
 fn packets_come_with_another_period() {
     let period = Duration::from_millis(150);
-    let controller = Controller::builder().status_period(Duration::from_secs(3600)).start().expect("there are ports");
-    let mut peer = Peer::status(&controller);
+    let (clock, controller) = simulated();
+    let mut peer = Peer::simulated_status(&controller);
     peer.receive();
-    let start = Instant::now();
     controller.status_fault(StatusFault::Slow(period));
-    for _ in 0..4 {
+    for count in 1..=4 {
         peer.receive();
+        assert_eq!(clock.elapsed(), period * count);
     }
-    assert!((period * 3..LIMIT).contains(&start.elapsed()), "{:?}", start.elapsed());
     controller.status_fault(StatusFault::Slow(Duration::MAX));
     controller.status_fault(StatusFault::Slow(Duration::ZERO));
     for _ in 0..50 {
         peer.receive();
     }
+    // One each millisecond is the most.
+    assert_eq!(clock.elapsed(), period * 4 + Duration::from_millis(50));
 }
 
 #[test]

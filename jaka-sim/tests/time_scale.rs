@@ -1,34 +1,36 @@
 //! Time that passes faster than real time.
 
 use std::io::ErrorKind;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, assert_accepted, document};
-use jaka_sim::{Delays, Habit};
+use crate::common::{Peer, assert_accepted, document};
+use jaka_sim::{Delays, Habit, SimulatedClock};
 
-/// Longer than the peers wait.
 const LONG: Duration = Duration::from_secs(1000);
 
 #[test]
 fn delays_motions_and_packets_pass_as_fast_as_the_time() {
     let mut delays = Delays::NONE;
     delays.power_on = LONG;
+    let clock = SimulatedClock::new();
     let builder = document().delays(delays).habits(Habit::LatePower).status_period(LONG).time_scale(1000.0);
-    let controller = builder.start().expect("loopback has ports");
-    let mut reader = Peer::status(&controller);
-    let mut peer = Peer::commands(&controller);
-    // All of this within the time limits of the peers, of 10 s.
+    let controller = builder.clock(&clock).start().expect("loopback has ports");
+    let mut reader = Peer::simulated_status(&controller);
+    let mut peer = Peer::simulated_commands(&controller);
+    reader.receive();
+    assert_eq!(clock.elapsed(), Duration::ZERO);
+    reader.receive();
+    assert_eq!((clock.elapsed(), controller.elapsed()), (LONG / 1000, LONG));
     assert_accepted(&peer.call("power_on"), "power_on");
-    assert!(controller.elapsed() >= LONG && controller.state().powered);
-    reader.receive();
-    reader.receive();
+    assert_eq!(clock.elapsed(), 2 * LONG / 1000);
+    assert!(controller.state().powered);
     controller.set_state(|state| state.enabled = true);
     let turn = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[100,0,0,0,0,0],"speed":1,"accel":1}"#;
-    let start = Instant::now();
     assert_accepted(&peer.ask(turn), "joint_move");
     assert_eq!(peer.call("wait_complete")["errorCode"], "0");
     assert!((controller.state().joint_position.0[0] - 100.0).abs() < 1e-9);
-    assert!(start.elapsed() < LIMIT, "100 s have passed");
+    // 101 s, and the time until the controller looks.
+    assert_eq!(clock.elapsed(), 2 * LONG / 1000 + Duration::from_millis(102));
 }
 
 #[test]

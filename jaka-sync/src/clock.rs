@@ -38,6 +38,11 @@ impl Clock {
         self.now().saturating_duration_since(since)
     }
 
+    /// Time since an instant of the system; by a simulated clock, since that clock was made.
+    pub(crate) fn elapsed_since_start(&self, started: Instant) -> Duration {
+        self.0.as_ref().map_or_else(|| started.elapsed(), SimulatedClock::elapsed)
+    }
+
     /// The time until then; none where that has passed.
     pub(crate) fn left(&self, until: Instant) -> Duration {
         until.saturating_duration_since(self.now())
@@ -71,7 +76,6 @@ impl Clock {
     }
 
     /// The place of a thread that will be started, and for whose waits time goes on.
-    #[cfg(feature = "stream")]
     pub(crate) fn participant(&self) -> Place {
         Place(self.0.as_ref().map(SimulatedClock::participant))
     }

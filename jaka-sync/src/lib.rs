@@ -90,7 +90,8 @@ pub const STATUS_PORT: u16 = 10000;
 pub mod newer_firmware {}
 
 #[cfg(any(doc, doctest))]
-#[doc = include_str!("../docs/cookbook.md")]
+// Its tests take simulated time.
+#[cfg_attr(any(not(doctest), feature = "simulated-clock"), doc = include_str!("../docs/cookbook.md"))]
 pub mod cookbook {}
 
 /// What macros of this crate name; no part of the interface.

@@ -40,14 +40,10 @@ impl Socket {
 
     /// How many bytes a read would bring at least, without reading or waiting: 0 at the end. The socket must not block, and no thread may read or write.
     pub(crate) fn peek(&self) -> io::Result<usize> {
-        if self.end.is_none() {
-            return self.stream.peek(&mut [0]);
+        match &self.end {
+            None => self.stream.peek(&mut [0]),
+            Some(end) => end.peek(&self.stream),
         }
-        // The system's socket blocks: only its end does not.
-        self.stream.set_nonblocking(true)?;
-        let peeked = self.stream.peek(&mut [0]);
-        self.stream.set_nonblocking(false)?;
-        peeked
     }
 
     /// Writes once. How long it waits, the write timeout says, or, by a simulated clock, `left`.

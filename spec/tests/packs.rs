@@ -1,6 +1,4 @@
-//! Packs: what they add and change, and what users read when one is wrong.
-
-mod unfit;
+//! Packs: what they add and change. What users read when one is wrong is in `reports`.
 
 use expect_test::{Expect, expect};
 use jaka_spec::{Pack, Request, Severity, Source, Spec, TypeKind, builtin, load_pack};
@@ -225,54 +223,6 @@ fn packs_add_to_packs() {
     let second = load_pack(&first.spec, Source { path: "more.toml", text }).expect("the pack is correct");
     let command = second.spec.command("demo_motion_state").expect("the first pack has it");
     assert_eq!(command.deadline.map(|deadline| deadline.as_secs()), Some(9));
-}
-
-#[test]
-fn what_the_spec_has_by_now_is_noted() {
-    notes(
-        r#"
-[[command]]
-wire = "get_joint_pos"
-effect = "query"
-doc = "Reads the joints, in words of its own."
-
-[[command.reply]]
-wire = "joint_pos"
-name = "joint_position"
-type = "JointPosition"
-doc = "Where the joints are."
-
-[[override]]
-target = "rapid_rate"
-request = "rate_value"
-max = 1
-"#,
-        &expect![[r"
-            newer.toml:1:1: this pack no longer changes anything: the spec has all of it by now
-            newer.toml:3:1: command `get_joint_pos`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
-            newer.toml:14:1: override of `rapid_rate`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
-        "]],
-    );
-}
-
-#[test]
-fn a_pack_of_which_the_spec_has_a_part_keeps_the_rest() {
-    notes(
-        &format!("{MOTION_STATE}\n[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 1\n"),
-        &expect![[r"
-            newer.toml:13:1: override of `rapid_rate`: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
-        "]],
-    );
-}
-
-#[test]
-fn what_is_settled_by_now_is_noted() {
-    notes(
-        "[[override]]\ntarget = \"rapid_rate\"\nrequest = \"rate_value\"\nmax = 2\nsettled = \"Tried.\"\n",
-        &expect![[r"
-            newer.toml:2:1: override of `rapid_rate`: `settled` is for a disputed field, and no source disputes this one; it can be deleted
-        "]],
-    );
 }
 
 #[test]
@@ -515,16 +465,6 @@ since = "1.5"
 }
 
 #[test]
-fn a_pack_with_a_name_that_is_not_a_module_s_is_for_run_time_alone() {
-    let text = format!("title = \"Test\"\n{MOTION_STATE}");
-    let pack = load_pack(&spec(), Source { path: "firmware/1.7.toml", text: &text }).expect("it can be used");
-    assert!(pack.spec.command("demo_motion_state").is_some());
-    let [error] = pack.module_errors.as_slice() else { panic!("{:?}", pack.module_errors) };
-    expect!["firmware/1.7.toml:1:1: the file's name is that of a module, and `1.7` is not a snake_case name"]
-        .assert_eq(&error.to_string());
-}
-
-#[test]
 fn a_pack_named_like_a_topic_is_not_that_topic() {
     let text = format!("title = \"Test\"\n{MOTION_STATE}");
     let pack = load_pack(&spec(), Source { path: "motion.toml", text: &text }).expect("it is correct");
@@ -567,4 +507,30 @@ advised = []
         "-360 to 360, where `how` is 0 (Absolute); -2.12 to 2.12, times `cycles`, where `how` is 1 (Relative)"
     );
     assert_eq!((&*advised("joint_move", "speed"), &*advised("joint_move", "accel")), ("0 to 300", ""));
+}
+
+#[test]
+fn what_is_repeated_and_changed_is_changed() {
+    let text = r#"
+[[command]]
+wire = "get_loaded_program"
+effect = "query"
+doc = "Reads."
+reply = [{ wire = "programName", name = "program_name", type = "text", doc = "Name." }]
+
+[[override]]
+target = "get_loaded_program"
+deadline_ms = 10
+"#;
+    let module = pack(text).module();
+    assert!(module.changed.contains("get_loaded_program"));
+    assert!(module.covered_commands.is_empty());
+}
+
+#[test]
+fn a_bare_reply_follows_its_field_s_name() {
+    let text = "\n[[override]]\ntarget = \"get_extio_status\"\nreply = \"extio_status\"\nname = \"modules\"\n";
+    let spec = pack(text).spec;
+    let command = spec.command("get_extio_status").expect("the spec has it");
+    assert_eq!(command.bare_reply.as_deref(), Some("modules"));
 }

@@ -4,7 +4,9 @@ use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use jaka_proto::recording::{Event, Port, Recording};
-use jaka_sync::{Config, Recorder};
+use jaka_sync::Recorder;
+
+use crate::{Arm, ArmBuilder};
 
 /// A file in memory.
 #[derive(Debug, Clone, Default)]
@@ -54,14 +56,15 @@ impl RecordingBuffer {
     }
 }
 
-/// Runs a session with recording on, and gives what it returns and the recording.
+/// Runs a session of an arm whose clients are recorded: what it returns, and the recording.
 ///
 /// # Panics
-/// Something was lost.
-pub fn recorded<T>(session: impl FnOnce(&Config) -> T) -> (T, Recording) {
+/// The arm does not start, or something was lost.
+pub fn recorded<T>(arm: ArmBuilder, session: impl FnOnce(&Arm) -> T) -> (T, Recording) {
     let buffer = RecordingBuffer::default();
     let recorder = buffer.recorder();
-    let result = session(&Config::new().recorder(recorder.clone()));
+    let arm = arm.config(|config| config.recorder(recorder.clone())).start();
+    let result = session(&arm);
     (result, buffer.finish(&recorder).expect("memory loses nothing"))
 }
 

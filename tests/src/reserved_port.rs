@@ -4,8 +4,10 @@ use std::net::{Ipv4Addr, SocketAddr};
 
 use socket2::{Domain, Socket, Type};
 
-/// A port of loopback on which nothing listens. Nothing else gets it while this lives, as it could if a listener had been dropped; and a
-/// dropped listener goes on for as long as a program that is just being started has a copy of it.
+/// A port of loopback on which nothing listens, unless it is given the port's number. Nothing else gets it while this
+/// lives, as it could if a
+/// listener had been dropped; and a dropped listener goes on for as long as a program that is just being started has a
+/// copy of it.
 #[derive(Debug)]
 pub struct ReservedPort {
     address: SocketAddr,

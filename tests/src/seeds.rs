@@ -173,7 +173,7 @@ fn packs() -> Vec<String> {
         include_str!("../data/fan.toml"),
         include_str!("../pack-user/changed.toml"),
         include_str!("../pack-user/newer.toml"),
-        include_str!("../tests/dynamic/pack.toml"),
+        include_str!("../tests/offline/dynamic/pack.toml"),
     ];
     let readme = include_str!("../../spec/README.md");
     let of_readme = readme.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());

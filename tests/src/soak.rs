@@ -18,12 +18,12 @@ mod servo;
 mod session;
 mod summary;
 mod tally;
+mod time;
 
 use std::alloc::System;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::{Arc, mpsc};
-use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::Envelope;
@@ -107,11 +107,12 @@ fn round(options: &Options, host: &Arc<Host>, peak: &Arc<Peak>, summary: &mut Su
     let ports = host.begin(options.seed, round, options.arms);
     let (done, results) = mpsc::channel();
     for (arm, ports) in (0..).zip(ports) {
+        let time = ports.time.clone();
         let (host, findings, peak) = (Arc::clone(host), findings.clone(), Arc::clone(peak));
         let place = Place { host, arm, ports, rate: Rate::default(), findings, peak };
         let program = Arm::new(place, Random::new(options.seed, [round, arm, 0]));
         let (done, operations) = (done.clone(), options.operations);
-        thread::spawn(move || done.send((arm, program.run(operations))));
+        time.start(move || done.send((arm, program.run(operations))));
     }
     // Where an arm panics, the last sender is gone before its result.
     drop(done);

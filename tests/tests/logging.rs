@@ -4,8 +4,8 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use jaka_sim::Fault;
-use jaka_sync::Client;
 use jaka_sync::collision::ClearError;
+use jaka_tests::Arm;
 use log::{LevelFilter, Log, Metadata, Record};
 
 /// Keeps the lines of the client's target.
@@ -32,8 +32,7 @@ static KEPT: Kept = Kept(Mutex::new(Vec::new()));
 fn each_message_is_logged_and_each_late_reply() {
     log::set_logger(&KEPT).expect("this is the only test of the process");
     log::set_max_level(LevelFilter::Trace);
-    let controller = jaka_tests::controller();
-    let mut client = Client::connect(controller.command_addr()).expect("the controller listens");
+    let (controller, mut client) = Arm::simulated().with_client();
     controller.inject(Fault::Hold);
     assert!(client.call_within(&ClearError::new(), Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
     client.set_rapid_rate(0.5).expect("it answers");

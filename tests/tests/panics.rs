@@ -2,7 +2,6 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::Duration;
 
 use jaka_sim::{Controller, Fault};
@@ -10,6 +9,8 @@ use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
 use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_sync::{Client, Command, CommandInfo};
+use jaka_tests::simulated::beside;
+use jaka_tests::{Arm, LONG};
 use log::{LevelFilter, Log, Metadata, Record};
 
 /// Panics at each message that comes, while it is to.
@@ -64,12 +65,6 @@ impl Command for Ask {
     const INFO: &'static CommandInfo = GetJointPos::INFO;
 }
 
-fn connected() -> (Controller, Client) {
-    let controller = jaka_tests::controller();
-    let client = Client::connect(controller.command_addr()).expect("the controller listens");
-    (controller, client)
-}
-
 fn panics<T>(act: impl FnOnce() -> T) -> bool {
     panic::catch_unwind(AssertUnwindSafe(act)).is_err()
 }
@@ -87,7 +82,7 @@ fn assert_usable(controller: &Controller, client: &mut Client) {
 fn a_panic_of_a_logger_or_of_a_reply_takes_nothing_from_the_connection() {
     log::set_logger(&LOGGER).expect("this is the only test of the process");
     log::set_max_level(LevelFilter::Trace);
-    let (controller, mut client) = connected();
+    let (controller, mut client) = Arm::simulated().with_client();
     for _ in 0..3 {
         assert!(panics(|| client.call(&Ask)), "the reply's type panics");
         assert_usable(&controller, &mut client);
@@ -110,14 +105,14 @@ fn a_panic_of_a_logger_or_of_a_reply_takes_nothing_from_the_connection() {
 }
 
 /// The thread that reads for all panics over the reply to another.
-fn a_panic_of_one_thread_leaves_its_reply_to_another(controller: &Controller, mut client: Client) {
+fn a_panic_of_one_thread_leaves_its_reply_to_another(controller: &Arm, mut client: Client) {
     let stop = client.stop_handle();
     controller.inject(Fault::Hold);
     let sent = controller.requests().len();
-    let waiting = thread::spawn(move || (panics(|| client.call(&Ask)), client));
-    assert!(controller.wait_for_requests(sent + 1, Duration::from_secs(60)));
-    stop.stop().expect("the stop has its reply, whichever thread reads it");
-    let (panicked, mut client) = waiting.join().expect("the panic is caught");
-    assert!(panicked);
+    let wait = || assert!(panics(|| client.call(&Ask)));
+    beside(controller.clock(), wait, || {
+        assert!(controller.wait_for_requests(sent + 1, LONG));
+        stop.stop().expect("the stop has its reply, whichever thread reads it");
+    });
     assert_usable(controller, &mut client);
 }

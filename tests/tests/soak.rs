@@ -12,7 +12,7 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 #[test]
 fn what_is_sent_is_what_comes_and_nothing_is_left_behind() {
-    let rounds = 2 * jaka_tests::reliability_times();
+    let rounds = 4 * jaka_tests::reliability_times();
     let options = Options { seed: 7, arms: 3, operations: 80, length: Length::Rounds(rounds), allocator: ALLOCATOR };
     let summary = soak::run(&options, Host::here(), &mut std::io::stdout()).expect("lines can be written");
     println!("{summary}");

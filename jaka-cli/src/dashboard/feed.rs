@@ -127,19 +127,17 @@ impl Feed {
 
 #[cfg(test)]
 mod tests {
-    use jaka_sim::Controller;
-    use jaka_sync::{Config, Reconnect};
+    use jaka_sync::Reconnect;
+    use jaka_tests::{Arm, LONG};
 
     use super::*;
 
-    /// Longer than anything takes.
-    const LONG: Duration = Duration::from_secs(30);
-
-    /// A controller that sends a packet on connecting and when it is told to, and a feed that has had the first.
-    fn started() -> (Controller, Feed, View) {
-        let controller = Controller::builder().status_period(Duration::MAX).start().unwrap();
+    /// An arm whose controller sends a packet on connecting and when it is told to, and a feed that has had the first.
+    fn started() -> (Arm, Feed, View) {
         let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
-        let monitor = Config::new().reconnect(policy).connect_monitor(controller.status_addr()).unwrap();
+        let controller =
+            Arm::simulated().without_power().no_packets().config(|config| config.reconnect(policy)).start();
+        let monitor = controller.config().connect_monitor(controller.status_addr()).unwrap();
         let (mut feed, mut view) = (Feed::new(monitor), View::default());
         // The first may have come before the queue was there.
         controller.publish();
@@ -147,12 +145,15 @@ mod tests {
         (controller, feed, view)
     }
 
+    const MOMENT: Duration = Duration::from_millis(10);
+
     fn update_until(feed: &mut Feed, view: &mut View, wanted: impl Fn(&View) -> bool) {
-        let since = Instant::now();
+        let mut elapsed = Duration::ZERO;
         while !wanted(view) {
-            assert!(since.elapsed() < LONG, "{view:?}");
+            assert!(elapsed < LONG, "{view:?}");
             // A packet, or the time without one, is what may change the view.
-            let _ = feed.monitor.wait_until(|_| false, Duration::from_millis(10));
+            let _ = feed.monitor.wait_until(|_| false, MOMENT);
+            elapsed += MOMENT;
             feed.update(view);
         }
     }

@@ -26,6 +26,7 @@ pub(super) struct RobotAddress {
     pub(super) status: String,
     pub(super) timeout: Option<Duration>,
     pub(super) connect_timeout: Option<Duration>,
+    pub(super) stale_after: Option<Duration>,
 }
 
 impl RobotAddress {
@@ -51,18 +52,21 @@ impl RobotAddress {
             status: address(args.status_port.or(entry.status_port).unwrap_or(STATUS_PORT)),
             timeout: args.timeout.or(entry.timeout),
             connect_timeout: args.timeout.or(entry.connect_timeout),
-            title: if is_known { format!("{named} ({host})") } else { host },
+            stale_after: entry.stale_after,
+            title: if is_known && named != host { format!("{named} ({host})") } else { host },
         })
     }
 
-    /// How to connect.
-    pub(super) fn config(&self) -> Config {
-        let mut config = Config::new();
+    /// Adds the robot's times to those of a config.
+    pub(super) fn configure(&self, mut config: Config) -> Config {
         if let Some(timeout) = self.timeout {
             config = config.reply_timeout(timeout);
         }
         if let Some(timeout) = self.connect_timeout {
             config = config.connect_timeout(timeout);
+        }
+        if let Some(age) = self.stale_after {
+            config = config.stale_after(age);
         }
         config
     }
@@ -131,6 +135,15 @@ mod tests {
         for way in ["--robot", "JAKA_ROBOT", "config file", "--sim"] {
             assert!(failure.contains(way), "{failure}");
         }
+    }
+
+    #[test]
+    fn the_times_of_a_robot_go_into_its_config() {
+        let robot = RobotAddress::find(&args(Some("10.0.0.1")), &Environment::default()).unwrap();
+        assert_eq!(robot.configure(Config::new()).get_stale_after(), Config::new().get_stale_after());
+        let [timeout, age] = [2, 3].map(|seconds| Some(Duration::from_secs(seconds)));
+        let config = RobotAddress { timeout, stale_after: age, ..robot }.configure(Config::new());
+        assert_eq!((Some(config.get_reply_timeout()), Some(config.get_stale_after())), (timeout, age));
     }
 
     #[test]

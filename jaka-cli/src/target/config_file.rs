@@ -41,6 +41,9 @@ pub(crate) struct Entry {
     /// How long connecting may take, in seconds.
     #[serde(default, deserialize_with = "seconds::from_file")]
     pub(crate) connect_timeout: Option<Duration>,
+    /// Age at which status packets are stale for motions that are waited for, in seconds.
+    #[serde(default, deserialize_with = "seconds::from_file")]
+    pub(crate) stale_after: Option<Duration>,
 }
 
 impl ConfigFile {
@@ -89,6 +92,7 @@ mod tests {
             address = '10.5.5.100'
             timeout = 2
             connect_timeout = 0.5
+            stale_after = 0.3
             [robots.'cell 2']
             address = 'arm.local'
             status_port = 20000
@@ -96,7 +100,7 @@ mod tests {
         check(
             text,
             &expect![[
-                r#"ConfigFile { robot: Some("cell1"), packs: [], robots: {"cell 2": Entry { address: "arm.local", command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None }, "cell1": Entry { address: "10.5.5.100", command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms) }} }"#
+                r#"ConfigFile { robot: Some("cell1"), packs: [], robots: {"cell 2": Entry { address: "arm.local", command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None, stale_after: None }, "cell1": Entry { address: "10.5.5.100", command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms), stale_after: Some(300ms) }} }"#
             ]],
         );
     }
@@ -114,7 +118,7 @@ mod tests {
         check(
             "[robots.a]\naddress = 'x'\nport = 1\n",
             &expect![
-                "config.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`"
+                "config.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`"
             ],
         );
         check("[robots.a]\nstatus_port = 1\n", &expect!["config.toml:1: missing field `address`"]);

@@ -5,7 +5,7 @@ from simulated_robot import SimulatedRobot
 with SimulatedRobot("--powered", "--fast") as robot:
     status = robot.status()
     start = status.next()["joint_actual_position"][0]
-    turn = {"relFlag": 1, "jointPosition": [60, 0, 0, 0, 0, 0], "speed": 5, "accel": 100}
+    turn = {"relFlag": 1, "jointPosition": [60, 0, 0, 0, 0, 0], "speed": 1, "accel": 100}
     assert robot.call("joint_move", **turn)["errorCode"] == "0"
     status.until(lambda packet: packet["joint_actual_position"][0] > start + 1)
 

@@ -9,7 +9,7 @@ import threading
 import time
 
 # How long each thing may take, in s.
-LIMIT = 30
+LIMIT = 60
 
 
 class Messages:

@@ -1,15 +1,10 @@
 //! What is sent without a question, and what is not.
 
 use expect_test::expect;
-use jaka_sim::{Controller, Delays};
+use jaka_sim::Controller;
+use jaka_tests::Arm;
 
 use crate::program::{address_of, command, jaka, run};
-
-fn controller() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-    controller
-}
 
 /// Sends a line to a controller, with `answer` on a standard input that is not a terminal.
 fn call(controller: &Controller, line: &str, answer: &str) -> (Option<i32>, String, usize) {
@@ -21,7 +16,7 @@ fn call(controller: &Controller, line: &str, answer: &str) -> (Option<i32>, Stri
 
 #[test]
 fn what_changes_something_needs_yes_without_a_terminal() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     for line in [
         "joint_move --mode relative --joint-position 1,0,0,0,0,0 --speed 10",
         "power_off",
@@ -44,7 +39,7 @@ fn what_changes_something_needs_yes_without_a_terminal() {
 
 #[test]
 fn queries_and_stops_are_never_held_up() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     for line in
         ["get_version", "wait_complete", "stop_program", "pause_program", "jog --jog-mode stop --frame joint --axis 0"]
     {
@@ -56,7 +51,7 @@ fn queries_and_stops_are_never_held_up() {
 
 #[test]
 fn what_is_unchecked_wants_a_yes_whatever_it_is() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     let (code, error, sent) = call(&controller, "get_version --raw", "");
     assert_eq!((code, sent), (Some(2), 0), "{error}");
     let (code, error, sent) = call(&controller, "get_version --raw --yes", "");

@@ -1,20 +1,14 @@
 //! `jaka call --stdin`: lines of JSON over one connection.
 
 use std::process::{Child, Stdio};
-use std::time::Duration;
 
 use expect_test::{Expect, expect};
-use jaka_sim::{Controller, Delays, Fault};
+use jaka_sim::{Controller, Fault};
+use jaka_tests::{Arm, LONG};
 
 #[cfg(unix)]
 use crate::common::interrupt;
 use crate::program::{Run, address_of, command, result, run};
-
-fn controller() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-    controller
-}
 
 fn lines(controller: &Controller, options: &str, input: &str) -> Run {
     let words = ["call", "--stdin"].into_iter().chain(options.split_whitespace()).map(str::to_owned);
@@ -27,7 +21,7 @@ fn check(run: &Run, expected: &Expect) {
 
 #[test]
 fn each_line_gets_a_line() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     let input = r#"
         {"cmdName": "get_joint_pos"}
         {"cmdName": "get_tcp_pos"}
@@ -61,7 +55,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
     ];
     let input = input.join("\n");
     check(
-        &lines(&controller(), "--yes", &input),
+        &lines(&Arm::real_time().start(), "--yes", &input),
         &expect![[r#"
             {"command":"get_version","reply":{"version":"1.5.14_13_X64"}}
             {"command":"rapid_rate","error":"`rapid_rate` was not sent:\n  field `rate` is 7; allowed is a number, 0 to 1","exit_code":2}
@@ -71,7 +65,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
         "#]],
     );
     check(
-        &lines(&controller(), "--yes --keep-going", &input),
+        &lines(&Arm::real_time().start(), "--yes --keep-going", &input),
         &expect![[r#"
             {"command":"get_version","reply":{"version":"1.5.14_13_X64"}}
             {"command":"rapid_rate","error":"`rapid_rate` was not sent:\n  field `rate` is 7; allowed is a number, 0 to 1","exit_code":2}
@@ -84,7 +78,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
             exit code 2
         "#]],
     );
-    let controller = controller();
+    let controller = Arm::real_time().start();
     let refused = lines(&controller, "", r#"{"cmdName":"power_off"}"#);
     check(
         &refused,
@@ -99,7 +93,7 @@ fn the_first_failure_ends_it_unless_it_is_to_go_on() {
 
 #[test]
 fn a_refusal_and_a_lost_reply_are_told_apart() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     controller.set_state(|state| state.enabled = false);
     let motion = r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[5,90,90,90,-90,0],"speed":90}"#;
     check(
@@ -126,7 +120,7 @@ fn a_refusal_and_a_lost_reply_are_told_apart() {
 
 #[test]
 fn motions_are_waited_for() {
-    let controller = controller();
+    let controller = Arm::real_time().start();
     let to = |angle: i32| {
         format!(
             "{{\"cmdName\":\"joint_move\",\"relFlag\":0,\"jointPosition\":[{angle},90,90,90,-90,0],\"speed\":90}}\n"
@@ -150,7 +144,7 @@ fn motions_are_waited_for() {
 #[test]
 fn an_interrupt_between_lines_ends_it() {
     use std::io::{BufRead, BufReader, Write};
-    let controller = controller();
+    let controller = Arm::real_time().start();
     let words = ["call", "--stdin"].map(str::to_owned).into_iter().chain(address_of(&controller));
     let mut command = command(words);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -160,7 +154,7 @@ fn an_interrupt_between_lines_ends_it() {
     let mut line = String::new();
     BufReader::new(child.stdout.take().expect("it is piped")).read_line(&mut line).expect("it answers");
     assert!(line.contains("\"version\""), "{line}");
-    assert!(controller.wait_for_requests(1, Duration::from_secs(30)));
+    assert!(controller.wait_for_requests(1, LONG));
     interrupt(&child);
     expect![[r"
         error: interrupted; no command is outstanding

@@ -1,17 +1,14 @@
 //! Replies and refusals, as they are shown.
 
 use expect_test::{Expect, expect};
-use jaka_sim::{Controller, Delays, Fault};
+use jaka_sim::{Controller, Fault};
+use jaka_tests::Arm;
 use serde_json::json;
 
 use crate::program::{Run, address_of, jaka, scratch};
 
 fn simulated(line: &str, expected: &Expect) {
     expected.assert_eq(&jaka(["call", "--sim"].into_iter().chain(line.split(' '))).text());
-}
-
-fn controller() -> Controller {
-    Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports")
 }
 
 fn call(controller: &Controller, line: &str) -> Run {
@@ -158,7 +155,7 @@ fn refusals_have_code_message_and_meaning() {
         exit code 1
     "]],
     );
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     let reply = br#"{"errorCode": "77", "errorMsg": "hot", "cmdName": "get_version"}"#;
     controller.inject(Fault::Instead(reply.to_vec()));
     expect![[r"
@@ -171,7 +168,7 @@ fn refusals_have_code_message_and_meaning() {
 
 #[test]
 fn what_the_spec_does_not_have_is_shown_too() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.set_reply("get_payload", [("inertia".to_owned(), json!([1, 2]))]);
     expect![[r"
         centroid.x  0 mm
@@ -186,7 +183,7 @@ fn what_the_spec_does_not_have_is_shown_too() {
 
 #[test]
 fn a_reply_that_cannot_be_read_says_where() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.set_reply("get_joint_pos", [("joint_pos".to_owned(), json!("none"))]);
     let run = call(&controller, "get_joint_pos");
     expect![[r#"
@@ -198,7 +195,7 @@ fn a_reply_that_cannot_be_read_says_where() {
 
 #[test]
 fn a_bare_tuple_is_read_as_the_field_that_it_stands_for() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.inject(Fault::Instead(b"(0, [], {'state': 0})".to_vec()));
     expect![[r"
         extio_status.count          0
@@ -211,7 +208,7 @@ fn a_bare_tuple_is_read_as_the_field_that_it_stands_for() {
 
 #[test]
 fn a_silent_controller_may_have_carried_out_the_command() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.inject(Fault::Drop);
     expect![[r"
         error: no reply to `get_version` within 200ms; it may have run
@@ -228,7 +225,7 @@ fn a_silent_controller_may_have_carried_out_the_command() {
 
 #[test]
 fn a_controller_that_goes_down_need_not_reply() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     controller.inject(Fault::Close);
     expect![[r"
         sent; the controller closed the connection instead of replying
@@ -248,7 +245,7 @@ fn the_firmware_is_asked_first() {
         "joint_move --mode relative --joint-position 0,0,0,0,0,0 --speed 1 --zone 1 --check-firmware --yes --pack {}",
         file.display()
     );
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     expect![[r"
         error: `joint_move` was not sent: the controller's firmware 1.5.14 does not have its field `zone`; firmware 1.7.1 and later has
         exit code 2
@@ -266,7 +263,7 @@ fn the_firmware_is_asked_first() {
 
 #[test]
 fn a_reply_says_what_it_lacks() {
-    let controller = controller();
+    let controller = Arm::real_time().without_power().start();
     let answer = |text: &str| controller.inject(Fault::Instead(text.as_bytes().to_vec()));
     answer(r#"{"errorCode":"0","errorMsg":"","cmdName":"get_joint_pos"}"#);
     expect![[r"

@@ -1,19 +1,17 @@
 //! `jaka call --wait`: how motions end, and what Ctrl-C does.
 
 use std::process::{Child, Stdio};
-use std::time::Duration;
 
 use expect_test::expect;
-use jaka_sim::{Controller, Fault, Port};
+use jaka_sim::{Controller, Fault};
+use jaka_tests::{Arm, LONG};
 
 #[cfg(unix)]
 use crate::common::interrupt;
-use crate::program::{Happening, Run, command, jaka, powered, result, started_at, with_each};
+use crate::program::{Run, command, jaka, result, started_at, without_late_answer};
 
-const LONG: Duration = Duration::from_secs(30);
-
-/// 90 deg of the first joint in 9 s.
-const SLOW: &str = "joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
+/// 90 deg of the first joint in 90 s.
+const SLOW: &str = "joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 1 --yes --wait";
 
 fn started(controller: &Controller, line: &str) -> Child {
     started_at(controller, &format!("call {line}"))
@@ -29,7 +27,7 @@ fn run(controller: &Controller, line: &str, meanwhile: impl FnOnce(&Controller))
 
 #[test]
 fn a_motion_that_reaches_its_target_is_a_success() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let fast = "joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait";
     let run = run(&controller, fast, |_| {});
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
@@ -40,41 +38,8 @@ fn a_motion_that_reaches_its_target_is_a_success() {
 }
 
 #[test]
-fn each_outcome_has_its_exit_code() {
-    let ends: [(&str, Happening, i32, &str); 6] = [
-        ("", Controller::collide, 23, "protective stop"),
-        ("", Controller::press_emergency_stop, 24, "emergency stop"),
-        ("", Controller::cut_power, 25, "no longer powered"),
-        ("", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26, "0x0f0030"),
-        (" --timeout 3", |_| {}, 27, "has not ended in time"),
-        ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
-    ];
-    with_each(ends, |(options, meanwhile, code, text)| {
-        let run = run(&powered(), &format!("{SLOW}{options}"), meanwhile);
-        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{text}: {run:?}");
-        assert!(run.err.starts_with("error: ") && run.err.contains(text), "{run:?}");
-    });
-    let turn = "moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
-    let run = run(&powered(), turn, |_| {});
-    assert_eq!((run.code, run.out.as_str()), (Some(21), ""), "{run:?}");
-}
-
-#[test]
-fn json_says_how_it_ended_whatever_the_end_is() {
-    let outcome = |line: &str, meanwhile: fn(&Controller)| {
-        let run = run(&powered(), line, meanwhile);
-        let json: serde_json::Value = serde_json::from_str(&run.out).expect("it is one object");
-        assert!(json["waited_s"].as_f64().is_some() && json["text"].is_string(), "{json}");
-        json["outcome"].as_str().expect("it is a text").to_owned()
-    };
-    assert_eq!(outcome(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
-    let fast = "joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait --json";
-    assert_eq!(outcome(fast, |_| {}), "reached");
-}
-
-#[test]
 fn a_motion_that_is_not_sent_is_told_apart() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     controller.collide();
     let run = result(started(&controller, SLOW));
     assert_eq!((run.code, run.out.as_str()), (Some(20), ""), "{run:?}");
@@ -96,7 +61,7 @@ fn only_motions_are_waited_for() {
 
 #[test]
 fn an_explicit_timeout_is_not_exceeded() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     controller.inject(Fault::Drop);
     let run = result(started(&controller, "power_on --yes --timeout 0.5"));
     assert_eq!(run.code, Some(4), "{run:?}");
@@ -106,7 +71,7 @@ fn an_explicit_timeout_is_not_exceeded() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_stops_the_arm() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let child = started(&controller, SLOW);
     assert!(controller.wait_for_requests(1, LONG), "the motion comes");
     interrupt(&child);
@@ -115,7 +80,7 @@ fn an_interrupt_stops_the_arm() {
         error: the motion was stopped before its target
         exit code 22
     "]]
-    .assert_eq(&result(child).text());
+    .assert_eq(&without_late_answer(&result(child)));
     assert!(controller.requests().iter().any(|request| request.contains("stop_program")));
     assert!(controller.state().joint_position.0[0] < 60.0);
 }
@@ -123,7 +88,7 @@ fn an_interrupt_stops_the_arm() {
 #[cfg(unix)]
 #[test]
 fn a_stop_that_is_not_taken_is_told() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     let refusal = r#"{"errorCode":"1","errorMsg":"busy","cmdName":"stop_program"}"#;
     controller.inject_for("stop_program", Fault::Instead(refusal.into()));
     let child = started(&controller, SLOW);
@@ -137,7 +102,7 @@ fn a_stop_that_is_not_taken_is_told() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_after_a_command_went_out_says_that_it_may_have_run() {
-    let controller = powered();
+    let controller = Arm::real_time().start();
     controller.inject(Fault::Drop);
     let child = started(&controller, "set_digital_output --kind cabinet --index 0 --value on --yes");
     assert!(controller.wait_for_requests(1, LONG), "the command comes");

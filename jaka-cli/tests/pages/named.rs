@@ -39,7 +39,7 @@ fn missing_of_option(root: &Path, option: &str, value: &str) -> Option<String> {
         "--test" => {
             vec![format!("tests/tests/{value}.rs"), format!("tests/tests/{value}"), format!("benches/tests/{value}.rs")]
         }
-        "--path" => vec![value.to_owned()],
+        "--path" | "--manifest-path" => vec![value.to_owned()],
         "-p" => vec![folder_of(value).to_owned()],
         _ => return None,
     };
@@ -51,7 +51,6 @@ fn folder_of(package: &str) -> &str {
     match package {
         "jaka-spec" => "spec",
         "jaka-tests" => "tests",
-        "jaka-benches" => "benches",
         other => other,
     }
 }

@@ -1,15 +1,12 @@
 //! Runs the program with input, options made from controllers, and its results as text.
 
-#![allow(dead_code, reason = "not every test uses all of it")]
-
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::Duration;
+use std::process::{Child, Command, Stdio};
 use std::{fs, thread};
 
-use jaka_sim::{Controller, Delays};
+use jaka_sim::Controller;
 
 use crate::common;
 
@@ -54,9 +51,8 @@ pub(crate) fn run(mut command: Command, input: &str) -> Run {
 
 /// What a run gives whose output is piped.
 pub(crate) fn result(child: Child) -> Run {
-    let Output { status, stdout, stderr } = child.wait_with_output().expect("the program ends");
-    let text = |bytes| String::from_utf8(bytes).expect("it writes UTF-8");
-    Run { code: status.code(), out: text(stdout), err: text(stderr) }
+    let (out, err, code) = common::ended(child);
+    Run { code, out, err }
 }
 
 /// The options that name a controller.
@@ -64,16 +60,6 @@ pub(crate) fn address_of(controller: &Controller) -> Vec<String> {
     let (commands, status) = (controller.command_addr(), controller.status_addr());
     let words = format!("--robot {} --command-port {} --status-port {}", commands.ip(), commands.port(), status.port());
     words.split(' ').map(str::to_owned).collect()
-}
-
-/// What happens to a robot while the program is at work.
-pub(crate) type Happening = fn(&Controller);
-
-/// A controller whose arm is powered and enabled, and which switches at once.
-pub(crate) fn powered() -> Controller {
-    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
-    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-    controller
 }
 
 /// The program at work on a controller, with a line of words; its output is piped.
@@ -84,9 +70,13 @@ pub(crate) fn started_at(controller: &Controller, line: &str) -> Child {
 
 /// Waits until a motion of the joints comes.
 pub(crate) fn wait_for_motion(controller: &Controller) {
-    while !controller.requests().iter().any(|request| request.contains("joint_move")) {
-        controller.wait_for_requests(controller.requests().len() + 1, Duration::from_millis(100));
-    }
+    common::wait_until("a motion comes", || controller.requests().iter().any(|request| request.contains("joint_move")));
+}
+
+/// Text of an interrupted run without the note that a stop is not answered yet, which a slow machine causes.
+pub(crate) fn without_late_answer(run: &Run) -> String {
+    let is_late = |line: &&str| line.starts_with("note: interrupted: the stop has no answer yet");
+    run.text().split_inclusive('\n').filter(|line| !is_late(line)).collect()
 }
 
 /// A pack of the workspace's tests.
@@ -101,15 +91,4 @@ pub(crate) fn scratch(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
     fs::create_dir_all(&folder).unwrap();
     folder.join(name)
-}
-
-/// Does this with each at once, since programs wait for arms most of the time. Each has a thread with a name, and so a folder, of its own.
-pub(crate) fn with_each<T: Send>(all: impl IntoIterator<Item = T>, act: impl Fn(T) + Sync) {
-    let test = thread::current().name().unwrap_or("unnamed").to_owned();
-    thread::scope(|scope| {
-        for (number, one) in all.into_iter().enumerate() {
-            let (act, named) = (&act, thread::Builder::new().name(format!("{test}-{number}")));
-            named.spawn_scoped(scope, move || act(one)).expect("a thread starts");
-        }
-    });
 }

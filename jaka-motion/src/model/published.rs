@@ -15,7 +15,8 @@
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
 //! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.4 mm, the
-//! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/kinematics.rs` of the repository compares each model with its
+//! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/offline/kinematics.rs` of the
+//! repository compares each model with its
 //! chain.
 
 use super::Model;

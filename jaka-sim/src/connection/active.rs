@@ -10,7 +10,7 @@ use crate::lock::lock;
 use crate::time::{Signal, Time};
 
 /// How long the kernel may take for a connection.
-const CONNECT_TIMEOUT: Duration = Duration::from_secs(2);
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// The connection of the active client, if one is connected.
 #[derive(Debug)]

@@ -24,7 +24,7 @@ impl Controller {
     ///
     /// let controller = Controller::start()?;
     /// controller.inject(Fault::Hold);
-    /// let limit = Duration::from_secs(10);
+    /// let limit = Duration::from_secs(60);
     /// let mut client = TcpStream::connect(controller.command_addr())?;
     /// let program = move || {
     ///     client.write_all(br#"{"cmdName": "get_version"}"#)?;

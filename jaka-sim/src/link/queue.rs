@@ -186,10 +186,16 @@ impl Pace {
 
 #[cfg(test)]
 mod tests {
+    use jaka_clock::SimulatedClock;
+
     use super::*;
 
     fn queue() -> Queue {
-        let mut queue = Queue::default();
+        queue_by(&SimulatedClock::new())
+    }
+
+    fn queue_by(clock: &SimulatedClock) -> Queue {
+        let mut queue = Queue::new(&Time::simulated(clock));
         assert!(queue.push(b"one") && queue.push(b"two"));
         queue
     }
@@ -212,18 +218,24 @@ mod tests {
 
     #[test]
     fn a_delay_counts_from_when_each_was_sent() {
-        let mut queue = queue();
-        assert!(matches!(queue.next(LinkFault::Delay(Duration::from_secs(60))), SendStep::Wait(Some(_))));
-        assert_eq!(queue.next(LinkFault::Delay(Duration::ZERO)), SendStep::Send(b"one".to_vec()));
+        let clock = SimulatedClock::new();
+        let mut queue = queue_by(&clock);
+        let [minute, second, rest] = [60, 1, 59].map(Duration::from_secs);
+        clock.sleep(second);
+        assert_eq!(queue.next(LinkFault::Delay(minute)), SendStep::Wait(Some(rest)));
+        assert_eq!(queue.next(LinkFault::Delay(second)), SendStep::Send(b"one".to_vec()));
     }
 
     #[test]
     fn a_slow_link_lets_a_portion_pass() {
-        let mut queue = queue();
+        let clock = SimulatedClock::new();
+        let mut queue = queue_by(&clock);
+        let pause = Duration::from_millis(10);
         assert_eq!(queue.next(LinkFault::Slow(200)), SendStep::Send(b"on".to_vec()));
-        let SendStep::Wait(Some(left)) = queue.next(LinkFault::Slow(200)) else { panic!("nothing passes for 10 ms") };
-        assert!(left <= Duration::from_millis(10));
-        assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"e".to_vec()));
+        assert_eq!(queue.next(LinkFault::Slow(200)), SendStep::Wait(Some(pause)));
+        clock.sleep(pause);
+        assert_eq!(queue.next(LinkFault::Slow(200)), SendStep::Send(b"e".to_vec()));
+        assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"two".to_vec()));
     }
 
     #[test]

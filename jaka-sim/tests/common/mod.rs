@@ -1,4 +1,4 @@
-//! A client on a raw socket.
+//! A client on a socket, and controllers for it.
 
 #![allow(dead_code, reason = "each test file uses its share of it")]
 
@@ -10,10 +10,11 @@ use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 use jaka_proto::wire::Value;
-use jaka_sim::{Builder, Controller, Delays, Firmware};
+use jaka_sim::jaka_clock::Stream;
+use jaka_sim::{Builder, Controller, Delays, Firmware, SimulatedClock};
 
-/// How long anything may take.
-pub(crate) const LIMIT: Duration = Duration::from_secs(10);
+/// Limit for what a test waits for.
+pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 
 /// Says on standard error that a check was not made, past the test harness, which captures `eprintln!` alone. Fails where the
 /// environment has `CI`.
@@ -25,10 +26,10 @@ pub(crate) fn skipped(check: &str, why: &str) {
     assert!(!is_ci, "{text}, and CI does not pass without it");
 }
 
-/// A client that speaks JSON and no more.
+/// A client that speaks JSON and no more: on a socket of the system, or on one that takes part in a simulated time.
 #[derive(Debug)]
-pub(crate) struct Peer {
-    pub(crate) stream: TcpStream,
+pub(crate) struct Peer<S = TcpStream> {
+    pub(crate) stream: S,
     framer: Framer,
 }
 
@@ -51,6 +52,47 @@ impl Peer {
         Self::connect(controller.status_addr())
     }
 
+    /// True if bytes or the end have come.
+    pub(crate) fn has_something(&self) -> bool {
+        self.stream.set_nonblocking(true).expect("an option can be set");
+        let peeked = self.stream.peek(&mut [0]).map_err(|error| error.kind());
+        self.stream.set_nonblocking(false).expect("an option can be set");
+        peeked != Err(ErrorKind::WouldBlock)
+    }
+}
+
+impl Peer<Stream> {
+    /// A command client of the controller, in its simulated time.
+    pub(crate) fn simulated_commands(controller: &Controller) -> Self {
+        Self::simulated(controller, controller.command_addr())
+    }
+
+    /// A status reader of the controller, in its simulated time.
+    pub(crate) fn simulated_status(controller: &Controller) -> Self {
+        Self::simulated(controller, controller.status_addr())
+    }
+
+    fn simulated(controller: &Controller, address: SocketAddr) -> Self {
+        let clock = controller.clock().expect("it has a simulated clock");
+        let mut stream = clock.connect(address).expect("the controller listens");
+        stream.set_timeout(Some(LIMIT));
+        Self { stream, framer: Framer::default() }
+    }
+
+    /// True if neither bytes nor an end come for so long.
+    pub(crate) fn is_quiet_for(&mut self, time: Duration) -> bool {
+        assert!(self.framer.is_idle());
+        self.stream.set_timeout(Some(time));
+        let read = self.stream.read(self.framer.spare());
+        self.stream.set_timeout(Some(LIMIT));
+        if let Ok(count) = read {
+            self.framer.filled(count);
+        }
+        read.is_err_and(|error| error.kind() == ErrorKind::WouldBlock)
+    }
+}
+
+impl<S: Read + Write> Peer<S> {
     pub(crate) fn send(&mut self, bytes: impl AsRef<[u8]>) {
         self.stream.write_all(bytes.as_ref()).expect("the connection is open");
     }
@@ -61,9 +103,13 @@ impl Peer {
             if let Some(frame) = self.framer.next_frame().expect("the controller sends frames") {
                 return String::from_utf8(frame.to_vec()).expect("the controller sends UTF-8");
             }
-            let count = self.stream.read(self.framer.spare()).expect("a message comes");
-            assert!(count > 0, "the connection has ended");
-            self.framer.filled(count);
+            match self.stream.read(self.framer.spare()) {
+                Ok(0) => panic!("the connection has ended"),
+                Ok(count) => self.framer.filled(count),
+                // The process was stopped for a moment.
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => panic!("a message comes: {error}"),
+            }
         }
     }
 
@@ -96,16 +142,6 @@ impl Peer {
         rest
     }
 
-    /// How many bytes come before the end of the connection, counted by a thread.
-    pub(crate) fn read_to_end_in_parallel(&mut self) -> std::thread::JoinHandle<usize> {
-        let mut stream = self.stream.try_clone().expect("a socket can be cloned");
-        std::thread::spawn(move || {
-            let mut rest = Vec::new();
-            stream.read_to_end(&mut rest).ok();
-            rest.len()
-        })
-    }
-
     /// Asserts that nothing has come: a later exchange is answered first.
     pub(crate) fn assert_quiet(&mut self) {
         let reply = self.call("get_version");
@@ -128,19 +164,33 @@ pub(crate) fn document() -> Builder {
     Controller::builder().delays(Delays::NONE).firmware(Firmware::Document)
 }
 
-/// A controller whose arm is ready to move.
-pub(crate) fn ready() -> Controller {
-    let controller = document().start().expect("loopback has ports");
-    controller.set_state(|state| {
-        state.powered = true;
-        state.enabled = true;
-    });
+/// Starts a controller whose arm is enabled.
+pub(crate) fn enabled(builder: Builder) -> Controller {
+    let controller = builder.start().expect("loopback has ports");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
     controller
 }
 
-/// A controller as it starts, without packets but those asked for.
+/// Options of a controller whose time the test moves on, and that sends no packets but those asked for.
+fn still() -> Builder {
+    document().stepped_clock().status_period(Duration::MAX)
+}
+
+/// A controller as it starts, whose time the test moves on.
 pub(crate) fn fresh() -> Controller {
-    document().status_period(Duration::MAX).start().expect("loopback has ports")
+    still().start().expect("loopback has ports")
+}
+
+/// A controller whose arm is enabled, and whose time the test moves on.
+pub(crate) fn stepped() -> Controller {
+    enabled(still())
+}
+
+/// A controller as it starts, without packets but those asked for, and its simulated time.
+pub(crate) fn simulated() -> (SimulatedClock, Controller) {
+    let clock = SimulatedClock::new();
+    let controller = document().status_period(Duration::MAX).clock(&clock).start().expect("loopback has ports");
+    (clock, controller)
 }
 
 pub(crate) fn assert_accepted(reply: &Value, command: &str) {
@@ -155,14 +205,4 @@ pub(crate) fn assert_refused(reply: &Value, command: &str) {
 
 pub(crate) fn assert_unknown(reply: &Value) {
     assert_eq!(*reply, json(r#"{"errorCode":"1","errorMsg":"Exception:function call failed"}"#));
-}
-
-/// A controller whose arm is enabled, and whose time the test moves on.
-pub(crate) fn stepped() -> Controller {
-    let controller = document().stepped_clock().status_period(Duration::MAX).start().expect("loopback has ports");
-    controller.set_state(|state| {
-        state.powered = true;
-        state.enabled = true;
-    });
-    controller
 }

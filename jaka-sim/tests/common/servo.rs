@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Peer, assert_accepted};
+use super::{Peer, assert_accepted, enabled};
 use jaka_sim::{Builder, Controller, Delays, Firmware, Habits, State};
 
 pub(crate) const CYCLE: Duration = Duration::from_millis(8);
@@ -28,8 +28,7 @@ impl Arm {
 
     /// In servo mode, with a filter.
     pub(crate) fn with_filter(builder: Builder, filter: &str) -> Self {
-        let controller = builder.start().expect("loopback has ports");
-        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+        let controller = enabled(builder);
         let peer = Peer::commands(&controller);
         let mut arm = Self { controller, peer };
         let request = format!(r#"{{"cmdName":"set_servo_move_filter",{filter}}}"#);

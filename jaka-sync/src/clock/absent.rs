@@ -20,6 +20,10 @@ impl SimulatedClock {
         match *self {}
     }
 
+    pub(crate) fn elapsed(&self) -> Duration {
+        match *self {}
+    }
+
     pub(crate) fn sleep(&self, _: Duration) {
         match *self {}
     }
@@ -28,7 +32,6 @@ impl SimulatedClock {
         match *self {}
     }
 
-    #[cfg(feature = "stream")]
     pub(crate) fn participant(&self) -> Participant {
         match *self {}
     }
@@ -64,6 +67,10 @@ impl SimulatedClock {
     }
 
     pub(crate) fn read(&self, _: &TcpStream, _: &mut [u8], _: Option<Duration>) -> io::Result<usize> {
+        match *self {}
+    }
+
+    pub(crate) fn peek(&self, _: &TcpStream) -> io::Result<usize> {
         match *self {}
     }
 

@@ -6,6 +6,7 @@ mod sending;
 
 use std::net::{TcpListener, TcpStream};
 use std::thread;
+use std::time::Instant;
 
 use jaka_proto::wire::Writer;
 use socket2::SockRef;
@@ -16,6 +17,9 @@ use crate::ErrorKind;
 
 /// Far longer than anything takes unless something is wrong.
 const LONG: Duration = Duration::from_secs(60);
+
+/// Time of a call that something else ends.
+const ENDLESS: Duration = Duration::from_secs(24 * 3600);
 
 /// A command of 4 KB, each another.
 fn write(index: usize, out: &mut Writer) {
@@ -36,7 +40,7 @@ fn sockets(send_buffer: usize) -> (TcpStream, TcpStream) {
 /// A connection whose system holds little, and its other end.
 fn connection(mode: Mode) -> (Link, TcpStream) {
     let (stream, server) = sockets(4096);
-    let link = Link::new(stream, Tap::default(), &Config::new());
+    let link = Link::new(stream, Tap::default(), &Config::new().reply_timeout(LONG));
     Link::switch(&mut link.state.lock(), mode).expect("the socket is open");
     (link, server)
 }
@@ -54,6 +58,15 @@ fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
 /// A reply to the command.
 fn reply(name: &str, code: u8, message: &str) -> String {
     format!("{{\"errorCode\":\"{code}\",\"errorMsg\":\"{message}\",\"cmdName\":\"{name}\"}}")
+}
+
+/// Waits until a condition holds that other threads or the system make true.
+fn until(mut holds: impl FnMut() -> bool) {
+    let since = Instant::now();
+    while !holds() {
+        assert!(since.elapsed() < LONG, "it has not come true within {LONG:?}");
+        thread::yield_now();
+    }
 }
 
 /// How many requests are outstanding, and how many of them are posted.

@@ -1,5 +1,8 @@
 //! Whose turn it is to send.
 
+#[cfg(test)]
+mod tests;
+
 use std::sync::atomic::Ordering;
 
 use super::Link;

@@ -59,9 +59,9 @@ impl Track {
         self.push_packet(&self.entry(self.now(), Event::Received(packet)));
     }
 
-    /// The time since the start of the recording.
+    /// Time since the start of the recording; by a simulated clock, since the clock was made.
     pub(super) fn now(&self) -> Duration {
-        self.clock.elapsed(self.recorder.0.started)
+        self.clock.elapsed_since_start(self.recorder.0.started)
     }
 
     pub(super) fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {

@@ -11,6 +11,7 @@ use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
 use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot};
+use crate::sync::Watched;
 use crate::{Error, ErrorKind};
 
 /// How long an arm that was stopped is waited for until it rests.
@@ -66,14 +67,22 @@ impl<S: MotionStatus> Robot<S> {
             return self.not_begun(&guard, trip, since.passed());
         }
         let sentry = Sentry::new(self, armed, fresh_for);
+        let is_over = Watched::new(self.clock(), false);
         let (result, stopped) = thread::scope(|scope| {
             let relieved = Relieved(&sentry);
-            let spawned = thread::Builder::new().name("jaka guard".to_owned()).spawn_scoped(scope, || sentry.keep());
+            let (thread, place) = (thread::Builder::new().name("jaka guard".to_owned()), self.clock().participant());
+            let keep = || {
+                let _end = Ends(&is_over);
+                sentry.keep()
+            };
+            let spawned = thread.spawn_scoped(scope, move || place.run(keep));
             let watching = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
             let sent = self.send(motion, left(), Some(&sentry.armed));
             let result = sent.map(|()| self.wait_unless(left(), &|| sentry.has_failed()));
             drop(relieved);
             // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
+            // A join knows nothing of a simulated clock.
+            is_over.wait_for(Duration::MAX, |is_over| is_over.then_some(()));
             let stopped = watching.join().unwrap_or_default();
             Ok::<_, Error>((result, stopped.or_else(|| sentry.written(None))))
         })?;
@@ -179,5 +188,15 @@ impl<S: MotionStatus> Robot<S> {
             self.checks.unsettle();
         }
         stop.accepted.is_ok()
+    }
+}
+
+/// Says, when it is dropped, that a thread is at its end.
+struct Ends<'w>(&'w Watched<bool>);
+
+impl Drop for Ends<'_> {
+    fn drop(&mut self) {
+        *self.0.lock() = true;
+        self.0.wake();
     }
 }

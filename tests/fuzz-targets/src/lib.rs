@@ -1,6 +1,7 @@
 //! What fuzzing checks: functions that take any bytes and panic where something is wrong.
 //!
-//! The binaries in `fuzz/` run them on inputs that libFuzzer makes up, and `tests/tests/corpora.rs` on those that are kept in
+//! The binaries in `fuzz/` run them on inputs that libFuzzer makes up, and `tests/tests/connection/corpora.rs` on those
+//! that are kept in
 //! `tests/corpora/`. `docs/fuzzing.md` says how.
 
 mod builtin;

@@ -1,14 +1,14 @@
 //! A proxy to a command port that takes part in a simulated time, and sees the set-points on the wire.
 
-use std::io::ErrorKind;
-use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::io::{Read, Write};
+use std::net::{Ipv4Addr, Shutdown, SocketAddr};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 use jaka_sim::SimulatedClock;
-use jaka_sim::jaka_clock::Channel;
+use jaka_sim::jaka_clock::Stream;
 use serde_json::Value;
 
 /// A proxy to a command port for one client. It knows nothing of who makes the set-points.
@@ -32,12 +32,6 @@ pub struct SetPointsSeen {
     last: Option<Duration>,
 }
 
-/// An end of a connection of the proxy.
-struct End {
-    stream: TcpStream,
-    channel: Channel,
-}
-
 impl SetPoints {
     /// Begins to listen, for one client of this controller. `is_expected` judges the joint positions of each set-point, by its number from 0.
     ///
@@ -48,19 +42,13 @@ impl SetPoints {
         controller: SocketAddr,
         is_expected: impl Fn(u64, [f64; 6]) -> bool + Send + 'static,
     ) -> Self {
-        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
-        let address = listener.local_addr().expect("it is bound");
-        clock.listen(address);
+        let listener = clock.bind((Ipv4Addr::LOCALHOST, 0).into()).expect("loopback has free ports");
+        let address = listener.local_addr();
         let (clock, seen) = (clock.clone(), Arc::<Mutex<SetPointsSeen>>::default());
         let theirs = Arc::clone(&seen);
         thread::spawn(move || {
-            let (stream, peer) = listener.accept().expect("it listens");
-            let (channel, _work) = clock.accepted(&stream, peer).expect("the client waits");
-            let near = Arc::new(End { stream, channel });
-            let stream = TcpStream::connect(controller).expect("the controller listens");
-            stream.set_nodelay(true).expect("the connection is open");
-            near.stream.set_nodelay(true).expect("the connection is open");
-            let far = Arc::new(End { channel: clock.connected(&stream).expect("it is connected"), stream });
+            let near = Arc::new(listener.accept().expect("it listens"));
+            let far = Arc::new(clock.connect(controller).expect("the controller listens"));
             let (place, back) = (clock.servant(), (Arc::clone(&far), Arc::clone(&near)));
             thread::spawn(move || place.run(|| pass(&back.0, &back.1, |_| ())));
             let (place, mut framer, now) = (clock.servant(), Framer::new(1 << 16), clock.clone());
@@ -91,24 +79,16 @@ fn lock(seen: &Mutex<SetPointsSeen>) -> std::sync::MutexGuard<'_, SetPointsSeen>
 }
 
 /// Passes bytes on to the end of the connection.
-fn pass(from: &End, to: &End, mut see: impl FnMut(&[u8])) {
+fn pass(mut from: &Stream, mut to: &Stream, mut see: impl FnMut(&[u8])) {
     let mut space = vec![0; 1 << 16];
-    loop {
-        match from.channel.read(&from.stream, &mut space, None) {
-            Ok(count) if count > 0 => {
-                see(&space[..count]);
-                if to.channel.write_all(&to.stream, &space[..count], None).is_err() {
-                    return;
-                }
-            }
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {}
-            _ => {
-                // An error says that it has ended already.
-                to.channel.shutdown(&to.stream, Shutdown::Both).ok();
-                return;
-            }
+    while let Ok(count @ 1..) = from.read(&mut space) {
+        see(&space[..count]);
+        if to.write_all(&space[..count]).is_err() {
+            return;
         }
     }
+    // An error says that it has ended already.
+    to.shutdown(Shutdown::Both).ok();
 }
 
 fn see(

@@ -78,7 +78,7 @@ impl Arm {
 
     /// Does this many things, and reports what was sent and the outcomes.
     pub(super) fn run(mut self, operations: u32) -> Done {
-        let reader = Reader::new(config(), self.place.ports, &self.place.rate, &self.place.findings);
+        let reader = Reader::new(config(&self.place.ports), &self.place.ports, &self.place.rate, &self.place.findings);
         let mut session = None;
         for number in 0..operations {
             let mut current = match session.take().map_or_else(|| self.connect(), Ok) {

@@ -2,9 +2,8 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::{self, JoinHandle};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
 use jaka_sync::status::RobotStatus;
@@ -13,6 +12,7 @@ use jaka_sync::{Config, Error, ErrorKind, Monitor};
 use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
 use super::tally::Tally;
+use super::time::{Orders, Time};
 
 /// How long a reader of the status port waits before it reconnects.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -55,16 +55,18 @@ pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
 /// A thread that stops the arm whenever it is told to.
 #[derive(Debug)]
 pub(super) struct Hand {
-    go: Sender<()>,
+    time: Time,
+    orders: Orders,
     thread: JoinHandle<(Stops, Tally)>,
 }
 
 impl Hand {
-    pub(super) fn new(stop: impl Fn() -> Result<(), Error> + Send + 'static) -> Self {
-        let (go, told) = mpsc::channel();
-        let thread = thread::spawn(move || {
+    pub(super) fn new(time: &Time, stop: impl Fn() -> Result<(), Error> + Send + 'static) -> Self {
+        let orders = Orders::new(time);
+        let theirs = orders.clone();
+        let thread = time.start(move || {
             let (mut stops, mut tally) = (Stops::default(), Tally::default());
-            for () in told {
+            while theirs.take() {
                 let stopped = stop();
                 count(&mut tally, &stopped);
                 let fate = Fate::of(&stopped);
@@ -73,19 +75,19 @@ impl Hand {
             }
             (stops, tally)
         });
-        Self { go, thread }
+        Self { time: time.clone(), orders, thread }
     }
 
     /// It stops some time from now.
     pub(super) fn go(&self) {
         // A thread that has panicked is reported at its end.
-        self.go.send(()).ok();
+        self.orders.add();
     }
 
     /// `None` if it has panicked.
     pub(super) fn end(self) -> Option<(Stops, Tally)> {
-        drop(self.go);
-        self.thread.join().ok()
+        self.orders.close();
+        self.time.outside(|| self.thread.join()).ok()
     }
 }
 
@@ -148,36 +150,38 @@ pub(super) fn observe(monitor: &Monitor, rate: &Rate, findings: &Findings) {
 /// A thread that reads status packets by a stream, and reconnects when it breaks.
 #[derive(Debug)]
 pub(super) struct Reader {
+    time: Time,
     ends: Arc<AtomicBool>,
     thread: JoinHandle<Tally>,
 }
 
 impl Reader {
-    pub(super) fn new(config: Config, ports: Ports, rate: &Rate, findings: &Findings) -> Self {
+    pub(super) fn new(config: Config, ports: &Ports, rate: &Rate, findings: &Findings) -> Self {
         let ends = Arc::new(AtomicBool::new(false));
         let (told, mut order) = (Arc::clone(&ends), Order::new(rate, findings));
-        let thread = thread::spawn(move || {
+        let (ports, time) = (ports.clone(), ports.time.clone());
+        let thread = time.start(move || {
             let mut tally = Tally::default();
             while !told.load(Ordering::SeqCst) {
-                if let Err(error) = read(&config, ports, &told, &mut order, &mut tally) {
+                if let Err(error) = read(&config, &ports, &told, &mut order, &mut tally) {
                     order.findings.add(format!("the status stream failed with {error:?}"));
                     break;
                 }
             }
             tally
         });
-        Self { ends, thread }
+        Self { time, ends, thread }
     }
 
     /// `None` if it has panicked.
     pub(super) fn end(self) -> Option<Tally> {
         self.ends.store(true, Ordering::SeqCst);
-        self.thread.join().ok()
+        self.time.outside(|| self.thread.join()).ok()
     }
 }
 
 /// Reads to the end of one connection.
-fn read(config: &Config, ports: Ports, ends: &AtomicBool, order: &mut Order, tally: &mut Tally) -> Result<(), Error> {
+fn read(config: &Config, ports: &Ports, ends: &AtomicBool, order: &mut Order, tally: &mut Tally) -> Result<(), Error> {
     let mut stream = config.connect_status(ports.status)?;
     tally.one("status streams");
     while !ends.load(Ordering::SeqCst) {
@@ -196,7 +200,7 @@ fn read(config: &Config, ports: Ports, ends: &AtomicBool, order: &mut Order, tal
             ErrorKind::Disconnected { .. } => {
                 tally.one("status streams broken");
                 // Where each connection ends at once, ports would run out.
-                thread::sleep(PAUSE);
+                ports.time.sleep(PAUSE);
                 break;
             }
             _ => return Err(error),

@@ -6,10 +6,11 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-use jaka_sim::{Controller, Delays};
+use jaka_sim::{Controller, Delays, SimulatedClock};
 use serde_json::json;
 
 use super::faults;
+use super::time::Time;
 
 /// How often status packets go out.
 const PERIOD: Duration = Duration::from_millis(20);
@@ -29,17 +30,18 @@ enum Place {
     Elsewhere { child: Child, orders: Option<ChildStdin>, answers: BufReader<ChildStdout> },
 }
 
-/// The ports of a controller.
-#[derive(Debug, Clone, Copy)]
+/// The ports of a controller, and its time.
+#[derive(Debug, Clone)]
 pub(super) struct Ports {
     pub(super) commands: SocketAddr,
     pub(super) status: SocketAddr,
+    pub(super) time: Time,
 }
 
 impl Host {
-    /// In this process.
+    /// In this process, each with a simulated clock of its own, which its clients share.
     pub fn here() -> Self {
-        Self(Mutex::new(Place::Here(Controllers::default())))
+        Self(Mutex::new(Place::Here(Controllers { are_simulated: true, ..Controllers::default() })))
     }
 
     /// In another process, which runs [`serve`] on its standard input and output.
@@ -74,7 +76,13 @@ impl Host {
     pub(super) fn begin(&self, seed: u64, round: u32, arms: u32) -> Vec<Ports> {
         let answer = self.ask(&format!("begin {seed} {round} {arms}"));
         let addresses: Vec<SocketAddr> = answer.split(' ').map(|address| address.parse().expect("it is one")).collect();
-        addresses.chunks(2).map(|pair| Ports { commands: pair[0], status: pair[1] }).collect()
+        let place = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let time = |arm: usize| match &*place {
+            Place::Here(controllers) => Time(controllers.all[arm].clock().cloned()),
+            Place::Elsewhere { .. } => Time(None),
+        };
+        let pairs = addresses.chunks(2).enumerate();
+        pairs.map(|(arm, pair)| Ports { commands: pair[0], status: pair[1], time: time(arm) }).collect()
     }
 
     /// Sets what is wrong with an arm's status packets: one of [`faults::of_status`].
@@ -119,7 +127,10 @@ pub fn serve() -> io::Result<()> {
 
 /// The controllers of a round.
 #[derive(Debug, Default)]
-struct Controllers(Vec<Controller>);
+struct Controllers {
+    all: Vec<Controller>,
+    are_simulated: bool,
+}
 
 impl Controllers {
     fn obey(&mut self, order: &str) -> String {
@@ -128,26 +139,28 @@ impl Controllers {
         match words[0] {
             "begin" => self.begin(words[1].parse().expect("the seed is a number"), number(2), number(3)),
             "status" => {
-                self.0[number(1) as usize].status_fault(faults::of_status()[number(2) as usize].clone());
+                self.all[number(1) as usize].status_fault(faults::of_status()[number(2) as usize].clone());
                 String::new()
             }
-            "requests" => json!(self.0[number(1) as usize].requests()).to_string(),
+            "requests" => json!(self.all[number(1) as usize].requests()).to_string(),
             _ => {
-                self.0.clear();
+                self.all.clear();
                 String::new()
             }
         }
     }
 
     fn begin(&mut self, seed: u64, round: u32, arms: u32) -> String {
-        self.0 = (0..arms).map(|arm| controller(seed, round, arm)).collect();
-        let ports = self.0.iter().map(|one| format!("{} {}", one.command_addr(), one.status_addr()));
+        let clock = || self.are_simulated.then(SimulatedClock::new);
+        self.all = (0..arms).map(|arm| controller(seed, round, arm, clock().as_ref())).collect();
+        let ports = self.all.iter().map(|one| format!("{} {}", one.command_addr(), one.status_addr()));
         ports.collect::<Vec<_>>().join(" ")
     }
 }
 
-fn controller(seed: u64, round: u32, arm: u32) -> Controller {
+fn controller(seed: u64, round: u32, arm: u32, clock: Option<&SimulatedClock>) -> Controller {
     let builder = Controller::builder().delays(Delays::NONE).status_period(PERIOD);
+    let builder = clock.into_iter().fold(builder, jaka_sim::Builder::clock);
     let plan = faults::plan(&faults::script(seed, round, arm), &faults::links(seed, round, arm));
     let controller = builder.faults(plan).start().expect("loopback has free ports");
     controller.set_state(|state| {

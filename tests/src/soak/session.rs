@@ -7,10 +7,11 @@ use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampli
 use super::account::Connection;
 use super::arm::Place;
 use super::background::{Hand, observe};
+use super::host::Ports;
 use super::tally::Tally;
 use crate::{RecordingBuffer, requests};
 
-/// How long a reply may take. A slow machine is not a defect: then there are more timeouts.
+/// Timeout for a reply. In real time a slow machine is not a defect: then there are more timeouts.
 const REPLY: Duration = Duration::from_millis(150);
 
 /// The longest message that is taken: shorter than the longest of the faults.
@@ -36,10 +37,11 @@ pub(super) struct Session {
 }
 
 /// How all connections behave.
-pub(super) fn config() -> Config {
+pub(super) fn config(ports: &Ports) -> Config {
     let reconnect =
         Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(5), longest: Duration::from_millis(100) };
-    Config::new().reply_timeout(REPLY).max_frame(MAX_FRAME).connect_timeout(CONNECT).reconnect(reconnect)
+    let config = Config::new().reply_timeout(REPLY).max_frame(MAX_FRAME).connect_timeout(CONNECT).reconnect(reconnect);
+    ports.time.configure(config)
 }
 
 impl Session {
@@ -47,7 +49,7 @@ impl Session {
         let buffer = RecordingBuffer::default();
         let recorder = is_recorded.then(|| buffer.recorder());
         let sampling = StatusSampling::EveryNth(SAMPLING);
-        let config = config().status_sampling(sampling);
+        let config = config(&place.ports).status_sampling(sampling);
         let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
         let monitor: Monitor = config.connect_monitor(place.ports.status)?;
         observe(&monitor, &place.rate, &place.findings);
@@ -55,11 +57,12 @@ impl Session {
         // So short that a motion that is stopped is soon known to be.
         let robot = Robot::new(client, monitor).with_start_grace(Duration::from_millis(60), 3);
         let mut robot = robot.with_status_silence(Duration::from_millis(400));
+        let time = &place.ports.time;
         // One that ends the robot's waits, and one of which the robot does not know.
         let (stop, unknown_stop) = (robot.stop_handle(), robot.client().stop_handle());
         Ok(Self {
             robot,
-            hands: vec![Hand::new(move || stop.stop()), Hand::new(move || unknown_stop.stop())],
+            hands: vec![Hand::new(time, move || stop.stop()), Hand::new(time, move || unknown_stop.stop())],
             connection: Connection::new(first),
             once: 0,
             silent: 0,

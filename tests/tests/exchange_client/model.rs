@@ -1,226 +1,232 @@
-//! Who may receive what: the simplest account of an exchange, which also knows whose each reply really is.
+//! The simplest account of an exchange and of whose each reply is, in lists that are searched from the front.
+//!
+//! The account follows the rules of an exchange, which knows names alone. It also knows for which request each reply
+//! was written: so it can tell when a rule gives a reply to another request, and it claims that this happens only where
+//! names cannot tell.
 
-use std::collections::VecDeque;
-use std::fmt;
+use std::collections::HashSet;
 
 use jaka_sync::Command;
-use jaka_sync::program::StopProgram;
+use jaka_sync::program::{PauseProgram, StopProgram};
+use jaka_sync::proto::exchange::OutOfSync;
 
-/// What stop handles send: the one name of which several commands can be waited for.
+use crate::server::{Form, Reply};
+
+/// The command that stop handles send.
 pub(crate) const STOP: &str = StopProgram::INFO.name;
+/// The other command of which several may be outstanding in a pipeline.
+pub(crate) const PAUSE: &str = PauseProgram::INFO.name;
+/// The command whose reply is a bare tuple, without a name.
+pub(crate) const TUPLE: &str = "get_extio_status";
+/// Names of commands. Few, so that equal ones meet.
+pub(crate) const NAMES: [&str; 4] = ["query", PAUSE, STOP, TUPLE];
 
-/// Who waits for replies: the client's own thread, and threads with stop handles.
-pub(crate) type Actor = usize;
+/// Recipient of a reply.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Recipient {
+    /// The thread that waits for it.
+    Waiter,
+    /// The count of posted requests.
+    Count,
+    /// None: the request was given up or abandoned.
+    Nobody,
+}
 
-/// What a call ends with.
+/// Outcome of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Got {
-    /// The reply that the server wrote for the command with this number.
-    Reply(u32),
-    Timeout,
-    /// The deadline passed before anything was sent.
-    NotSentInTime,
+    /// The acceptance that was written for the request with this number.
+    Accepted(u32),
+    Refused(u32),
     Lost,
-    /// The connection broke while the call waited.
-    Broken,
-    /// The connection was broken before, and nothing was sent.
-    NotSent,
+    TimedOut,
 }
 
-/// What the server writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Message {
-    /// A reply, with the number of the command that it is for, under its name.
-    Reply {
-        name: &'static str,
-        number: u32,
-    },
-    /// A copy of it, or a reply to nothing.
-    Surplus {
-        name: &'static str,
-        number: u32,
-    },
-    /// A refusal that names no command.
-    Nameless {
-        number: u32,
-    },
-    Garbage,
-    /// The end of the connection.
-    End,
-}
-
-/// A command that has not been answered.
-#[derive(Debug, Clone)]
-struct Outstanding {
-    number: u32,
-    name: &'static str,
-    actor: Actor,
-    waits: bool,
-    /// A reply that completed an older command of the name may have been this one's.
-    doubtful: bool,
+/// A request that is outstanding.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Request {
+    pub(crate) number: u32,
+    pub(crate) name: &'static str,
+    pub(crate) recipient: Recipient,
+    /// A reply that completed an older request of the name may have been this one's.
+    is_doubtful: bool,
 }
 
 /// The exchange as it should be.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Model {
-    outstanding: Vec<Outstanding>,
-    /// What the client has read and not looked at, and what it has not read.
-    read: VecDeque<Message>,
-    unread: VecDeque<Message>,
-    pub(crate) is_broken: bool,
-    /// What calls have ended with and the test has not asked for yet.
-    pub(crate) ended: Vec<(Actor, Got)>,
-    /// How many replies came too late.
-    pub(crate) dropped: u32,
-    /// A surplus reply was taken for a request's own.
-    is_mistaken: bool,
-    /// A reply was lost of a name of which several commands may be waited for.
-    is_mistakable: bool,
+    pub(crate) outstanding: Vec<Request>,
+    /// Outcomes that waiters have not taken.
+    pub(crate) outcomes: Vec<(u32, Got)>,
+    /// Outcomes of posted requests since they were last taken.
+    accepted: u64,
+    failed: Vec<(&'static str, Got)>,
+    /// Requests whose own replies have neither come nor been lost.
+    on_their_way: HashSet<u32>,
+    /// Requests whose own replies have come.
+    delivered: HashSet<u32>,
+    /// Names of which a reply was lost.
+    lost: HashSet<&'static str>,
+    /// Names of which two replies were waited for at once.
+    several: HashSet<&'static str>,
+    /// Names of which a reply was discarded.
+    discarded: HashSet<&'static str>,
+    /// Names whose replies may be mistaken, since a surplus one was taken for that of an outstanding request.
+    mistakable: HashSet<&'static str>,
 }
 
 impl Model {
-    pub(crate) fn is_waited_for(&self) -> bool {
-        self.outstanding.iter().any(|request| request.waits)
+    /// Places of the requests with this recipient.
+    pub(crate) fn places(&self, recipient: Recipient) -> impl Iterator<Item = usize> {
+        (0..self.outstanding.len()).filter(move |place| self.outstanding[*place].recipient == recipient)
     }
 
-    pub(crate) fn waits(&self, actor: Actor) -> bool {
-        self.outstanding.iter().any(|request| request.waits && request.actor == actor)
+    /// True while a reply of this name is waited for.
+    pub(crate) fn waits_for(&self, name: &str) -> bool {
+        self.outstanding.iter().any(|request| request.name == name && request.recipient != Recipient::Nobody)
     }
 
-    /// True if something has come that was not read.
-    pub(crate) fn has_more(&self) -> bool {
-        !self.unread.is_empty() || !self.read.is_empty()
+    /// The oldest posted request that is outstanding.
+    pub(crate) fn oldest_posted(&self) -> Option<Request> {
+        self.places(Recipient::Count).next().map(|place| self.outstanding[place])
     }
 
-    /// A call begins. False if nothing must be sent.
-    pub(crate) fn send(&mut self, actor: Actor, name: &'static str, number: u32) -> bool {
-        let is_sent = self.send_only(actor, name, number);
-        self.look();
-        is_sent
-    }
-
-    /// The same, before what has come is read.
-    pub(crate) fn send_only(&mut self, actor: Actor, name: &'static str, number: u32) -> bool {
-        if !self.send_nothing(actor) {
-            return false;
+    /// A request goes out.
+    pub(crate) fn send(&mut self, number: u32, name: &'static str, recipient: Recipient) {
+        if self.waits_for(name) {
+            self.several.insert(name);
         }
-        let doubtful = self.outstanding.iter().any(|request| request.doubtful && request.name == name);
-        self.outstanding.push(Outstanding { number, name, actor, waits: true, doubtful });
-        true
+        let is_doubtful = self.outstanding.iter().any(|request| request.name == name && request.is_doubtful);
+        self.outstanding.push(Request { number, name, recipient, is_doubtful });
+        self.on_their_way.insert(number);
     }
 
-    /// A call begins, and its command does not go out yet. False if the connection is broken.
-    pub(crate) fn send_nothing(&mut self, actor: Actor) -> bool {
-        // What has been read before a command goes out is not a reply to it.
-        while let Some(message) = self.read.pop_front() {
-            self.arrive(message);
+    /// The newest request did not go out after all.
+    pub(crate) fn withdraw(&mut self, number: u32) -> Result<(), OutOfSync> {
+        if self.outstanding.last().is_none_or(|newest| newest.number != number) {
+            return Err(OutOfSync::BeforeSent);
         }
-        if self.is_broken {
-            self.ended.push((actor, Got::NotSent));
-        }
-        !self.is_broken
+        self.outstanding.pop();
+        self.on_their_way.remove(&number);
+        Ok(())
     }
 
-    /// The server writes, at once.
-    pub(crate) fn write(&mut self, messages: &[Message]) {
-        self.unread.extend(messages);
-        self.look();
+    /// The reply to a request is lost.
+    pub(crate) fn lose(&mut self, number: u32, name: &'static str) {
+        self.on_their_way.remove(&number);
+        self.lost.insert(name);
     }
 
-    /// A reply is lost.
-    pub(crate) fn lose(&mut self, name: &str) {
-        self.is_mistakable |= name == STOP;
-    }
-
-    /// A deadline passes.
-    pub(crate) fn give_up(&mut self, actor: Actor) {
-        let Some(request) = self.outstanding.iter_mut().find(|request| request.waits && request.actor == actor) else {
-            return;
+    /// A reply comes: the request that it completes, and the recipient.
+    pub(crate) fn arrive(&mut self, reply: Reply) -> Result<(u32, Recipient), OutOfSync> {
+        let Reply { number, name, form } = reply;
+        let is_own = self.on_their_way.remove(&number);
+        let place = match form {
+            Form::Nameless if self.outstanding.len() == 1 => 0,
+            Form::Nameless | Form::Anonymous => return Err(OutOfSync::Nameless),
+            Form::Accepted | Form::Refused => {
+                let Some(place) = self.outstanding.iter().position(|request| request.name == name) else {
+                    assert!(!is_own || self.is_mistakable(name), "{reply:?} belongs to no request: {self:?}");
+                    return Err(OutOfSync::Unsolicited { command: name.to_owned() });
+                };
+                place
+            }
         };
-        if request.doubtful {
-            self.break_off();
+        if is_own {
+            self.delivered.insert(number);
+        }
+        let taker = self.outstanding[place];
+        let is_spread = taker.number != number && [name, taker.name].iter().any(|name| self.mistakable.contains(name));
+        if !is_own || is_spread {
+            // A mistake spreads to what is written off by it.
+            self.mistakable.extend(self.outstanding[..=place].iter().map(|request| request.name));
+        }
+        for request in self.outstanding.drain(..=place).take(place).collect::<Vec<_>>() {
+            self.write_off(request);
+        }
+        if taker.recipient == Recipient::Nobody {
+            self.discarded.insert(taker.name);
+            for request in self.outstanding.iter_mut().filter(|request| request.name == taker.name) {
+                request.is_doubtful = true;
+            }
         } else {
-            request.waits = false;
-            self.ended.push((actor, Got::Timeout));
+            let is_right = number == taker.number || self.is_mistakable(taker.name);
+            assert!(is_right, "{reply:?} is given to {taker:?}: {self:?}");
+        }
+        let is_accepted = form == Form::Accepted;
+        self.end(taker, if is_accepted { Got::Accepted(number) } else { Got::Refused(number) });
+        Ok((taker.number, taker.recipient))
+    }
+
+    /// A later request was answered.
+    fn write_off(&mut self, request: Request) {
+        let is_lost = self.lost.contains(request.name) || self.is_mistakable(request.name);
+        assert!(is_lost, "the reply to {request:?} is still to come: {self:?}");
+        self.end(request, Got::Lost);
+    }
+
+    /// The deadline of a request passes.
+    pub(crate) fn give_up(&mut self, place: usize) -> Result<(), OutOfSync> {
+        let request = self.outstanding[place];
+        if request.is_doubtful {
+            assert!(self.discarded.contains(request.name), "nothing makes {request:?} doubtful: {self:?}");
+            return Err(OutOfSync::Ambiguous { command: request.name.to_owned() });
+        }
+        let has_come = self.delivered.contains(&request.number);
+        assert!(!has_come || self.is_mistakable(request.name), "the reply to {request:?} is not missed: {self:?}");
+        self.end(request, Got::TimedOut);
+        self.outstanding[place].recipient = Recipient::Nobody;
+        Ok(())
+    }
+
+    /// The reply to a request is not wanted any more.
+    pub(crate) fn abandon(&mut self, number: u32) {
+        self.outcomes.retain(|(other, _)| *other != number);
+        for request in self.outstanding.iter_mut().filter(|request| request.number == number) {
+            request.recipient = Recipient::Nobody;
         }
     }
 
-    /// While somebody waits, everything is looked at that has been read, and then all is read that has come.
-    fn look(&mut self) {
-        while self.is_waited_for() {
-            if self.read.is_empty() {
-                // The end is found by a read of its own.
-                let end = self.unread.iter().position(|message| *message == Message::End);
-                let count = end.map_or(self.unread.len(), |place| place.max(1));
-                self.read.extend(self.unread.drain(..count));
-            }
-            let Some(message) = self.read.pop_front() else { break };
-            self.arrive(message);
+    /// Abandons the posted requests that are outstanding, and says how many those were.
+    pub(crate) fn abandon_posted(&mut self) -> u64 {
+        let posted: Vec<_> = self.places(Recipient::Count).map(|place| self.outstanding[place].number).collect();
+        for number in &posted {
+            self.abandon(*number);
+        }
+        posted.len() as u64
+    }
+
+    /// Takes the outcome of a request, if it has one.
+    pub(crate) fn take(&mut self, number: u32) -> Option<Got> {
+        let place = self.outcomes.iter().position(|(other, _)| *other == number)?;
+        Some(self.outcomes.remove(place).1)
+    }
+
+    /// Takes the outcomes of posted requests: how many were accepted, and the others.
+    pub(crate) fn take_posted(&mut self) -> (u64, Vec<(&'static str, Got)>) {
+        (std::mem::take(&mut self.accepted), std::mem::take(&mut self.failed))
+    }
+
+    /// All that was on its way has come: nobody waits without a reason.
+    pub(crate) fn assert_nothing_is_forgotten(&self) {
+        let is_excused = |name| self.lost.contains(name) || self.mistakable.contains(name);
+        let forgotten =
+            self.outstanding.iter().find(|request| request.recipient != Recipient::Nobody && !is_excused(request.name));
+        assert!(forgotten.is_none(), "all replies have come, but {forgotten:?}: {self:?}");
+    }
+
+    fn end(&mut self, request: Request, got: Got) {
+        match (request.recipient, got) {
+            (Recipient::Waiter, got) => self.outcomes.push((request.number, got)),
+            (Recipient::Count, Got::Accepted(_)) => self.accepted += 1,
+            (Recipient::Count, got) => self.failed.push((request.name, got)),
+            (Recipient::Nobody, _) => {}
         }
     }
 
-    fn arrive(&mut self, message: Message) {
-        let place = match message {
-            Message::Reply { name, .. } | Message::Surplus { name, .. } => {
-                self.outstanding.iter().position(|request| request.name == name)
-            }
-            Message::Nameless { .. } => (self.outstanding.len() == 1).then_some(0),
-            Message::Garbage | Message::End => None,
-        };
-        let (Some(place), Some((number, is_surplus))) = (place, message.number()) else {
-            return self.break_off();
-        };
-        for lost in self.outstanding.drain(..place).filter(|request| request.waits) {
-            self.ended.push((lost.actor, Got::Lost));
-        }
-        let taker = self.outstanding.remove(0);
-        self.is_mistaken |= is_surplus;
-        if taker.waits {
-            let own = taker.number == number;
-            assert!(own || self.is_mistaken || self.is_mistakable, "{message:?} is given to {taker:?}");
-            self.ended.push((taker.actor, Got::Reply(number)));
-            return;
-        }
-        self.dropped += 1;
-        for request in self.outstanding.iter_mut().filter(|request| request.name == taker.name) {
-            request.doubtful = true;
-        }
-    }
-
-    fn break_off(&mut self) {
-        self.is_broken = true;
-        self.ended.extend(
-            self.outstanding.drain(..).filter(|request| request.waits).map(|request| (request.actor, Got::Broken)),
-        );
-        self.read.clear();
-        self.unread.clear();
-    }
-}
-
-impl Message {
-    /// The number of a reply, and whether it is surplus.
-    fn number(self) -> Option<(u32, bool)> {
-        match self {
-            Self::Reply { number, .. } | Self::Nameless { number } => Some((number, false)),
-            Self::Surplus { number, .. } => Some((number, true)),
-            Self::Garbage | Self::End => None,
-        }
-    }
-}
-
-/// As the server writes it. The number of a stop's reply is its code, since a stop shows no more of it.
-impl fmt::Display for Message {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Reply { name, number } | Self::Surplus { name, number } if *name == STOP => {
-                write!(f, r#"{{"errorCode": "{number}", "errorMsg": "", "cmdName": "{name}"}}"#)
-            }
-            Self::Reply { name, number } | Self::Surplus { name, number } => {
-                write!(f, r#"{{"errorCode": "0", "errorMsg": "", "cmdName": "{name}", "number": {number}}}"#)
-            }
-            Self::Nameless { number } => write!(f, r#"{{"errorCode": "{number}", "errorMsg": ""}}"#),
-            Self::Garbage => f.write_str("garbage"),
-            Self::End => Ok(()),
-        }
+    /// The two cases in which a name does not tell whose a reply is.
+    fn is_mistakable(&self, name: &str) -> bool {
+        let one_of_several_is_lost = self.several.contains(name) && self.lost.contains(name);
+        one_of_several_is_lost || self.mistakable.contains(name)
     }
 }

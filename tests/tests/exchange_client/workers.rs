@@ -1,75 +1,186 @@
-//! Threads that call.
+//! Threads that call, in the time of a simulated clock.
 
-use std::sync::mpsc::{self, Receiver, Sender};
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use jaka_sync::{Client, Error, ErrorKind, StopHandle};
+use jaka_sim::SimulatedClock;
+use jaka_sync::program::{PauseProgram, StopProgram};
+use jaka_sync::{Client, Error, ErrorKind, Pipeline, StopHandle};
 
-use crate::model::Got;
+use crate::client::{Actor, CLIENT, End};
+use crate::model::{Got, PAUSE};
+use crate::server::number_in;
 
-/// What a thread is to do.
+/// Task of a thread.
 #[derive(Debug)]
 pub(crate) enum Order {
-    Call { name: &'static str, timeout: Duration },
+    Call {
+        name: &'static str,
+        timeout: Duration,
+    },
     Stop,
+    /// Posts so many commands of a name in a pipeline, which lasts until it is finished or dropped.
+    Post {
+        name: &'static str,
+        count: usize,
+    },
+    Finish,
+    Drop,
 }
 
-/// A thread that calls, one call after the other.
-pub(crate) struct Worker {
-    pub(crate) orders: Sender<Order>,
-    pub(crate) results: Receiver<Result<u32, Error>>,
-    pub(crate) thread: JoinHandle<()>,
+/// State that the threads share.
+#[derive(Debug)]
+struct Shared {
+    clock: SimulatedClock,
+    state: Mutex<State>,
 }
 
-impl Worker {
-    fn new(mut call: impl FnMut(Order) -> Result<u32, Error> + Send + 'static) -> Self {
-        let (orders, to_do) = mpsc::channel();
-        let (done, results) = mpsc::channel();
-        let calls = move || {
-            for order in to_do {
-                if done.send(call(order)).is_err() {
-                    // The run has failed: its results are no longer wanted.
-                    return;
-                }
-            }
-        };
-        let thread = thread::spawn(calls);
-        Self { orders, results, thread }
+#[derive(Debug, Default)]
+struct State {
+    orders: [VecDeque<Order>; 3],
+    are_closed: bool,
+    ended: Vec<(Actor, End)>,
+}
+
+impl Shared {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    pub(crate) fn of_client(mut client: Client) -> Self {
-        Self::new(move |order| match order {
+    fn signal(&self) -> usize {
+        &raw const self.state as usize
+    }
+
+    /// Waits for the next order; none once there will be none.
+    fn next(&self, actor: Actor) -> Option<Order> {
+        let mut state = self.lock();
+        loop {
+            if let Some(order) = state.orders[actor].pop_front() {
+                return Some(order);
+            }
+            if state.are_closed {
+                return None;
+            }
+            state = self.clock.wait_for(self.signal(), &self.state, state, None);
+        }
+    }
+
+    fn end(&self, actor: Actor, end: End) {
+        self.lock().ended.push((actor, end));
+    }
+
+    fn change(&self, act: impl FnOnce(&mut State)) {
+        act(&mut self.lock());
+        self.clock.notify_all(self.signal());
+    }
+}
+
+/// A client's thread, and threads with its stop handles. They end when this is dropped.
+#[derive(Debug)]
+pub(crate) struct Workers {
+    shared: Arc<Shared>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+impl Workers {
+    pub(crate) fn new(clock: &SimulatedClock, client: Client) -> Self {
+        let shared = Arc::new(Shared { clock: clock.clone(), state: Mutex::default() });
+        let stops = [1, 2].map(|actor| {
+            let (shared, stop) = (Arc::clone(&shared), client.stop_handle());
+            start(clock, move || stop_whenever_told(&shared, actor, &stop))
+        });
+        let theirs = Arc::clone(&shared);
+        let calling = start(clock, move || call_whenever_told(&theirs, client));
+        Self { shared, threads: stops.into_iter().chain([calling]).collect() }
+    }
+
+    pub(crate) fn order(&self, actor: Actor, order: Order) {
+        self.shared.change(|state| state.orders[actor].push_back(order));
+    }
+
+    /// Takes the ends of calls since this was last asked.
+    pub(crate) fn take_ended(&self) -> Vec<(Actor, End)> {
+        std::mem::take(&mut self.shared.lock().ended)
+    }
+
+    /// Waits for the ends of the threads.
+    ///
+    /// # Panics
+    /// One of them did.
+    pub(crate) fn join(mut self) {
+        self.close();
+        for thread in self.threads.drain(..) {
+            self.shared.clock.outside(|| thread.join()).expect("no call panics");
+        }
+    }
+
+    fn close(&self) {
+        self.shared.change(|state| state.are_closed = true);
+    }
+}
+
+impl Drop for Workers {
+    fn drop(&mut self) {
+        self.close();
+    }
+}
+
+fn start(clock: &SimulatedClock, act: impl FnOnce() + Send + 'static) -> JoinHandle<()> {
+    let place = clock.participant();
+    thread::spawn(move || place.run(act))
+}
+
+fn stop_whenever_told(shared: &Shared, actor: Actor, stop: &StopHandle) {
+    while shared.next(actor).is_some() {
+        shared.end(actor, end_of(stop.stop().map(|()| 0)));
+    }
+}
+
+fn call_whenever_told(shared: &Shared, mut client: Client) {
+    while let Some(order) = shared.next(CLIENT) {
+        match order {
             Order::Call { name, timeout } => {
                 let request = format!(r#"{{"cmdName": "{name}"}}"#);
-                client.call_text(&request, timeout).map(number_in)
+                shared.end(CLIENT, end_of(client.call_text(&request, timeout).map(number_in)));
             }
-            Order::Stop => client.stop_handle().stop().map(|()| 0),
-        })
-    }
-
-    pub(crate) fn of_stop_handle(stop: StopHandle) -> Self {
-        Self::new(move |_| stop.stop().map(|()| 0))
+            Order::Stop => shared.end(CLIENT, end_of(client.stop_handle().stop().map(|()| 0))),
+            Order::Post { name, count } => post_whenever_told(shared, client.pipeline(256), name, count),
+            Order::Finish | Order::Drop => unreachable!("there is no pipeline"),
+        }
     }
 }
 
-fn number_in(reply: &str) -> u32 {
-    let reply: serde_json::Value = serde_json::from_str(reply).expect("the server writes JSON");
-    reply["number"].as_u64().and_then(|number| u32::try_from(number).ok()).expect("the server numbers its replies")
+fn post_whenever_told(shared: &Shared, mut pipeline: Pipeline<'_>, name: &'static str, count: usize) {
+    let mut order = Some(Order::Post { name, count });
+    while let Some(Order::Post { name, count }) = order {
+        let posted = match name {
+            PAUSE => pipeline.send_all(&vec![PauseProgram::new(); count]),
+            _ => pipeline.send_all(&vec![StopProgram::new(); count]),
+        };
+        if let Err(error) = posted {
+            shared.end(CLIENT, end_of(Err(error)));
+        }
+        order = shared.next(CLIENT);
+    }
+    if matches!(order, Some(Order::Finish)) {
+        let end = pipeline.finish().map_or_else(|error| end_of(Err(error)), End::Finished);
+        shared.end(CLIENT, end);
+    }
 }
 
 /// A refusal shows whose it is by its code.
-pub(crate) fn got(result: Result<u32, Error>) -> Got {
-    match result.map_err(Error::into_kind) {
-        Ok(number) => Got::Reply(number),
+fn end_of(result: Result<u32, Error>) -> End {
+    End::Got(match result.map_err(Error::into_kind) {
+        Ok(number) => Got::Accepted(number),
         Err(ErrorKind::Refused { refusal, .. }) => {
-            Got::Reply(u32::try_from(refusal.code.0).expect("the server numbers its replies"))
+            Got::Refused(u32::try_from(refusal.code.0).expect("the server numbers its replies"))
         }
-        Err(ErrorKind::Timeout { .. }) => Got::Timeout,
-        Err(ErrorKind::NotSentInTime { .. }) => Got::NotSentInTime,
+        Err(ErrorKind::Timeout { .. }) => Got::TimedOut,
         Err(ErrorKind::ReplyLost { .. }) => Got::Lost,
-        Err(ErrorKind::Disconnected { sent: true, .. }) => Got::Broken,
-        Err(ErrorKind::Disconnected { sent: false, .. }) => Got::NotSent,
+        Err(ErrorKind::Disconnected { sent: true, .. }) => return End::Broken,
+        Err(ErrorKind::Disconnected { sent: false, .. }) => return End::NotSent,
         Err(other) => panic!("no exchange may end with {other:?}"),
-    }
+    })
 }

@@ -1,18 +1,17 @@
 //! Calls on the command port, each with its reply.
 
-use std::thread;
 use std::time::Duration;
 
 use jaka_sync::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_sync::payload::SetPayload;
 use jaka_sync::program::StopProgram;
 use jaka_sync::{Client, Command, Error};
+use jaka_tests::simulated::beside;
 use jaka_tests::{RecordingBuffer, requests};
 use serde_json::json;
 
-use crate::cell::{Cell, Kind, LIMIT, Next, Seen, position};
+use crate::cell::{Cell, Kind, Next, SHORT, Seen, position};
 use crate::outcome::Outcome;
-use crate::troubles::Trouble;
 
 /// The commands of these calls.
 fn command(kind: Kind) -> &'static str {
@@ -101,19 +100,17 @@ pub(crate) fn run_concurrent_stop(cell: &Cell<'_>) -> Seen {
     let stop = client.stop_handle();
     cell.strike(GetJointPos::INFO.name);
     let (timeout, expected) = (cell.patience(cell.expected.first), cell.expected);
-    let sent = cell.controller.requests().len();
     let mark = cell.mark();
-    let (called, stopped) = cell.while_held(|| {
-        thread::scope(|scope| {
-            let calling = scope.spawn(|| client.call_within(&GetJointPos::new(), timeout));
-            // Where something is wrong with the link, it may not come, and which of the two is first makes no difference.
-            if !matches!(cell.trouble, Trouble::Link(_)) {
-                assert!(cell.controller.wait_for_requests(sent + 1, LIMIT), "the query is sent");
-            }
-            let stopping = scope.spawn(|| stop.stop());
-            (calling.join().expect("no call panics"), stopping.join().expect("no call panics"))
+    let (mut called, clock) = (None, cell.clock());
+    let stopped = cell.while_held(|| {
+        let query = || called = Some(client.call_within(&GetJointPos::new(), timeout));
+        beside(clock, query, || {
+            // By then the query is sent, and waits.
+            clock.sleep(SHORT);
+            stop.stop()
         })
     });
+    let called = called.expect("the query has ended");
     if let Ok(reply) = &called {
         assert_eq!(reply.joint_position, position(mark), "{cell}: the reply is another's");
     }

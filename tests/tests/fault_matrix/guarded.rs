@@ -1,27 +1,24 @@
-//! Motions, trajectories and streams under a guard that meet each fault together with what trips the guard, by what the controller receives.
+//! Motions, trajectories and streams under a guard that meet each fault together with what trips the guard, by what the
+//! controller receives.
 //!
-//! Not cells of the table: which of the two ends them depends on the moment. What holds in each is asserted. By simulated clocks, so that no machine is too busy.
+//! Not cells of the table: which of the two ends them depends on the moment. What holds in each is asserted.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Duration;
 
-use jaka_sim::{Controller, Delays, Direction, Port, SimulatedClock, StatusFault};
+use jaka_sim::{Direction, Port, StatusFault};
 use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::{
-    Config, Error, ErrorKind, FollowConfig, FollowOutcome, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot,
+    Error, ErrorKind, FollowConfig, FollowOutcome, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot,
     ServoConfig, StreamConfig, TripReason,
 };
 use jaka_tests::simulated::{beside, clock_of};
 
 use crate::cell::Kind;
+use crate::each;
 use crate::landings::{CYCLES, MOST, PERIOD, START, parsed, steps};
 use crate::model;
 use crate::outcome::Outcome;
-use crate::push;
 use crate::troubles::Trouble;
 
 /// What moves until the guard trips.
@@ -32,8 +29,6 @@ enum Way {
     Stream,
 }
 
-/// How many are under way at once: they wait for connections that end.
-const AT_ONCE: usize = 24;
 /// How far joint 3 goes, in degrees, and in how many seconds about.
 const FAR: f64 = 20.0;
 const SECONDS: f64 = 2.5;
@@ -47,27 +42,12 @@ const INPUT: jaka_sync::InputCondition = Numbering::FromOne.cabinet(1).rises();
 pub(crate) fn go_through(troubles: &[Trouble]) {
     let ways = [Way::Motion, Way::Trajectory, Way::Stream];
     let tasks: Vec<_> = troubles.iter().flat_map(|trouble| ways.map(|way| (trouble, way))).collect();
-    let (place, failed) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    let work = || {
-        while let Some((trouble, way)) = tasks.get(place.fetch_add(1, Ordering::SeqCst)) {
-            if catch_unwind(AssertUnwindSafe(|| guarded(trouble, *way))).is_err() {
-                push(&failed, format!("{trouble}, {way:?}"));
-            }
-        }
-    };
-    thread::scope(|scope| {
-        for _ in 0..AT_ONCE {
-            scope.spawn(work);
-        }
-    });
-    let failed = failed.into_inner().expect("no thread panics with it");
-    assert!(failed.is_empty(), "{failed:#?}");
+    each(&tasks, |(trouble, way)| format!("{trouble}, {way:?}"), |(trouble, way)| guarded(trouble, *way));
 }
 
 fn guarded(trouble: &Trouble, way: Way) {
     let arm = Arm::new(trouble, way);
-    let clock = clock_of(&arm.controller);
-    let config = Config::new().clock(clock).reply_timeout(Duration::from_secs(1));
+    let config = arm.controller.config().reply_timeout(Duration::from_secs(1));
     let robot = config.connect_robot_at(arm.controller.command_addr(), arm.controller.status_addr());
     let robot = robot.expect("the controller listens");
     robot.monitor().next_packet().expect("packets come");
@@ -85,17 +65,12 @@ fn guarded(trouble: &Trouble, way: Way) {
 struct Arm<'t> {
     trouble: &'t Trouble,
     way: Way,
-    controller: Controller,
+    controller: jaka_tests::Arm,
 }
 
 impl<'t> Arm<'t> {
     fn new(trouble: &'t Trouble, way: Way) -> Self {
-        let builder = Controller::builder().clock(&SimulatedClock::new()).delays(Delays::NONE);
-        let controller = builder.status_period(Duration::from_millis(30)).start().expect("loopback has free ports");
-        controller.set_state(|state| {
-            (state.powered, state.enabled) = (true, true);
-            state.joint_position = START.into();
-        });
+        let controller = jaka_tests::Arm::simulated().status_period(Duration::from_millis(30)).at(START).start();
         Self { trouble, way, controller }
     }
 

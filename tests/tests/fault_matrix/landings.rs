@@ -2,20 +2,18 @@
 //!
 //! Not cells of the table: how such a landing ends depends on the moment. What holds in each is asserted.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use jaka_sim::{Controller, Delays, StatusFault};
+use jaka_sim::{Controller, StatusFault};
 use jaka_sync::jaka_motion::{Limits, Model};
-use jaka_sync::{Config, Error, ErrorKind, Robot, ServoConfig, StreamConfig};
+use jaka_sync::{Error, ErrorKind, Robot, ServoConfig, StreamConfig};
+use jaka_tests::Arm;
+use jaka_tests::simulated::beside;
 use serde_json::Value;
 
 use crate::cell::LIMIT;
+use crate::each;
 use crate::troubles::Trouble;
-use crate::{AT_ONCE, push};
 
 /// What moves until it lands.
 #[derive(Debug, Clone, Copy)]
@@ -24,131 +22,88 @@ enum Way {
     Stream,
 }
 
-/// A set-point each four cycles, so that a busy machine seldom leaves the arm without one for three periods.
+/// Cycles of a set-point.
 pub(crate) const CYCLES: u32 = 4;
 pub(crate) const PERIOD: f64 = 0.032;
 /// What is allowed, and what the ramps ask for, in deg/s².
 pub(crate) const MOST: f64 = 720.0;
 const ASKED: f64 = 600.0;
 pub(crate) const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
-const TRIES: usize = 8;
 
 /// Each trouble with each way; fails with all that is wrong.
 pub(crate) fn go_through(troubles: &[Trouble]) {
     let tasks: Vec<_> =
         troubles.iter().flat_map(|trouble| [Way::Session, Way::Stream].map(|way| (trouble, way))).collect();
-    let (place, failed) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    let work = || {
-        while let Some((trouble, way)) = tasks.get(place.fetch_add(1, Ordering::SeqCst)) {
-            let landed = catch_unwind(AssertUnwindSafe(|| (0..TRIES).any(|_| land(trouble, *way))));
-            match landed {
-                Ok(true) => {}
-                Ok(false) => push(&failed, format!("{trouble}, {way:?}: the machine was too busy, {TRIES} times")),
-                Err(_) => push(&failed, format!("{trouble}, {way:?}")),
-            }
-        }
-    };
-    thread::scope(|scope| {
-        for _ in 0..AT_ONCE {
-            scope.spawn(work);
-        }
-    });
-    let failed = failed.into_inner().expect("no thread panics with it");
-    assert!(failed.is_empty(), "{failed:#?}");
+    each(&tasks, |(trouble, way)| format!("{trouble}, {way:?}"), |(trouble, way)| land(trouble, *way));
 }
 
-/// False where the machine was too busy: the arm stood before it was to land.
-fn land(trouble: &Trouble, way: Way) -> bool {
-    let controller = Controller::builder().delays(Delays::NONE).status_period(Duration::from_millis(10)).start();
-    let controller = controller.expect("loopback has free ports");
-    controller.set_state(|state| {
-        (state.powered, state.enabled) = (true, true);
-        state.joint_position = START.into();
-    });
-    let config = Config::new().reply_timeout(Duration::from_secs(1));
-    let Ok(mut robot) = config.connect_robot_at(controller.command_addr(), controller.status_addr()) else {
-        return false;
-    };
+fn land(trouble: &Trouble, way: Way) {
+    let arm = Arm::simulated().status_period(Duration::from_millis(10)).at(START);
+    let (arm, mut robot) = arm.config(|config| config.reply_timeout(Duration::from_secs(1))).with_robot();
     let ended = match way {
-        Way::Session => session(trouble, &controller, &mut robot),
-        Way::Stream => stream(trouble, &controller, robot),
+        Way::Session => session(trouble, &arm, &mut robot),
+        Way::Stream => stream(trouble, &arm, robot),
     };
-    let Some(ended) = ended else { return false };
-    lift(trouble, &controller);
-    judge(trouble, way, &controller, &ended)
+    lift(trouble, &arm);
+    judge(trouble, way, &arm, &ended);
 }
 
-/// None where it did not get to its speed.
-fn session(trouble: &Trouble, controller: &Controller, robot: &mut Robot) -> Option<Result<(), Error>> {
+fn session(trouble: &Trouble, arm: &Arm, robot: &mut Robot) -> Result<(), Error> {
     let config = ServoConfig::new().step_count(CYCLES).rest_timeout(LIMIT / 30);
-    let mut session = robot.enter_servo_mode(&config).ok()?;
+    let mut session = robot.enter_servo_mode(&config).expect("nothing is wrong yet");
     let step = ASKED * PERIOD * PERIOD;
     for n in 1..=5 {
-        session.send_joint_offset([0.0, 0.0, f64::from(n) * step, 0.0, 0.0, 0.0]).ok()?;
+        session.send_joint_offset([0.0, 0.0, f64::from(n) * step, 0.0, 0.0, 0.0]).expect("nothing is wrong yet");
     }
-    Some(struck(trouble, controller, || session.land().map(drop)))
+    struck(trouble, arm, || session.land().map(drop))
 }
 
-fn stream(trouble: &Trouble, controller: &Controller, robot: Robot) -> Option<Result<(), Error>> {
+fn stream(trouble: &Trouble, arm: &Arm, robot: Robot) -> Result<(), Error> {
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = robot.with_limits(limits.with_joint_accelerations([MOST; 6]).expect("above 0")).ok()?;
+    let limits = limits.with_joint_accelerations([MOST; 6]).expect("above 0");
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LIMIT / 30);
-    let stream = robot.stream(&StreamConfig::new().servo(servo).max_gap(LIMIT)).ok()?;
-    let since = Instant::now();
+    let stream = robot.stream(&StreamConfig::new().servo(servo).max_gap(LIMIT)).expect("nothing is wrong yet");
+    let since = arm.clock().elapsed();
     while stream.joints()[2] - START[2] < 5.0 {
-        stream.set_joint_velocity([0.0, 0.0, 60.0, 0.0, 0.0, 0.0], Duration::from_millis(500)).ok()?;
-        assert!(since.elapsed() < LIMIT, "{trouble}: it does not move");
-        thread::sleep(Duration::from_millis(5));
+        let velocity = [0.0, 0.0, 60.0, 0.0, 0.0, 0.0];
+        stream.set_joint_velocity(velocity, Duration::from_millis(500)).expect("nothing is wrong yet");
+        assert!(arm.clock().elapsed().saturating_sub(since) < LIMIT, "{trouble}: it does not move");
+        arm.clock().sleep(Duration::from_millis(5));
     }
-    Some(struck(trouble, controller, || stream.land().map(drop)))
+    struck(trouble, arm, || stream.land().map(drop))
 }
 
 /// Lands while it goes wrong.
-fn struck(trouble: &Trouble, controller: &Controller, land: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
+fn struck(trouble: &Trouble, arm: &Arm, land: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
     if let Some(fault) = trouble.fault("servo_j") {
-        controller.inject_for("servo_j", fault);
+        arm.inject_for("servo_j", fault);
     }
-    controller.status_fault(trouble.status());
+    arm.status_fault(trouble.status());
     let Trouble::Link(link) = trouble else { return land() };
-    link.strike(controller);
-    thread::scope(|scope| {
-        scope.spawn(|| {
-            thread::sleep(link.lasting?);
-            controller.links().release();
-            Some(())
-        });
-        land()
-    })
+    link.strike(arm);
+    let Some(lasting) = link.lasting else { return land() };
+    let release = || {
+        arm.clock().sleep(lasting);
+        arm.links().release();
+    };
+    beside(arm.clock(), release, land)
 }
 
 /// What is held or late comes now.
-fn lift(trouble: &Trouble, controller: &Controller) {
-    controller.status_fault(StatusFault::None);
+fn lift(trouble: &Trouble, arm: &Arm) {
+    arm.status_fault(StatusFault::None);
     if matches!(trouble, Trouble::Link(_)) {
-        controller.links().release();
+        arm.links().release();
     }
-    let since = Instant::now();
-    let mut count = controller.requests().len();
-    // Until nothing has come for as long as a reply may take.
-    loop {
-        thread::sleep(Duration::from_millis(60));
-        let now = controller.requests().len();
-        if now == count || since.elapsed() > LIMIT {
-            return;
-        }
-        count = now;
-    }
+    arm.clock().sleep(Duration::from_millis(500));
 }
 
-fn judge(trouble: &Trouble, way: Way, controller: &Controller, ended: &Result<(), Error>) -> bool {
-    let requests = parsed(controller);
+fn judge(trouble: &Trouble, way: Way, arm: &Arm, ended: &Result<(), Error>) {
+    let requests = parsed(arm);
     let steps = steps(&requests);
     let what = || format!("{trouble}, {way:?}: {ended:?}: {steps:?}");
-    // Set-points whose speeds change faster: where the machine was so busy that the arm stood, they begin again.
     let jumps = steps.windows(2).any(|two| (two[1] - two[0]).abs() > MOST * PERIOD * PERIOD * (1.0 + 1e-6));
-    if jumps && steps.windows(2).any(|two| two[0] > 1.0 && two[1] <= MOST * PERIOD * PERIOD * (1.0 + 1e-6)) {
-        return false;
-    }
     assert!(!jumps, "{}", what());
     let off = requests.iter().position(|request| request["cmdName"] == "servo_move" && request["relFlag"] == 0);
     let after = off.map_or(&[][..], |off| &requests[off..]);
@@ -156,7 +111,7 @@ fn judge(trouble: &Trouble, way: Way, controller: &Controller, ended: &Result<()
     let rests = steps.last() == Some(&0.0);
     match ended {
         Ok(()) => {
-            let state = controller.state();
+            let state = arm.state();
             assert!(rests && off.is_some() && !state.servo_mode, "{state:?}: {}", what());
             let moved: f64 = steps.iter().sum();
             assert!((state.joint_position.0[2] - START[2] - moved).abs() < 1e-6, "{state:?}: {}", what());
@@ -175,7 +130,6 @@ fn judge(trouble: &Trouble, way: Way, controller: &Controller, ended: &Result<()
         ),
         Err(_) => {}
     }
-    true
 }
 
 /// The requests that have come.

@@ -1,8 +1,8 @@
 //! What each fault should lead to with each kind of call.
 //!
-//! The model looks at what a fault leaves of replies and of status packets, in the order in which a reader finds it, and follows
-//! one rule: the first thing that decides ends the call, and what is left meets the next one. What does not come in time decides
-//! nothing, and what is not known moves no arm.
+//! The model looks at what a fault leaves of replies and of status packets, in the order in which a reader finds it,
+//! and follows one rule: the first thing that decides ends the call, and what is left meets the next one. What does not
+//! come in time decides nothing, and what is not known moves no arm.
 
 mod link;
 mod motion;

@@ -6,12 +6,12 @@ use jaka_sim::Port;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, Error, ErrorKind, MotionEnd, Outcome as Ended, Robot};
+use jaka_sync::{Command, ErrorKind, Outcome as Ended, Robot};
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
 use crate::outcome::{Cause, Outcome};
-use crate::robot::{MOTION, Witness, notice, recover, robot, while_time_goes_on};
+use crate::robot::{MOTION, Witness, notice, recover, robot};
 use crate::troubles::Trouble;
 
 /// How close an arm that has reached its target is, in degrees.
@@ -43,15 +43,14 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
     Seen { first, stop: None, next }
 }
 
-/// Where the link holds or delays status packets, they are those of another motion: in position, moving, and in position again.
+/// Packets that a link holds or delays are those of another motion: in position, moving, and in
+/// position again.
 fn move_before(cell: &Cell<'_>, robot: &mut Robot) {
     if !matches!(cell.trouble, Trouble::Link(LinkTrouble { port: Some(Port::Status), .. })) {
         return;
     }
     robot.client().joint_move(&motion(cell)).expect("nothing is wrong with the command port");
-    for _ in 0..MOTION {
-        cell.controller.advance(PERIOD);
-    }
+    cell.clock().sleep(MOTION * PERIOD);
 }
 
 /// A motion, where it goes wrong once it was accepted.
@@ -61,14 +60,11 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
     let motion = motion(cell);
     robot.start(&motion).expect("nothing is wrong yet");
     // From here on no packet is older than the motion.
-    cell.controller.advance(2 * PERIOD);
+    cell.clock().sleep(2 * PERIOD);
     robot.monitor().wait_until(|status| status.in_position == Some(false), PATIENCE).expect("the arm moves");
     cell.strike(GetJointPos::INFO.name);
     let timeout = cell.patience(expected);
-    let first = cell.ends(timeout, expected, || {
-        let end = while_time_goes_on(cell, expected, || robot.wait(timeout));
-        Ok(outcome(cell, &end.outcome, motion.joint_position))
-    });
+    let first = cell.ends(timeout, expected, || Ok(outcome(cell, &robot.wait(timeout).outcome, motion.joint_position)));
     cell.lift();
     if expected == Outcome::StatusLost {
         assert_latched(cell, &mut robot);
@@ -84,13 +80,10 @@ fn motion(cell: &Cell<'_>) -> JointMove {
     JointMove::absolute(joint_position, 90.0).acceleration(700.0)
 }
 
-/// Moves the arm, while time goes on.
+/// Moves the arm.
 fn moves(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome) -> Outcome {
     let (motion, timeout) = (motion(cell), cell.patience(expected));
-    cell.ends(timeout, expected, || {
-        let end: Result<MotionEnd, Error> = while_time_goes_on(cell, expected, || robot.run(&motion, timeout));
-        Ok(outcome(cell, &end?.outcome, motion.joint_position))
-    })
+    cell.ends(timeout, expected, || Ok(outcome(cell, &robot.run(&motion, timeout)?.outcome, motion.joint_position)))
 }
 
 /// A motion that has reached its target is there, and at rest.
@@ -113,9 +106,7 @@ fn outcome(cell: &Cell<'_>, ended: &Ended, target: JointPosition) -> Outcome {
 /// After a status that was lost, nothing moves before somebody has looked.
 fn assert_latched(cell: &Cell<'_>, robot: &mut Robot) {
     // The motion that was accepted goes on to its end.
-    for _ in 0..MOTION {
-        cell.controller.advance(PERIOD);
-    }
+    cell.clock().sleep(MOTION * PERIOD);
     let witness = Witness::new(cell);
     let refused = robot.run(&motion(cell), Duration::ZERO);
     assert!(

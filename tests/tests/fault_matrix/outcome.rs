@@ -1,13 +1,10 @@
 //! What calls end with.
 
 use std::fmt;
-use std::panic::panic_any;
 
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sync::{Disconnect, Error, ErrorKind};
-
-use crate::TooBusy;
 
 /// What a call ended with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +58,6 @@ impl Outcome {
             ErrorKind::StatusUnknown { .. } => Self::StatusUnknown,
             ErrorKind::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
             ErrorKind::ServoModeNotLeft { .. } => Self::NotLeft,
-            ErrorKind::NotSentInTime { .. } => panic_any(TooBusy(error.to_string())),
             other => panic!("no fault may lead to {other:?}"),
         }
     }

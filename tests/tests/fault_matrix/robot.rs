@@ -1,8 +1,6 @@
 //! The robot of a cell, and what its arm must not do.
 
-use std::panic::panic_any;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::wire::Writer;
 use jaka_sync::motion::JointMove;
@@ -10,8 +8,7 @@ use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
 use jaka_sync::{Command, Monitor, Robot};
 
-use crate::TooBusy;
-use crate::cell::{Cell, LIMIT, PATIENCE, PERIOD, SHORT, STALE};
+use crate::cell::{Cell, LIMIT, PERIOD, STALE};
 use crate::outcome::Outcome;
 use crate::troubles::Trouble;
 
@@ -21,17 +18,13 @@ pub(crate) const MOTION: u32 = 100;
 /// Packets enough for a fault of the status port to show.
 const SHOWN: u32 = 25;
 
-/// Where the position is asked for again, the arm must be seen at rest for longer than that takes, and than this machine stalls.
+/// Start grace where the position is asked for again: the arm must be seen at rest for longer than that takes.
 const UNSEEN: Duration = Duration::from_secs(2);
 
 pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     let monitor: Monitor =
         cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
-    // It comes at once, and is old on a machine that is busy for longer than a packet counts.
-    if let Err(error) = monitor.wait_until(|_| true, PATIENCE) {
-        panic_any(TooBusy(format!("no packet was seen in time: {error}")));
-    }
-    // Counted in packets alone, so that nothing depends on how fast this machine is.
+    monitor.wait_until(|_| true, LIMIT).expect("a packet comes on connecting");
     let grace = match cell.trouble {
         Trouble::Refusal | Trouble::Misfit => UNSEEN,
         _ => Duration::ZERO,
@@ -40,34 +33,13 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     Robot::new(cell.client(), monitor).with_start_grace(grace, 4).with_status_silence(silence)
 }
 
-/// Does something while the controller's time goes on; where packets are not to come, for as long as a motion takes.
-pub(crate) fn while_time_goes_on<T: Send>(cell: &Cell<'_>, expected: Outcome, work: impl FnOnce() -> T + Send) -> T {
-    let most = if matches!(expected, Outcome::Ok | Outcome::Broken(_)) { u32::MAX } else { MOTION };
-    thread::scope(|scope| {
-        let working = scope.spawn(work);
-        for _ in 0..most {
-            if working.is_finished() {
-                break;
-            }
-            cell.controller.advance(PERIOD);
-            // Eight times as fast as real time.
-            thread::sleep(PERIOD / 8);
-        }
-        working.join().expect("no call panics")
-    })
-}
-
 /// Waits until the robot has noticed that its status is not known, where that is expected.
 pub(crate) fn notice(cell: &Cell<'_>, robot: &Robot, expected: Outcome) {
     if expected != Outcome::StatusUnknown {
         return;
     }
-    for _ in 0..SHOWN {
-        cell.controller.advance(PERIOD);
-    }
-    until(cell, "the monitor does not notice it", || {
-        robot.monitor().disconnect_cause().is_some() || robot.monitor().is_stale()
-    });
+    cell.clock().sleep(SHOWN * PERIOD);
+    until(cell, "the monitor does not notice it", || robot.monitor().disconnect_cause().is_some() || !is_shown(robot));
 }
 
 /// Waits until packets come again, where they are to, and are those of now.
@@ -75,21 +47,25 @@ pub(crate) fn recover(cell: &Cell<'_>, robot: &Robot) {
     if cell.then == Outcome::StatusUnknown || robot.monitor().disconnect_cause().is_some() {
         return;
     }
-    until(cell, "packets do not come again", || {
-        cell.controller.advance(PERIOD);
-        !robot.monitor().is_stale()
-    });
+    cell.clock().sleep(PERIOD);
+    until(cell, "packets do not come again", || is_shown(robot));
+}
+
+/// True while packets come, and show where the arm is.
+fn is_shown(robot: &Robot) -> bool {
+    let newest = robot.monitor().last_known_packet();
+    !robot.monitor().is_stale() && newest.is_some_and(|newest| newest.status.joint_actual_position.is_some())
 }
 
 fn until(cell: &Cell<'_>, what: &str, holds: impl Fn() -> bool) {
-    let since = Instant::now();
+    let since = cell.clock().elapsed();
     while !holds() {
-        assert!(since.elapsed() < LIMIT, "{cell}: {what}");
-        thread::sleep(SHORT);
+        assert!(cell.clock().elapsed().saturating_sub(since) < LIMIT, "{cell}: {what}");
+        cell.clock().sleep(PERIOD);
     }
 }
 
-/// What the controller had received of commands that move the arm, and where the arm was.
+/// Number of commands that move the arm which the controller had received, and the arm's position.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Witness {
     commands: usize,
@@ -104,19 +80,13 @@ impl Witness {
 
     /// Nothing has moved the arm since, and nothing will: what was held passes now, and time goes on.
     pub(crate) fn assert_still(&self, cell: &Cell<'_>) {
-        for _ in 0..MOTION {
-            cell.controller.advance(PERIOD);
-            thread::sleep(PERIOD / 8);
-        }
+        cell.clock().sleep(MOTION * PERIOD);
         assert_eq!(Self::new(cell), *self, "{cell}: what moved the arm was said not to have been sent");
     }
 
     /// The arm has not moved further than these degrees since, and does not.
     pub(crate) fn assert_within(&self, cell: &Cell<'_>, degrees: f64) {
-        for _ in 0..MOTION {
-            cell.controller.advance(PERIOD);
-            thread::sleep(PERIOD / 8);
-        }
+        cell.clock().sleep(MOTION * PERIOD);
         let now = Self::new(cell);
         let furthest = self.joints.iter().zip(now.joints).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max);
         assert!(furthest <= degrees + 1e-6, "{cell}: the arm has moved by {furthest} deg, and {degrees} may be");
@@ -128,7 +98,7 @@ impl Witness {
     }
 }
 
-/// How many commands the controller has received that move the arm, or lead to it.
+/// Number of commands received that move the arm, or lead to it.
 fn commands(cell: &Cell<'_>) -> usize {
     let mut on = Writer::new();
     SetServoMode::new(Switch::On).write_request(&mut on);

@@ -1,11 +1,13 @@
 //! Servo sessions.
 
+use std::time::Duration;
+
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::{Command, Error, Robot, ServoConfig};
 
 use crate::cell::{Cell, LIMIT, Next, Seen};
 use crate::outcome::{Cause, Outcome};
-use crate::robot::{Witness, notice, recover, robot, while_time_goes_on};
+use crate::robot::{Witness, notice, recover, robot};
 use crate::troubles::Trouble;
 
 /// How many set-points a session has that is to succeed.
@@ -16,6 +18,9 @@ const MOST_SET_POINTS: usize = 1000;
 
 /// How far a set-point moves the first joint, in degrees.
 const STEP: f64 = 0.05;
+
+/// Timeout for the arm to come to rest.
+const REST: Duration = Duration::from_secs(5);
 
 /// How many set-points may be unanswered, by default: 100 ms.
 const UNANSWERED: u32 = 12;
@@ -28,8 +33,7 @@ pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
     cell.strike(SetServoMode::INFO.name);
     notice(cell, &robot, expected);
     let timeout = cell.patience(expected);
-    let first = cell
-        .ends(timeout, expected, || while_time_goes_on(cell, expected, || session(cell, &mut robot, expected, || {})));
+    let first = cell.ends(timeout, expected, || session(cell, &mut robot, expected, || {}));
     cell.lift();
     // Where nothing passes, the question whether the arm is at rest is not answered, and servo mode not asked for.
     let is_asked_for = expected != Outcome::StatusUnknown
@@ -50,7 +54,7 @@ pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
     let expected = cell.expected.first;
     let begin = Witness::new(cell);
     let first = cell.ends(cell.patience(expected), expected, || {
-        while_time_goes_on(cell, expected, || session(cell, &mut robot, expected, || cell.strike(ServoJ::INFO.name)))
+        session(cell, &mut robot, expected, || cell.strike(ServoJ::INFO.name))
     });
     let end = Witness::new(cell);
     cell.lift();
@@ -80,9 +84,7 @@ fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {
                 cell.controller.set_state(|state| state.servo_mode = false);
             }
             recover(cell, robot);
-            cell.ends(timeout, cell.then, || {
-                while_time_goes_on(cell, cell.then, || session(cell, robot, cell.then, || {}))
-            })
+            cell.ends(timeout, cell.then, || session(cell, robot, cell.then, || {}))
         }
     }
 }
@@ -90,9 +92,9 @@ fn next(cell: &Cell<'_>, robot: &mut Robot) -> Outcome {
 /// A whole session, with something in servo mode before its first set-point; its first error, if there is one.
 fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnOnce()) -> Result<(), Error> {
     let is_to_succeed = expected == Outcome::Ok;
-    // The bound is for what is to reach it alone: others may be slow.
+    // The bound is for what is to reach it alone.
     let is_to_gather = expected == Outcome::Broken(Cause::Reset);
-    let config = ServoConfig::new().unchecked().rest_timeout(LIMIT);
+    let config = ServoConfig::new().unchecked().rest_timeout(REST);
     let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
     let sent = cell.received(ServoJ::INFO.name);
     let mut session = robot.enter_servo_mode(&config)?;

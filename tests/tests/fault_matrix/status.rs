@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, Error, ErrorKind, Monitor, StatusStream};
+use jaka_sync::{Command, Error, Monitor, StatusStream};
 
-use crate::cell::{Cell, PATIENCE, PERIOD, Seen, position};
+use crate::cell::{Cell, PERIOD, Seen, position};
 use crate::outcome::Outcome;
 
 /// Time enough for a slow packet, and for a monitor to find packets again.
@@ -26,19 +26,15 @@ fn trouble_elsewhere(cell: &Cell<'_>) {
 
 pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
     let mut stream = cell.config().connect_status(cell.controller.status_addr()).expect("the controller listens");
-    patiently(|| stream.next_packet().map(drop)).expect("the first packet comes at once");
+    stream.next_packet().expect("the first packet comes at once");
     cell.strike(GetJointPos::INFO.name);
     trouble_elsewhere(cell);
     let read = |stream: &mut StatusStream, expected| {
         let mark = cell.mark();
-        for _ in 0..WHILE {
-            cell.controller.advance(PERIOD);
-        }
-        // The timeout is the connection's, and what is to come may take longer.
-        cell.ends(cell.patience(cell.expected.first), expected, || match expected {
-            Outcome::Ok => patiently(|| find(stream, mark)),
-            _ => find(stream, mark),
-        })
+        cell.clock().sleep(WHILE * PERIOD);
+        // The timeout is the connection's.
+        let timeout = cell.patience(cell.expected.first);
+        cell.ends(timeout, expected, || find(cell, stream, mark, timeout))
     };
     let first = read(&mut stream, cell.expected.first);
     cell.lift();
@@ -46,26 +42,18 @@ pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
     Seen { first, stop: None, next }
 }
 
-/// Again after timeouts, for as long as a call may take that is to succeed.
-fn patiently(mut read: impl FnMut() -> Result<(), Error>) -> Result<(), Error> {
-    let since = Instant::now();
-    loop {
-        match read() {
-            Err(error) if matches!(error.kind(), ErrorKind::StatusTimeout { .. }) && since.elapsed() < PATIENCE => {}
-            result => return result,
-        }
-    }
-}
-
-/// Reads packets up to the one with this mark, and none that the controller has not had before.
-fn find(stream: &mut StatusStream, mark: f64) -> Result<(), Error> {
-    loop {
+/// Reads packets up to the one with this mark, and none that the controller has not had before. Packets may come that
+/// show nothing.
+fn find(cell: &Cell<'_>, stream: &mut StatusStream, mark: f64, timeout: Duration) -> Result<Outcome, Error> {
+    let since = cell.clock().elapsed();
+    while cell.clock().elapsed().saturating_sub(since) < timeout {
         let Some(found) = stream.next_packet()?.joint_actual_position else { continue };
         assert!((0.0..=mark).contains(&found.0[0]), "the packet has {found:?}, where {mark} was the last");
         if found == position(mark) {
-            return Ok(());
+            return Ok(Outcome::Ok);
         }
     }
+    Ok(Outcome::Timeout)
 }
 
 pub(crate) fn run_monitor(cell: &Cell<'_>) -> Seen {
@@ -78,9 +66,7 @@ pub(crate) fn run_monitor(cell: &Cell<'_>) -> Seen {
     let read = |expected| {
         let mark = cell.mark();
         let timeout = cell.patience(expected);
-        for _ in 0..WHILE {
-            cell.controller.advance(PERIOD);
-        }
+        cell.clock().sleep(WHILE * PERIOD);
         let outcome = cell.ends(timeout, expected, || {
             monitor.wait_until(|status| status.joint_actual_position == Some(position(mark)), timeout).map(drop)
         });

@@ -11,6 +11,9 @@ const BEGIN: &str =
     "<!-- The fault matrix begins. Written by `UPDATE_EXPECT=1 cargo test -p jaka-tests --test fault_matrix`. -->";
 const END: &str = "<!-- The fault matrix ends. -->";
 
+/// The document with this table.
+pub(crate) const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/reliability.md");
+
 /// The cells of a row.
 type Row = [Expected; Kind::ALL.len()];
 
@@ -80,10 +83,9 @@ fn usual(outcome: Outcome) -> Outcome {
     if matches!(outcome, Outcome::Broken(_)) { outcome } else { Outcome::Ok }
 }
 
-/// The document with this table.
+/// The document as it is with this table.
 pub(crate) fn in_document(table: &str) -> String {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/reliability.md");
-    let document = std::fs::read_to_string(path).expect("the document is there");
+    let document = std::fs::read_to_string(DOCUMENT).expect("the document is there");
     let (before, rest) = document.split_once(BEGIN).expect("the document has a place for the matrix");
     let (_, after) = rest.split_once(END).expect("the place for the matrix ends");
     format!("{before}{BEGIN}\n\n{table}\n{END}{after}")

@@ -60,3 +60,25 @@ impl Until {
         Err(Failure::NotInTime(format!("`{}` did not hold within {limit:?}; {last}", self.condition)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn what_was_last_shown_is_told_when_the_time_is_over() {
+        let condition = || "enabled || rapid_rate > 1".parse().expect("it is one");
+        let mut until = Until::new(condition(), Some(Duration::ZERO));
+        let text = |failed: Result<(), Failure>| failed.expect_err("the time is over").to_string();
+        expect!["`enabled || rapid_rate > 1` did not hold within 0ns; no status packet came"]
+            .assert_eq(&text(until.check_time()));
+        expect!["`enabled || rapid_rate > 1` did not hold within 0ns; the last packet: enabled false, rapid_rate 1"]
+            .assert_eq(&text(until.packet(&json!({"enabled": false, "rapidrate": 1}))));
+        until.packet(&json!({"enabled": true, "rapidrate": 1})).expect("it holds, however late");
+        assert!(until.is_met());
+        Until::new(condition(), None).check_time().expect("it is waited for for ever");
+    }
+}

@@ -1,7 +1,6 @@
 //! A command whose reply is polled for.
 
 use std::io::Write as _;
-use std::time::Instant;
 
 use jaka_proto::Command;
 use jaka_proto::exchange::TextOnly;
@@ -16,11 +15,15 @@ fn ask(link: &Link) -> Sent<'static> {
 
 /// Polls as a loop does that looks at other things between.
 fn poll(link: &Link, question: &Sent<'_>) -> Result<String, Error> {
-    let (since, mut text) = (Instant::now(), String::new());
-    while !link.poll(question, Duration::from_millis(1), &mut text, &mut TextOnly)? {
-        assert!(since.elapsed() < LONG);
-    }
-    Ok(text)
+    let (mut text, mut failed) = (String::new(), None);
+    until(|| match link.poll(question, Duration::from_millis(1), &mut text, &mut TextOnly) {
+        Ok(is_answered) => is_answered,
+        Err(error) => {
+            failed = Some(error);
+            true
+        }
+    });
+    failed.map_or(Ok(text), Err)
 }
 
 #[test]
@@ -39,10 +42,7 @@ fn a_slice_that_ends_gives_nothing_up() {
     let question = ask(&link);
     assert!(!link.poll(&question, Duration::ZERO, &mut text, &mut TextOnly).expect("it is not answered yet"));
     server.write_all(expected.as_bytes()).expect("the link reads");
-    let since = Instant::now();
-    while !link.poll(&question, Duration::ZERO, &mut text, &mut TextOnly).expect("it is answered") {
-        assert!(since.elapsed() < LONG);
-    }
+    until(|| link.poll(&question, Duration::ZERO, &mut text, &mut TextOnly).expect("it is answered"));
     // Its successor of the same name has its own reply, or none.
     let next = ask(&link);
     assert!(!link.poll(&next, Duration::from_millis(1), &mut text, &mut TextOnly).expect("it is not answered yet"));
@@ -79,7 +79,7 @@ fn a_question_is_answered_by_any_thread_that_reads_and_stops_pass_it() {
 #[test]
 fn the_oldest_posted_command_is_reported_by_its_age() {
     let (stream, mut server) = sockets(1 << 20);
-    let link = Link::new(stream, Tap::default(), &Config::new());
+    let link = Link::new(stream, Tap::default(), &Config::new().reply_timeout(LONG));
     assert_eq!(link.oldest_posted(), None);
     let before = Instant::now();
     for _ in 0..2 {

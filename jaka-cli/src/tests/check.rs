@@ -1,0 +1,157 @@
+//! `jaka check`: each planted fault is found, and nothing else.
+
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
+mod arm;
+mod ports;
+mod states;
+
+use expect_test::{Expect, expect};
+use jaka_sim::Controller;
+use jaka_tests::Arm;
+use serde_json::{Value, json};
+
+use super::{Run, jaka};
+
+/// An arm with which nothing is wrong.
+fn healthy() -> Arm {
+    Arm::simulated().start()
+}
+
+fn check(arm: &Arm, options: &[&str]) -> Run {
+    jaka(arm, ["check"].iter().chain(options))
+}
+
+/// The findings of a report in JSON: what is wrong, and what to look at.
+fn findings(report: &Run) -> Vec<Value> {
+    let report: Value = serde_json::from_str(&report.out).unwrap_or_else(|_| panic!("{}", report.text()));
+    let findings = report["findings"].as_array().expect("it is one").clone();
+    let is_found = |finding: &Value| matches!(finding["verdict"].as_str(), Some("look" | "wrong"));
+    findings.into_iter().filter(is_found).collect()
+}
+
+/// Report of a run as lines, without ports.
+fn found(report: &Run) -> String {
+    let text = |value: &Value| value.as_str().expect("it is a text").to_owned();
+    let lines = findings(report).into_iter().map(|finding| {
+        let [item, verdict, seen, advice] = ["item", "verdict", "seen", "advice"].map(|key| text(&finding[key]));
+        format!("{item}: {verdict}: {seen}\n  {advice}\n")
+    });
+    without_ports(&lines.collect::<String>())
+}
+
+fn without_ports(text: &str) -> String {
+    let mut parts = text.split("127.0.0.1:");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| text + "127.0.0.1:PORT" + part.trim_start_matches(|c: char| c.is_ascii_digit()))
+}
+
+/// Plants a fault in a healthy arm: exactly this is found, and the exit code is that of the verdict.
+fn assert_found(fault: impl FnOnce(&Controller), expected: &Expect) {
+    let controller = healthy();
+    fault(&controller);
+    assert_report(&check(&controller, &["--yes", "--json"]), expected);
+}
+
+fn assert_report(report: &Run, expected: &Expect) {
+    expected.assert_eq(&found(report));
+    assert_code(report);
+}
+
+/// The exit code is that of the worst verdict.
+fn assert_code(report: &Run) {
+    let json: Value = serde_json::from_str(&report.out).unwrap_or_else(|_| panic!("{}", report.text()));
+    let code = match json["verdict"].as_str() {
+        Some("nothing_found") => 0,
+        Some("look") => 8,
+        Some("wrong") => 9,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(report.code, code, "{}", report.text());
+}
+
+#[test]
+fn nothing_is_found_on_a_healthy_arm() {
+    let controller = healthy();
+    let report = check(&controller, &["--yes"]);
+    expect![[r#"
+        command port     nothing found  127.0.0.1:PORT answers
+        status port      nothing found  packets come
+        firmware         nothing found  1.5.14_13_X64
+        power            nothing found  the arm has power
+        enabled          nothing found  the arm is enabled
+        emergency stop   nothing found  not pressed
+        protective stop  nothing found  not in one
+        event            nothing found  0x10f0004 (information: the robot is enabled), "the robot is enabled"
+        servo mode       nothing found  off
+        drag mode        nothing found  off
+        program          nothing found  none runs
+        tool frame       nothing found  0, the centre of the flange
+        user frame       nothing found  0, the robot's base
+        payload          nothing found  1 kg
+        rapid rate       nothing found  1 of 1
+        collision level  nothing found  3
+        soft limit       nothing found  not hit
+        status packets   nothing found  whole
+        status rate      nothing found  33 packets in a second
+        round trip       nothing found  100 queries: 50 % within 0.0ns, 99 % within 0.0ns
+        model            nothing found  poses are those of Zu 5, Pro 5, S5, C5
+        DH parameters    nothing found  those of a Zu 5, or near them
+        limits           nothing found  the arm is within those of Zu 5, Pro 5, S5, C5
+
+        Look at the pendant for what no query tells:
+        remote control     whether the controller takes motions from this program
+        mounting           how the arm is mounted: poses and kinematics follow it
+        network exception  what the arm does when the connection is lost (4.75)
+        soft limits        the joint ranges, speeds and zones that the controller itself keeps
+
+        0 wrong, 0 to look at, 0 not checked.
+        "Nothing found" is not "safe": states and settings were read, and nothing is known of the cell, the people in it, the tool, and where the arm will move.
+        exit code 0
+    "#]].assert_eq(&without_ports(&report.text()));
+}
+
+#[test]
+fn the_report_in_json_has_one_shape() {
+    let controller = healthy();
+    let report = check(&controller, &["--yes", "--json"]);
+    let mut report: Value = serde_json::from_str(&report.out).expect("it is JSON");
+    let findings = report["findings"].take();
+    let items: Vec<_> = findings.as_array().expect("it is one").iter().map(|finding| finding["item"].clone()).collect();
+    expect![[r#"["command_port","status_port","firmware","power","enabled","emergency_stop","protective_stop","event","servo_mode","drag_mode","program","tool_frame","user_frame","payload","rapid_rate","collision_level","soft_limit","status_packets","status_rate","round_trip","model","dh_parameters","limits"]"#]].assert_eq(&json!(items).to_string());
+    expect![[r#"
+        {
+          "advice": null,
+          "item": "command_port",
+          "seen": "127.0.0.1:PORT answers",
+          "verdict": "nothing_found"
+        }"#]]
+    .assert_eq(&without_ports(&format!("{:#}", findings[0])));
+    report["jaka"] = json!("VERSION");
+    expect![[r#"
+        {
+          "at_the_pendant": [
+            {
+              "item": "remote_control",
+              "what": "whether the controller takes motions from this program"
+            },
+            {
+              "item": "mounting",
+              "what": "how the arm is mounted: poses and kinematics follow it"
+            },
+            {
+              "item": "network_exception",
+              "what": "what the arm does when the connection is lost (4.75)"
+            },
+            {
+              "item": "soft_limits",
+              "what": "the joint ranges, speeds and zones that the controller itself keeps"
+            }
+          ],
+          "findings": null,
+          "jaka": "VERSION",
+          "note": "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the cell, the people in it, the tool, and where the arm will move.",
+          "robot": "127.0.0.1",
+          "verdict": "nothing_found"
+        }"#]].assert_eq(&format!("{report:#}"));
+}

@@ -1,0 +1,96 @@
+//! Ends of `jaka follow`.
+
+use std::fs;
+
+use expect_test::expect;
+use jaka_tests::{Arm, LONG};
+use serde_json::Value;
+
+use super::{Run, interrupted, jaka, scratch};
+
+/// A trajectory of 2 s, or this many times as long, in a file.
+fn trajectory(factor: f64) -> String {
+    let path = scratch("way.csv");
+    let (middle, end) = (factor, 2.0 * factor);
+    let text = format!(
+        "time_s,joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\n\
+         0,0,90,90,90,-90,0\n{middle},4,90,90,90,-90,-6\n{end},0,90,90,90,-90,0\n"
+    );
+    fs::write(&path, text).expect("it can be written");
+    path.display().to_string()
+}
+
+fn words(factor: f64, options: &str) -> Vec<String> {
+    let line = format!("follow {} --model zu5 --yes {options}", trajectory(factor));
+    line.split_whitespace().map(str::to_owned).collect()
+}
+
+/// The arm where the trajectory starts.
+fn arm() -> Arm {
+    Arm::simulated().at([0.0, 90.0, 90.0, 90.0, -90.0, 0.0]).start()
+}
+
+/// The object that a run prints.
+fn said(run: &Run) -> Value {
+    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.text()))
+}
+
+#[test]
+fn a_trajectory_that_is_completed_is_reported() {
+    let arm = arm();
+    let run = jaka(&arm, words(1.0, "--json"));
+    let mut said = said(&run);
+    let residual = said["residual_deg"].take();
+    let is_small = |joint: &Value| joint.as_f64().is_some_and(|residual| residual < 0.02);
+    assert!(residual.as_array().is_some_and(|joints| joints.len() == 6 && joints.iter().all(is_small)), "{residual}");
+    expect![[r#"
+        {
+          "at_rest": true,
+          "duration_s": 2.0,
+          "gaps": 0,
+          "lag_ms": 7.0,
+          "late": 0,
+          "lateness_max_ms": 0.0,
+          "lateness_p99_ms": 0.0,
+          "left_curve": false,
+          "outcome": "completed",
+          "reached_s": 2.0,
+          "residual_deg": null,
+          "set_points": 252,
+          "text": "the trajectory was completed"
+        }"#]]
+    .assert_eq(&format!("{said:#}"));
+    assert_eq!(run.code, 0);
+    assert!(arm.state().joint_position.0[0].abs() < 1e-6);
+    assert!(!arm.state().servo_mode);
+    expect![[r"
+        the trajectory was completed, the arm lagged by 11 ms; of 502 set-points 99 % were at most 0.00 ms late
+        exit code 0
+    "]]
+    .assert_eq(&jaka(&arm, words(1.0, "--scale 0.5")).text());
+}
+
+#[test]
+fn an_approach_leads_to_where_the_trajectory_starts() {
+    let arm = arm();
+    arm.set_state(|state| state.joint_position.0[3] = 91.0);
+    assert_eq!(jaka(&arm, words(1.0, "")).code, 20);
+    let run = jaka(&arm, words(1.0, "--approach 20 --json"));
+    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"completed".into()), "{run:?}");
+}
+
+#[test]
+fn an_interrupt_stops_the_arm_on_the_trajectory() {
+    let arm = arm();
+    let run = interrupted(&arm, words(30.0, ""), || {
+        assert!(arm.wait_for_requests(1000, LONG), "set-points come");
+    });
+    expect![[r"
+        note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too
+        error: the trajectory was stopped before its end (7.837 s of 60.000 s), and the arm is at rest
+        exit code 22
+    "]]
+    .assert_eq(&run.text());
+    assert!(!arm.state().servo_mode && arm.state().at_rest);
+    assert!(!arm.requests().iter().any(|request| request.contains("stop_program")));
+}

@@ -1,0 +1,111 @@
+//! Ends of motions that are waited for, and of `jaka up`.
+
+use jaka_sim::{Controller, Delays, Habit, Habits, Port};
+use jaka_sync::motion::JointMove;
+use jaka_tests::{Arm, LONG};
+use serde_json::Value;
+
+use super::{Run, interrupted, jaka, jaka_beside};
+
+/// 90 deg of the first joint in 9 s.
+const SLOW: &str = "call joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
+
+/// Event on an arm that moves.
+type Happening = fn(&Controller);
+
+/// Runs a line; `meanwhile` does what it does once the arm moves.
+fn run(line: &str, meanwhile: Happening) -> Run {
+    let arm = Arm::simulated().start();
+    let other = || {
+        assert!(arm.wait_for_requests(1, LONG), "the motion comes");
+        meanwhile(&arm);
+    };
+    jaka_beside(&arm, other, line.split(' '))
+}
+
+/// The requests that were not queries.
+fn changes(arm: &Arm) -> Vec<String> {
+    arm.requests().into_iter().filter(|request| !request.contains("\"get_")).collect()
+}
+
+#[test]
+fn each_outcome_has_its_exit_code() {
+    let ends: [(&str, Happening, u8, &str); 6] = [
+        ("", Controller::collide, 23, "protective stop"),
+        ("", Controller::press_emergency_stop, 24, "emergency stop"),
+        ("", Controller::cut_power, 25, "no longer powered"),
+        ("", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26, "0x0f0030"),
+        (" --timeout 3", |_| {}, 27, "has not ended in time"),
+        ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
+    ];
+    for (options, meanwhile, code, text) in ends {
+        let run = run(&format!("{SLOW}{options}"), meanwhile);
+        assert_eq!((run.code, run.out.as_str()), (code, ""), "{text}: {run:?}");
+        assert!(run.err.starts_with("error: ") && run.err.contains(text), "{run:?}");
+    }
+    let turn = "call moveL --mode relative --pose 0,0,1,0,0,1 --speed 100 --yes --wait";
+    let run = run(turn, |_| {});
+    assert_eq!((run.code, run.out.as_str()), (21, ""), "{run:?}");
+}
+
+#[test]
+fn json_says_how_it_ended_whatever_the_end_is() {
+    let outcome = |line: &str, meanwhile: Happening| {
+        let run = run(line, meanwhile);
+        let json: Value = serde_json::from_str(&run.out).expect("it is one object");
+        assert!(json["waited_s"].as_f64().is_some() && json["text"].is_string(), "{json}");
+        json["outcome"].as_str().expect("it is a text").to_owned()
+    };
+    assert_eq!(outcome(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
+    let fast = "call joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait --json";
+    assert_eq!(outcome(fast, |_| {}), "reached");
+}
+
+#[test]
+fn what_does_not_come_about_in_time_is_told() {
+    for (habits, code) in [(Habits::from(Habit::LatePower), 4), (Habits::none(), 27)] {
+        let slow = Arm::simulated().without_power();
+        let slow = slow.controller(|controller| controller.delays(Delays::REAL).habits(habits)).start();
+        let run = jaka(&slow, "up --yes --timeout 2".split(' '));
+        assert_eq!((run.code, run.out.as_str()), (code, ""), "{run:?}");
+    }
+}
+
+#[test]
+fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
+    let (arm, mut other) = Arm::simulated().with_client();
+    other.joint_move(&JointMove::relative([60.0, 0.0, 0.0, 0.0, 0.0, 0.0], 2.0)).expect("the arm is ready");
+    for line in ["jog 6 1 --speed 5 --yes", "move --joints 0,90,90,90,-90,0 --speed 10 --yes"] {
+        let refused = jaka(&arm, line.split(' '));
+        assert_eq!((refused.code, refused.out.as_str()), (20, ""), "{refused:?}");
+        assert!(refused.err.contains("the arm moves") && refused.err.contains("--queue"), "{refused:?}");
+    }
+    assert_eq!(changes(&arm).len(), 1, "only the first one was sent");
+    let queued = jaka(&arm, "jog 6 1 --speed 5 --yes --queue --timeout 1".split(' '));
+    assert_eq!(queued.code, 27, "{queued:?}");
+    assert!(queued.err.contains("hint: `jaka stop` stops it"), "{queued:?}");
+    assert_eq!(changes(&arm).len(), 2);
+}
+
+#[test]
+fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
+    // The replies, and that to the stop, come only when the step is done.
+    for (steps, said) in [
+        (1, "accepted before: power_on; not sent: enable_robot"),
+        (2, "accepted before: power_on, enable_robot; not sent: nothing"),
+    ] {
+        let slow = Arm::simulated().without_power();
+        let slow = slow.controller(|it| it.delays(Delays::REAL).habits(Habits::from(Habit::LatePower))).start();
+        let run = interrupted(&slow, ["up", "--yes"], || {
+            while changes(&slow).len() < steps {
+                assert!(slow.wait_for_requests(slow.requests().len() + 1, LONG), "the step comes");
+            }
+        });
+        let text = format!(
+            "note: interrupted: no further step is sent\nnote: switching the power on\nerror: interrupted; {said}\n"
+        );
+        assert_eq!((run.code, run.err), (4, text));
+        let sent = [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#];
+        assert_eq!(changes(&slow), [&sent[..steps], &[r#"{"cmdName":"stop_program"}"#]].concat());
+    }
+}

@@ -1,0 +1,296 @@
+//! What needs no model of the arm is checked before a byte goes out: positions, speeds, accelerations and steps that no arm has.
+
+use jaka_proto::check::InvalidArgument;
+use jaka_proto::{Request, Visit};
+use jaka_sync::{AdvisoryRanges, Client, Command, Error, ErrorKind, Robot, ServoConfig};
+use jaka_tests::{Arm, spec};
+use serde_json::{Map, Value};
+
+/// Requests that are refused, with the field, and what is allowed in words.
+const REFUSED: [(&str, &str, &str); 32] = [
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[1000,0,0,0,0,0],"speed":20}"#,
+        "joint_position[0]",
+        "-360 to 360 deg",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,-360.1],"speed":20}"#,
+        "joint_position[5]",
+        "-360 to 360 deg",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[0,720.5,0,0,0,0],"speed":20}"#,
+        "joint_position[1]",
+        "-720 to 720 deg",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,0],"speed":9000}"#,
+        "speed",
+        "more than 0, at most 265 deg/s",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,0],"speed":0}"#,
+        "speed",
+        "more than 0, at most 265 deg/s",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,0],"speed":20,"accel":0}"#,
+        "acceleration",
+        "more than 0, at most 720 deg/s²",
+    ),
+    (
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,0],"speed":20,"accel":721}"#,
+        "acceleration",
+        "more than 0, at most 720 deg/s²",
+    ),
+    (r#"{"cmdName":"end_move","endPosition":[0,0,0,0,0,0],"speed":0}"#, "speed", "more than 0, at most 265 deg/s"),
+    (r#"{"cmdName":"end_move","endPosition":[0,0,0,0,0,0],"speed":300}"#, "speed", "more than 0, at most 265 deg/s"),
+    (
+        r#"{"cmdName":"end_move","endPosition":[0,0,0,0,0,0],"speed":20,"accel":8000}"#,
+        "acceleration",
+        "more than 0, at most 720 deg/s²",
+    ),
+    (
+        r#"{"cmdName":"moveL","relFlag":0,"cartPosition":[0,0,0,0,0,0],"speed":0}"#,
+        "speed",
+        "more than 0, at most 10000 mm/s",
+    ),
+    (
+        r#"{"cmdName":"moveL","relFlag":0,"cartPosition":[0,0,0,0,0,0],"speed":10001}"#,
+        "speed",
+        "more than 0, at most 10000 mm/s",
+    ),
+    (
+        r#"{"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,0,0,0,0],"speed":1,"accel":8001}"#,
+        "acceleration",
+        "more than 0, at most 8000 mm/s²",
+    ),
+    (
+        r#"{"cmdName":"movc","relFlag":0,"pos_mid":[0,0,0,0,0,0],"pos_end":[0,0,0,0,0,0],"speed":0,"accel":5,"tol":0}"#,
+        "speed",
+        "more than 0, at most 10000 mm/s",
+    ),
+    (
+        r#"{"cmdName":"movc","relFlag":0,"pos_mid":[0,0,0,0,0,0],"pos_end":[0,0,0,0,0,0],"speed":9,"accel":0,"tol":0}"#,
+        "acceleration",
+        "more than 0, at most 8000 mm/s²",
+    ),
+    (
+        r#"{"cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":0,"jogvel":-266}"#,
+        "velocity",
+        "-265 to 265 deg/s for a joint or a rotation, mm/s for a translation, not 0",
+    ),
+    (
+        r#"{"cmdName":"jog","jog_mode":1,"coord_map":0,"jnum":0,"jogvel":0}"#,
+        "velocity",
+        "-10000 to 10000 deg/s for a joint or a rotation, mm/s for a translation, not 0",
+    ),
+    (
+        r#"{"cmdName":"jog","jog_mode":2,"coord_map":1,"jnum":0,"jogvel":-0.0,"poscmd":1}"#,
+        "velocity",
+        "-265 to 265 deg/s for a joint or a rotation, mm/s for a translation, not 0",
+    ),
+    (
+        r#"{"cmdName":"jog","jog_mode":2,"coord_map":1,"jnum":0,"jogvel":30,"poscmd":-721}"#,
+        "distance",
+        "-720 to 720 deg for a joint or a rotation, mm for a translation",
+    ),
+    (
+        r#"{"cmdName":"jog","jog_mode":3,"coord_map":1,"jnum":0,"jogvel":30,"poscmd":361}"#,
+        "position",
+        "-360 to 360 deg for a joint or a rotation, mm for a translation",
+    ),
+    (
+        r#"{"cmdName":"servo_j","relFlag":0,"jointPosition":[0,0,0,361,0,0],"stepNum":1}"#,
+        "joint_position[3]",
+        "-360 to 360 deg",
+    ),
+    (r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[2.13,0,0,0,0,0]}"#, "joint_position[0]", "-2.12 to 2.12 deg"),
+    (
+        r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[0,4.25,0,0,0,0],"stepNum":2}"#,
+        "joint_position[1]",
+        "-4.24 to 4.24 deg",
+    ),
+    (r#"{"cmdName":"servo_j","relFlag":0,"jointPosition":[0,0,0,0,0,0],"stepNum":13}"#, "step_count", "1 to 12"),
+    (r#"{"cmdName":"servo_p","catPosition":[300,0,0,0,0,0],"relFlag":1,"stepNum":1}"#, "pose.x", "-80 to 80 mm"),
+    (r#"{"cmdName":"servo_p","catPosition":[0,0,-80.5,0,0,0],"relFlag":1}"#, "pose.z", "-80 to 80 mm"),
+    (r#"{"cmdName":"servo_p","catPosition":[0,0,0,0,0,9.5],"relFlag":1}"#, "pose.rz", "-9 to 9 deg"),
+    (r#"{"cmdName":"servo_p","catPosition":[0,0,0,-28,0,0],"relFlag":1,"stepNum":3}"#, "pose.rx", "-27 to 27 deg"),
+    (r#"{"cmdName":"servo_p","catPosition":[0,0,0,0,0,0],"relFlag":0,"stepNum":13}"#, "step_count", "1 to 12"),
+    (
+        r#"{"cmdName":"start_torq_sensor_payload_identify","jointPosition":[0,0,-400,0,0,0]}"#,
+        "joint_position[2]",
+        "-360 to 360 deg",
+    ),
+    (
+        r#"{"cmdName":"set_traj_config","acc":0,"vel":20,"xyz_interval":0.1,"rpy_interval":0.1}"#,
+        "acceleration",
+        "more than 0, at most 8000 mm/s²",
+    ),
+    (
+        r#"{"cmdName":"set_traj_config","acc":100,"vel":20000,"xyz_interval":0.1,"rpy_interval":0.1}"#,
+        "speed",
+        "more than 0, at most 10000 mm/s",
+    ),
+];
+
+/// Requests at the ends of what is advised, or of which nothing is.
+const SENT: [&str; 14] = [
+    r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[360,-360,0,0,0,0],"speed":265,"accel":720}"#,
+    r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[720,-720,361,0,0,0],"speed":0.001,"accel":0.001}"#,
+    r#"{"cmdName":"end_move","endPosition":[5000,0,0,500,0,0],"speed":265}"#,
+    r#"{"cmdName":"moveL","relFlag":0,"cartPosition":[0,0,0,0,0,0],"speed":10000,"accel":8000}"#,
+    r#"{"cmdName":"movc","relFlag":1,"pos_mid":[0,0,0,0,0,0],"pos_end":[0,0,0,0,0,0],"speed":9,"accel":5,"tol":0}"#,
+    r#"{"cmdName":"jog","jog_mode":0,"coord_map":1,"jnum":0}"#,
+    r#"{"cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":0,"jogvel":-265}"#,
+    r#"{"cmdName":"jog","jog_mode":3,"coord_map":2,"jnum":0,"jogvel":266,"poscmd":1000}"#,
+    r#"{"cmdName":"servo_j","relFlag":0,"jointPosition":[360,0,0,0,0,0]}"#,
+    r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[2.12,0,0,0,0,-2.12]}"#,
+    r#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[25.44,0,0,0,0,0],"stepNum":12}"#,
+    r#"{"cmdName":"servo_p","catPosition":[80,0,-80,9,0,-9],"relFlag":1,"stepNum":1}"#,
+    r#"{"cmdName":"servo_p","catPosition":[960,0,0,108,0,0],"relFlag":1,"stepNum":12}"#,
+    r#"{"cmdName":"servo_p","catPosition":[960,0,0,180,0,0],"relFlag":0}"#,
+];
+
+fn read(text: &str) -> Request {
+    Request::read(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+/// Sends a request, whichever it is.
+struct Send<'c>(&'c mut Client);
+
+impl Visit for Send<'_> {
+    type Output = Result<(), Error>;
+
+    fn visit<C: Command>(self, command: &C) -> Self::Output {
+        self.0.call(command).map(drop)
+    }
+}
+
+/// A controller whose arm is enabled, and its client.
+fn ready(ranges: AdvisoryRanges) -> (Arm, Client) {
+    Arm::simulated().config(|config| config.advisory_ranges(ranges)).with_client()
+}
+
+#[track_caller]
+fn invalid(error: &Error) -> &InvalidArgument {
+    let ErrorKind::InvalidArgument(invalid) = error.kind() else { panic!("{error}") };
+    invalid
+}
+
+#[test]
+fn what_no_arm_does_is_refused_before_a_byte_goes_out() {
+    let (controller, mut client) = ready(AdvisoryRanges::Enforced);
+    for (text, field, allowed) in REFUSED {
+        let error = read(text).visit(Send(&mut client)).expect_err(text);
+        let invalid = invalid(&error);
+        assert_eq!((&*invalid.field, &*invalid.allowed, invalid.advisory), (field, allowed, true), "{text}");
+        assert!(!error.may_have_run(), "{text}");
+    }
+    assert_eq!(controller.requests(), Vec::<String>::new());
+}
+
+#[test]
+fn it_says_so_and_how_to_send_it_nevertheless() {
+    let (_controller, mut client) = ready(AdvisoryRanges::Enforced);
+    let error = read(REFUSED[3].0).visit(Send(&mut client)).expect_err("no joint is as fast");
+    assert_eq!(
+        invalid(&error).to_string(),
+        "`joint_move` was not sent: field `speed` is 9000, allowed is more than 0, at most 265 deg/s; \
+         this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller"
+    );
+}
+
+#[test]
+fn it_goes_out_where_that_is_left_to_the_controller() {
+    let (controller, mut client) = ready(AdvisoryRanges::Ignored);
+    for (text, ..) in REFUSED {
+        let name = text.split('"').nth(3).expect("it has a name");
+        match read(text).visit(Send(&mut client)) {
+            Ok(()) => {}
+            Err(error) => assert!(matches!(error.kind(), ErrorKind::Refused { .. }), "{text}: {error}"),
+        }
+        assert!(controller.requests().last().is_some_and(|last| last.contains(name)), "{text}");
+    }
+    assert_eq!(controller.requests().len(), REFUSED.len());
+}
+
+#[test]
+fn what_is_forbidden_stays_forbidden() {
+    let (controller, mut client) = ready(AdvisoryRanges::Ignored);
+    for text in [
+        r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[0,0,0,0,0,0],"speed":-1}"#,
+        r#"{"cmdName":"servo_j","relFlag":0,"jointPosition":[0,0,0,0,0,0],"stepNum":0}"#,
+        r#"{"cmdName":"jog","jog_mode":1,"coord_map":1,"jnum":6,"jogvel":1}"#,
+    ] {
+        let error = read(text).visit(Send(&mut client)).expect_err(text);
+        assert!(!invalid(&error).advisory, "{text}");
+    }
+    assert_eq!(controller.requests(), Vec::<String>::new());
+}
+
+#[test]
+fn what_an_arm_may_do_goes_out() {
+    let (controller, mut client) = ready(AdvisoryRanges::Enforced);
+    for text in SENT {
+        if let Err(error) = read(text).visit(Send(&mut client)) {
+            assert!(matches!(error.kind(), ErrorKind::Refused { .. }), "{text}: {error}");
+        }
+    }
+    assert_eq!(controller.requests(), SENT);
+}
+
+/// By the model, with values under their names and a whole object in place of an array, the same is refused and the same sent.
+#[test]
+fn the_model_refuses_the_same_in_the_same_words() {
+    let spec = spec();
+    let by_model = |text: &str, ranges| {
+        let mut fields: Map<String, Value> = serde_json::from_str(text).expect("it is JSON");
+        let name = fields.remove("cmdName").expect("it has a name");
+        let command = spec.command(name.as_str().expect("it is a name")).expect("the spec has it");
+        if let Some(Value::Array(pose)) = fields.get("catPosition") {
+            let names = ["x", "y", "z", "rx", "ry", "rz"].map(str::to_owned).into_iter();
+            let pose: Map<_, _> = names.zip(pose.clone()).collect();
+            fields.insert("catPosition".to_owned(), pose.into());
+        }
+        if command.name.starts_with("servo") {
+            let name = if fields["relFlag"] == 0 { "absolute" } else { "Relative" };
+            fields.insert("relFlag".to_owned(), name.into());
+        }
+        jaka_dynamic::request(&spec, command, &fields, ranges)
+    };
+    for (text, field, allowed) in REFUSED {
+        let problems = by_model(text, AdvisoryRanges::Enforced).expect_err(text);
+        let [problem] = &*problems else { panic!("{text}: {problems:?}") };
+        assert_eq!((&*problem.field, problem.advisory), (field, true), "{text}");
+        assert!(problem.allowed.ends_with(allowed), "{text}: {problem}");
+        by_model(text, AdvisoryRanges::Ignored).expect("it is left to the controller");
+    }
+    for text in SENT {
+        let sent = by_model(text, AdvisoryRanges::Enforced);
+        assert_eq!(sent.as_deref(), Ok(text));
+    }
+}
+
+#[test]
+fn a_servo_session_refuses_it_and_ends() {
+    let (controller, client) = ready(AdvisoryRanges::Enforced);
+    let mut robot = Robot::new(client, controller.monitor());
+    let config = ServoConfig::new().unchecked();
+    let refused = |sent: Result<(), Error>, field: &str| assert_eq!(invalid(&sent.expect_err(field)).field, field);
+    let entered = "the arm is enabled";
+    let mut session = robot.enter_servo_mode(&config).expect(entered);
+    refused(session.send_pose_offset([300.0, 0.0, 0.0, 0.0, 0.0, 0.0]), "pose.x");
+    assert!(matches!(session.send_joints([0.0; 6]).unwrap_err().kind(), ErrorKind::SessionEnded { .. }));
+    drop(session);
+    let mut session = robot.enter_servo_mode(&config).expect(entered);
+    refused(session.send_pose_offset([0.0, 0.0, 0.0, 0.0, 10.0, 0.0]), "pose.ry");
+    drop(session);
+    let mut session = robot.enter_servo_mode(&config).expect(entered);
+    refused(session.send_joints([400.0, 0.0, 0.0, 0.0, 0.0, 0.0]), "joint_position[0]");
+    drop(session);
+    let sent = controller.requests();
+    let set_points: Vec<_> =
+        sent.iter().filter(|request| request.contains("servo_j") || request.contains("servo_p")).collect();
+    assert_eq!(set_points, Vec::<&String>::new());
+}

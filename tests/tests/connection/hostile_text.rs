@@ -1,0 +1,89 @@
+//! What a controller says is shown in one line, with nothing in it that a terminal obeys: errors of the library. Those of the
+//! command `jaka` are in its own tests.
+
+use std::error::Error as StdError;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::exchange::OutOfSync;
+use jaka_proto::framing::Framer;
+use jaka_proto::text::is_visible;
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{ErrorCode, FirmwareVersion, Refusal};
+use jaka_sim::Fault;
+use jaka_sync::{Disconnect, Error, ErrorKind, Explanation, Outcome, Recorder};
+use jaka_tests::Arm;
+
+/// A character of each kind that a terminal or an editor acts on.
+const HOSTILE: &str = "\u{1b}[2J\u{7}\r\n\u{85}\u{9b}31m\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}";
+
+fn assert_visible(what: &str, text: &str) {
+    let hidden: Vec<_> = text.chars().filter(|&c| !is_visible(c)).collect();
+    assert!(hidden.is_empty(), "{what}: {hidden:?} in {text:?}");
+}
+
+#[test]
+fn no_error_shows_a_controller_s_text_raw() {
+    let refusal = || Refusal::new(HOSTILE, ErrorCode(2), HOSTILE);
+    let unfit = || DecodeError::unfit("a number", HOSTILE).in_field(HOSTILE);
+    let mut framer = Framer::default();
+    framer.push(HOSTILE.as_bytes());
+    let garbage = framer.next_frame().map(drop).expect_err("it is not a frame");
+    let causes = [
+        Disconnect::Frame(garbage),
+        Disconnect::NotJson(unfit()),
+        Disconnect::OutOfSync(OutOfSync::Unsolicited { command: HOSTILE.into() }),
+        Disconnect::Ended { by: HOSTILE.to_owned() },
+    ]
+    .map(Arc::new);
+    let (command, source) = (HOSTILE.to_owned(), unfit());
+    let mut kinds = vec![
+        ErrorKind::Refused { refusal: refusal(), explanation: None },
+        ErrorKind::Refused { refusal: refusal(), explanation: Some(Explanation::NotPowered) },
+        ErrorKind::Timeout { command: command.clone(), after: Duration::ZERO },
+        ErrorKind::ReplyLost { command: command.clone() },
+        ErrorKind::UnexpectedReply { command: command.clone(), source: source.clone() },
+        ErrorKind::UnexpectedStatus { source },
+    ];
+    for cause in causes {
+        let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)), unreadable: None };
+        kinds.push(ErrorKind::NotAcknowledged { outcome });
+        kinds.push(ErrorKind::Disconnected {
+            address: HOSTILE.to_owned(),
+            command: Some(command.clone()),
+            sent: true,
+            cause: Arc::clone(&cause),
+        });
+        let (address, what) = (HOSTILE.to_owned(), HOSTILE.to_owned());
+        kinds.push(ErrorKind::NotAcknowledged {
+            outcome: Outcome::ConnectionLost { address: address.clone(), cause: Arc::clone(&cause) },
+        });
+        kinds.push(ErrorKind::CommandsLost { address, what, cause });
+    }
+    let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
+    assert_visible("an outcome", &outcome.to_string());
+    kinds.push(ErrorKind::NotAcknowledged { outcome });
+    let errors: Vec<Error> = kinds.into_iter().map(Error::from).collect();
+    for error in &errors {
+        let sources = std::iter::successors(Some(error as &dyn StdError), |&error| error.source());
+        sources.for_each(|part| assert_visible(&format!("{error:?}"), &part.to_string()));
+    }
+    let version = HOSTILE.parse::<FirmwareVersion>().expect_err("it is none");
+    assert_visible("a version", &version.to_string());
+}
+
+#[test]
+fn the_text_itself_is_kept_as_it_came() {
+    let recorder = Recorder::new(std::io::sink()).expect("a thread can be had");
+    let (controller, mut client) = Arm::simulated().config(|config| config.recorder(recorder)).with_client();
+    let message = serde_json::Value::from(HOSTILE);
+    let reply = format!(r#"{{"errorCode":"7","errorMsg":{message},"cmdName":"get_version"}}"#);
+    controller.inject(Fault::Instead(reply.into_bytes()));
+    let error = client.get_version().expect_err("it is refused");
+    assert_eq!(error.refusal().map(|refusal| &*refusal.message), Some(HOSTILE));
+    for line in format!("{error:#}").lines() {
+        assert_visible("the last messages", line);
+    }
+    controller.set_state(|state| state.error_message = HOSTILE.to_owned());
+    assert_eq!(controller.stream().next_packet().expect("a packet comes").error_message.as_deref(), Some(HOSTILE));
+}

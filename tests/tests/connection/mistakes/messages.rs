@@ -1,0 +1,87 @@
+//! The other messages of the page, in its order: made with a simulated controller where it can make them, and otherwise by themselves.
+
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_sim::{Fault, StatusFault};
+use jaka_sync::{Disconnect, Error, ErrorKind, Explanation, Monitor, Outcome};
+use jaka_tests::{Arm, LONG};
+
+use super::{refusal, robot, said, turn};
+
+const SHORT: Duration = Duration::from_millis(300);
+
+pub(super) fn all() -> Vec<String> {
+    [of_the_connection(), of_the_status(), of_the_state(), of_ends()].concat()
+}
+
+fn kind(kind: ErrorKind) -> String {
+    said(&Error::from(kind))
+}
+
+fn of_the_connection() -> Vec<String> {
+    let controller = Arm::simulated().config(|config| config.reply_timeout(SHORT)).start();
+    let client = || controller.client();
+    let answered = |bytes: &[u8]| {
+        controller.inject(Fault::Instead(bytes.to_vec()));
+        refusal(client().get_version())
+    };
+    controller.inject(Fault::Drop);
+    let late = refusal(client().get_version());
+    let web_server = answered(b"HTTP/1.1 400 Bad Request\r\n");
+    let other_shape = answered(br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_version"}"#);
+    let config = controller.config();
+    let mut on_status_port = config.connect_client(controller.status_addr()).expect("it listens");
+    let monitor: Monitor = config.connect_monitor(controller.command_addr()).expect("it listens");
+    let silent = refusal(monitor.next_packet());
+    vec![late, refusal(on_status_port.get_version()), silent, web_server, other_shape]
+}
+
+fn of_the_status() -> Vec<String> {
+    let controller = Arm::simulated().config(|config| config.stale_after(SHORT)).start();
+    controller.status_fault(StatusFault::Silent);
+    let config = controller.config();
+    let mut robot = config.connect_robot_at(controller.command_addr(), controller.status_addr()).expect("it listens");
+    let missing = refusal(robot.run(&turn(5.0, 5.0), LONG));
+    controller.status_fault(StatusFault::None);
+    robot.monitor().wait_until(|_| true, LONG).expect("packets come");
+    controller.status_fault(StatusFault::Silent);
+    controller.clock().sleep(2 * SHORT);
+    vec![missing, refusal(robot.run(&turn(5.0, 5.0), LONG))]
+}
+
+fn of_the_state() -> Vec<String> {
+    let (controller, mut robot) = robot(true, true);
+    let denied = br#"{"errorCode": "3", "errorMsg": "permission deny, please check remote control source", "cmdName": "joint_move"}"#;
+    controller.inject_for("joint_move", Fault::Instead(denied.to_vec()));
+    let denied = refusal(robot.run(&turn(5.0, 5.0), LONG));
+    controller.press_emergency_stop();
+    let mut stopped = controller.robot();
+    let soft_limit = ErrorKind::NotReady { explanation: Explanation::SoftLimit };
+    let not_entered = ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered };
+    let says = Some("powered, not enabled".to_owned());
+    vec![
+        denied,
+        refusal(stopped.power_up(LONG)),
+        kind(ErrorKind::StateTimeout { after: LONG, packets: 1998, says }),
+        kind(soft_limit),
+        kind(not_entered),
+    ]
+}
+
+fn of_ends() -> Vec<String> {
+    let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::Disabled];
+    let lost = Outcome::StatusLost { cause: None, unreadable: None };
+    let seat_lost = Outcome::ConnectionLost {
+        address: "10.5.5.100:10001".to_owned(),
+        cause: Arc::new(Disconnect::Closed { partial: 0 }),
+    };
+    let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
+    let stopped = ErrorKind::Stopped { accepted, not_sent };
+    let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };
+    let denied = io::ErrorKind::PermissionDenied.into();
+    let priority = ErrorKind::RealtimePriority { priority: 20, source: denied };
+    let ends = ends.iter().chain([&lost, &seat_lost]).map(ToString::to_string);
+    ends.chain([kind(stopped), kind(late), kind(priority)]).collect()
+}

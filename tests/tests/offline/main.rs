@@ -1,0 +1,13 @@
+//! Tests without an arm: the spec and what is made of it, pages, and the mathematics of the arm.
+
+mod architecture;
+mod diff;
+mod document;
+mod dynamic;
+mod examples;
+mod kinematics;
+mod properties;
+mod readme;
+mod reference;
+mod spec_mutations;
+mod user_crate;

@@ -1,0 +1,198 @@
+//! Contact with a plane on a trajectory and in a stream: how far the tool goes in, at each period of the packets, by a
+//! simulated clock.
+
+use std::time::Duration;
+
+use jaka_sim::Port;
+use jaka_sync::jaka_motion::{
+    Exceeded, Limits, Model, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via,
+};
+use jaka_sync::servo::{ServoJ, SetServoMode};
+use jaka_sync::types::Pose;
+use jaka_sync::{
+    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, NotGuarded, Robot,
+    StatusProblem, StreamConfig, StreamHandle,
+};
+use jaka_tests::{Arm, LONG};
+
+use super::{CHANGE, STIFFNESS, above_a_plane, count};
+
+/// How much of the permitted speed is used: what is told is about that.
+const USED: f64 = 0.95;
+
+/// An arm and its robot, with the limits of the arm.
+fn bench(period: Duration, above_mm: f64) -> (Arm, Robot) {
+    let (arm, robot) = above_a_plane(period, above_mm);
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    (arm, robot.with_limits(limits).expect("it is this arm"))
+}
+
+fn force(overtravel: f64) -> ForceLimit {
+    ForceLimit::new(ForceComponent::Force, CHANGE).overtravel(overtravel)
+}
+
+fn below(arm: &Arm, mm: f64) -> Pose {
+    let pose = arm.state().tcp_pose;
+    Pose { z: pose.z - mm, ..pose }
+}
+
+/// A line down with a speed of the tool.
+fn down(arm: &Arm, robot: &Robot, speed: f64) -> Trajectory {
+    let points = [Via::Joints(arm.state().joint_position), Via::Line(below(arm, 20.0))];
+    let trajectory = Trajectory::through(points).tcp_speed(speed).build(robot.limits().expect("it has some"));
+    trajectory.unwrap_or_else(|error: TrajectoryError| panic!("{error}"))
+}
+
+fn refused(arm: &Arm, robot: &mut Robot, trajectory: &Trajectory, limit: ForceLimit) -> (Error, f64) {
+    let error = robot.start_follow_until(trajectory, &FollowConfig::new(), limit).expect_err("it is too fast");
+    assert_eq!(count(arm, SetServoMode::INFO.name), 0, "{error}");
+    assert!(!error.may_have_run());
+    match error.kind() {
+        ErrorKind::NotGuarded { reason: NotGuarded::TooFastAlong { permitted_mm_s, .. }, .. } => {
+            let permitted = *permitted_mm_s;
+            (error, permitted)
+        }
+        _ => panic!("{error:?}"),
+    }
+}
+
+/// How deep the tool goes in, and with which speed.
+type Depth = (f64, f64);
+
+fn assert_rests(arm: &Arm, overtravel: f64) -> f64 {
+    let (state, deepest) = (arm.state(), arm.deepest_penetration());
+    assert!(deepest > CHANGE / STIFFNESS && deepest <= overtravel, "{deepest} mm");
+    assert!(state.at_rest && !state.servo_mode, "{state:?}");
+    deepest
+}
+
+fn followed(period: Duration, phase: f64, overtravel: f64) -> Depth {
+    let (arm, mut robot) = bench(period, 2.0);
+    let fast = down(&arm, &robot, 200.0);
+    let (_, permitted) = refused(&arm, &mut robot, &fast, force(overtravel));
+    drop(robot);
+    let speed = USED * permitted;
+    let (arm, mut robot) = bench(period, 2.0 + phase * speed * period.as_secs_f64());
+    let trajectory = down(&arm, &robot, speed);
+    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(overtravel));
+    let end: FollowEnd = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
+    assert_eq!(end.outcome, FollowOutcome::Guard, "{period:?}: {end}");
+    assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end}");
+    (assert_rests(&arm, overtravel), speed)
+}
+
+/// The highest speed that a stream takes.
+fn top_speed(stream: &StreamHandle) -> f64 {
+    let error = stream.set_tcp_velocity(downwards(1000.0), Duration::from_millis(100)).expect_err("it is too fast");
+    match error.kind() {
+        ErrorKind::BeyondLimit { beyond, .. } => match beyond.exceeded {
+            Exceeded::TcpSpeed { limit_mm_s, .. } => limit_mm_s,
+            _ => panic!("{error}"),
+        },
+        _ => panic!("{error:?}"),
+    }
+}
+
+fn downwards(speed: f64) -> TcpVelocity {
+    TcpVelocity { linear_mm_s: [0.0, 0.0, -speed], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase }
+}
+
+/// What a stream is told to do.
+#[derive(Debug, Clone, Copy)]
+enum Told {
+    Velocity,
+    Target,
+}
+
+fn streamed(period: Duration, phase: f64, overtravel: f64, told: Told) -> Depth {
+    let (arm, mut robot) = bench(period, 2.0 + phase * 0.3);
+    let clock = arm.clock();
+    let target = below(&arm, 20.0);
+    let stream = robot.stream_until(&StreamConfig::new(), force(overtravel)).expect("the sensor works");
+    let (handle, speed) = (stream.handle(), top_speed(&stream));
+    let give = || match told {
+        Told::Velocity => handle.set_tcp_velocity(downwards(speed), Duration::from_millis(200)),
+        Told::Target => handle.set_pose(target),
+    };
+    give().expect("it is within the limits");
+    let since = clock.elapsed();
+    while give().is_ok() {
+        assert!(clock.elapsed().saturating_sub(since) < LONG, "{period:?}, {told:?}: nothing is touched");
+        clock.sleep(Duration::from_millis(100));
+    }
+    let error = stream.land().expect_err("the guard has ended it");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{period:?}, {told:?}: {error}");
+    (assert_rests(&arm, overtravel), speed)
+}
+
+#[test]
+fn on_a_trajectory_and_in_a_stream_the_tool_goes_no_further_in_than_is_allowed_at_every_period() {
+    let mut cases = vec![(8, 1.0), (30, 1.0), (30, 0.25), (100, 1.0)];
+    if jaka_tests::reliability_times() > 1 {
+        cases.extend((12..100).step_by(4).map(|period_ms| (period_ms, 1.0)));
+    }
+    for (period_ms, overtravel) in cases {
+        let period = Duration::from_millis(period_ms);
+        let deepest = |run: &dyn Fn(f64) -> Depth| {
+            [0.0, 0.35, 0.7].into_iter().map(run).fold((0.0, 0.0), |most: Depth, one| (most.0.max(one.0), one.1))
+        };
+        for (name, (deepest, speed)) in [
+            ("trajectory", deepest(&|phase| followed(period, phase, overtravel))),
+            ("stream, velocity", deepest(&|phase| streamed(period, phase, overtravel, Told::Velocity))),
+            ("stream, target", deepest(&|phase| streamed(period, phase, overtravel, Told::Target))),
+        ] {
+            println!("packets each {period_ms} ms, {overtravel} mm allowed, {name}: {speed:.1} mm/s, {deepest:.3} mm");
+            // What is permitted is not much less than what could be.
+            assert!(deepest > 0.2 * overtravel, "{name}, {period_ms} ms: {deepest} mm of {overtravel} mm");
+        }
+    }
+}
+
+#[test]
+fn a_trajectory_that_is_too_fast_somewhere_is_refused_with_the_place_and_the_figures() {
+    let (arm, mut robot) = bench(Duration::from_millis(30), 5.0);
+    let start = arm.state().joint_position;
+    let aside = [start.0[0] + 2.0, start.0[1], start.0[2], start.0[3], start.0[4], start.0[5]];
+    // Slow to the second way-point, and fast from there on.
+    let points = [TimedPoint::new(0.0, start), TimedPoint::new(4.0, aside), TimedPoint::new(4.5, start)];
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is within them");
+    let (error, _) = refused(&arm, &mut robot, &trajectory, force(1.0));
+    let ErrorKind::NotGuarded { reason: NotGuarded::TooFastAlong { after, time_s, speed_mm_s, period, .. }, .. } =
+        error.kind()
+    else {
+        panic!("{error:?}")
+    };
+    assert!(*after == 2 && (4.0..4.5).contains(time_s), "{error}");
+    assert!((20.0..100.0).contains(speed_mm_s) && *period == Duration::from_millis(30), "{error}");
+    let text = error.to_string();
+    let begin = "`servo_j` was not sent under a guard: after way-point 2, at 4.";
+    assert!(text.starts_with(begin) && text.contains(" mm/s the tool goes on for "), "{text}");
+    assert!(text.contains(", and 1 mm are allowed; permitted are "), "{text}");
+    assert!(
+        text.contains(" mm/s there, with up to 30.0ms between packets, 20.0ms of reaction and braking with "),
+        "{text}"
+    );
+    assert_eq!(count(&arm, ServoJ::INFO.name), 0);
+}
+
+#[test]
+fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
+    let (arm, mut robot) = bench(Duration::from_millis(30), 15.0);
+    let trajectory = down(&arm, &robot, 4.0);
+    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(1.0)).expect("it is slow enough");
+    let clock = arm.clock();
+    clock.sleep(Duration::from_secs(1));
+    arm.link(Port::Status).to_client().hold();
+    let since = clock.elapsed();
+    let end = run.wait();
+    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    // Without such a limit it would be stale after 500 ms, and be braked and held from then on.
+    let took = clock.elapsed().saturating_sub(since);
+    assert!(took < Duration::from_millis(600), "{took:?}: {end}");
+    let age = match end.error.as_ref().map(Error::kind) {
+        Some(ErrorKind::StatusUnknown { problem: StatusProblem::Stale { age } }) => *age,
+        _ => panic!("{end:?}"),
+    };
+    assert!((Duration::from_millis(100)..Duration::from_millis(120)).contains(&age), "{age:?}");
+    assert!(!end.has_left_curve && arm.state().at_rest, "{end}");
+}

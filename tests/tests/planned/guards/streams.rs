@@ -1,0 +1,90 @@
+//! Streams under a guard.
+
+use jaka_sim::StatusFault;
+use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
+use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
+use jaka_sync::types::JointPosition;
+use jaka_sync::{
+    Command, ErrorKind, FollowConfig, FollowOutcome, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig,
+};
+use jaka_tests::LONG;
+use jaka_tests::simulated::until;
+
+use super::{IO, count, names, ready, wait_for_motion};
+
+#[test]
+fn a_guard_lands_a_stream() {
+    let (arm, robot) = ready();
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+    let mut target = stream.joints();
+    target[0] += 170.0;
+    stream.set_joints(target).expect("it is within limits");
+    wait_for_motion(&arm);
+    arm.set_state(|state| state.digital_inputs[0] = true);
+    let handle = stream.handle();
+    let mut because = String::new();
+    until(arm.clock(), || handle.set_joints(target).map_err(|error| because = error.to_string()).is_err());
+    assert!(
+        because.contains("the guard tripped: digital input 1 of the cabinet (counted from 1) is high"),
+        "{because}"
+    );
+    let error = stream.land().expect_err("the guard has ended it");
+    let ErrorKind::GuardTripped { trip } = error.kind() else { panic!("{error:?}") };
+    assert!(error.may_have_run() && !trip.is_before_start && trip.reaction.is_none());
+    assert_eq!(trip.packet.status.digital_inputs.as_ref().and_then(|inputs| inputs.first()), Some(&true));
+    let at = arm.state().joint_position.0[0];
+    assert!(arm.state().at_rest && !arm.state().servo_mode && at < 165.0, "it is at {at}");
+    let all = names(&arm);
+    let last = all.iter().rposition(|name| name == ServoJ::INFO.name).expect("set-points came");
+    assert_eq!(all[last + 1], SetServoMode::INFO.name, "{:?}", &all[last..]);
+    assert!(all[last + 2..].iter().all(|name| name == IsInServomove::INFO.name), "{:?}", &all[last..]);
+
+    // The input is still high: servo mode is not asked for.
+    let entered = count(&arm, SetServoMode::INFO.name);
+    let error = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect_err("the input is high");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { trip } if trip.is_before_start), "{error:?}");
+    assert!(!error.may_have_run());
+    let error =
+        robot.stream_until(&StreamConfig::new(), IO.cabinet(1000).is_high()).expect_err("there is no such input");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::TooShort { .. }, .. }), "{error:?}");
+    let error = robot
+        .stream_until(&StreamConfig::new(), ForceLimit::new(ForceComponent::Fz, 1.0))
+        .expect_err("it does not work");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::SensorOff, .. }), "{error:?}");
+    assert_eq!(count(&arm, SetServoMode::INFO.name), entered);
+}
+
+#[test]
+fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
+    let start = |robot: Robot| {
+        let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+        robot.allow_motion_without_status().with_limits(limits).expect("it is this arm")
+    };
+    let (arm, robot) = ready();
+    let mut robot = start(robot);
+    let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+    let mut target = stream.joints();
+    target[0] += 170.0;
+    stream.set_joints(target).expect("it is within limits");
+    wait_for_motion(&arm);
+    arm.status_fault(StatusFault::Silent);
+    let error = stream.wait_for_rest(LONG).expect_err("nobody judges the guard");
+    assert!(error.to_string().contains("the last status packet came"), "{error}");
+    assert!(stream.land().is_err() && arm.state().joint_position.0[0] < 165.0);
+
+    let (arm, robot) = ready();
+    let mut robot = start(robot);
+    let at = arm.state().joint_position;
+    let far = JointPosition(std::array::from_fn(|joint| at.0[joint] + if joint == 0 { 100.0 } else { 0.0 }));
+    let points = [TimedPoint::new(0.0, at), TimedPoint::new(20.0, far)];
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is slow");
+    let run =
+        robot.start_follow_until(&trajectory, &FollowConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+    wait_for_motion(&arm);
+    arm.status_fault(StatusFault::Silent);
+    let end = run.wait();
+    assert!(matches!(end.outcome, FollowOutcome::StatusLost), "{end:?}");
+    assert!(arm.state().joint_position.0[0] < 90.0);
+}

@@ -1,0 +1,13 @@
+//! Tests of motions that the controller plans: run, waited for, guarded and stopped.
+
+mod guards;
+mod io_waits;
+mod limits;
+mod lost_seat;
+mod motion;
+mod old_status;
+mod races;
+mod random_motions;
+mod robot;
+mod robot_faults;
+mod stopped_steps;

@@ -1,0 +1,379 @@
+//! Motions that are waited for, in simulated time: each outcome.
+
+use std::time::Duration;
+
+use jaka_proto::check::{Limits, NotSent, Place, Validate};
+use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_proto::{Command, CommandInfo};
+use jaka_sim::{Delays, Fault, StatusFault};
+use jaka_sync::force::StartTorqSensorPayloadIdentify;
+use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_sync::types::{MoveMode, Pose};
+use jaka_sync::{ErrorKind, Explanation, Motion, MotionEnd, Outcome, Robot, RobotStop, Target};
+use jaka_tests::simulated::beside;
+use jaka_tests::{Arm, CYCLE, LONG};
+
+/// When something befalls the long motion: it is at its full speed then.
+const MIDDLE: Duration = Duration::from_millis(200);
+
+/// An arm that sends a packet each cycle, and its robot.
+fn ready() -> (Arm, Robot) {
+    Arm::simulated().status_period(CYCLE).with_robot()
+}
+
+/// Waits until the robot has a packet of the state as it is now.
+fn show(arm: &Arm) {
+    arm.clock().sleep(2 * CYCLE);
+}
+
+fn to(angle: f64) -> JointMove {
+    let joint_position = [angle, 90.0, 90.0, 90.0, -90.0, 0.0];
+    JointMove::absolute(joint_position, 90.0).acceleration(500.0)
+}
+
+fn run(robot: &mut Robot, motion: &impl Motion) -> MotionEnd {
+    robot.run(motion, LONG).expect("the motion is accepted")
+}
+
+/// Runs a long motion, and does something in its middle.
+fn disturbed(arm: &Arm, robot: &mut Robot, disturb: impl FnOnce() + Send) -> MotionEnd {
+    let disturb = || {
+        arm.clock().sleep(MIDDLE);
+        assert!(!arm.state().at_rest, "the motion has begun");
+        disturb();
+    };
+    beside(arm.clock(), disturb, || run(robot, &to(100.0)))
+}
+
+#[test]
+fn a_motion_reaches_its_target() {
+    let (arm, mut robot) = ready();
+    let end = run(&mut robot, &to(30.0));
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!((arm.state().joint_position.0[0] - 30.0).abs() < 1e-9);
+    assert!(arm.state().in_position);
+    assert!(end.packets.len() <= 10 && end.packets.last().is_some_and(|last| last.status.in_position == Some(true)));
+    // A motion of no length ends too, and so does one that has an offset, or is Cartesian.
+    assert!(run(&mut robot, &to(30.0)).outcome.is_reached());
+    let offset = {
+        let mut changed = to(0.0);
+        changed.mode = MoveMode::Relative;
+        changed.joint_position = [5.0; 6].into();
+        changed
+    };
+    assert!(run(&mut robot, &offset).outcome.is_reached());
+    let up = Pose { x: 0.0, y: 0.0, z: 20.0, rx: 0.0, ry: 0.0, rz: 0.0 };
+    let line = MoveL::relative(up, 100.0);
+    let height = arm.state().tcp_pose.z;
+    let end = run(&mut robot, &line);
+    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.z - height - 20.0).abs() < 0.01);
+}
+
+#[test]
+fn a_batch_is_waited_for_once() {
+    let (arm, mut robot) = ready();
+    for angle in [20.0, -20.0, 10.0] {
+        robot.start(&to(angle)).expect("it is reachable");
+    }
+    let end = robot.wait(LONG);
+    assert!(end.outcome.is_reached());
+    assert!((arm.state().joint_position.0[0] - 10.0).abs() < 1e-9);
+    assert!(matches!(robot.wait(Duration::ZERO).outcome, Outcome::NoMotion), "nothing is left to wait for");
+}
+
+#[test]
+fn a_stop_ends_the_wait_immediately() {
+    let (arm, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert_eq!(end.waited, MIDDLE);
+    assert!(robot.unacknowledged().is_none(), "a stop that was asked for needs no acknowledgement");
+}
+
+#[test]
+fn a_client_that_takes_the_seat_ends_the_wait_while_the_arm_moves() {
+    for stops in [false, true] {
+        let (arm, mut robot) = ready();
+        let stop = robot.stop_handle();
+        let mut seat = None;
+        let end = disturbed(&arm, &mut robot, || {
+            seat = Some(arm.client());
+            if stops {
+                assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
+            }
+        });
+        assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{:?}", end.outcome);
+        assert!(end.waited <= MIDDLE + CYCLE, "{:?}", end.waited);
+        assert!(!arm.state().at_rest, "it goes on: {:?}", arm.state().joint_position);
+    }
+}
+
+#[test]
+fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
+    let (arm, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let refusal = br#"{"errorCode": "2", "errorMsg": "call stop_program failed", "cmdName": "stop_program"}"#;
+    arm.inject(Fault::Instead(refusal.to_vec()));
+    stop.stop().expect_err("the controller refuses");
+    let error = robot.run(&to(0.0), LONG).expect_err("somebody wanted the arm to stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    robot.acknowledge();
+    // One that succeeds later ends a wait, whatever became of those before.
+    let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+}
+
+#[test]
+fn a_stop_between_motions_keeps_the_next_from_being_sent() {
+    let (arm, mut robot) = ready();
+    robot.stop_handle().stop().expect("the controller takes the stop");
+    let sent = arm.requests().len();
+    let error = robot.run(&to(5.0), LONG).expect_err("somebody wanted the arm to stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    assert_eq!(arm.requests().len(), sent);
+    robot.acknowledge();
+    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+}
+
+/// A motion during whose checks the arm is stopped: after the robot has looked whether it may send, before it does.
+struct StoppedOnTheWay(RobotStop);
+
+impl Command for StoppedOnTheWay {
+    type Reply = ();
+    const INFO: &'static CommandInfo = JointMove::INFO;
+}
+
+impl Motion for StoppedOnTheWay {
+    fn target(&self) -> Target {
+        Target::Unknown
+    }
+}
+
+impl Validate for StoppedOnTheWay {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+        self.0.stop().expect("the controller takes the stop");
+        Ok(())
+    }
+}
+
+impl Fields for StoppedOnTheWay {
+    fn write_fields(&self, out: &mut Writer) {
+        to(5.0).write_fields(out);
+    }
+
+    fn read_fields(_reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Err(DecodeError::unfit("nothing", ""))
+    }
+}
+
+#[test]
+fn no_motion_goes_out_after_a_stop() {
+    let (arm, mut robot) = ready();
+    let motion = StoppedOnTheWay(robot.stop_handle());
+    let error = robot.run(&motion, LONG).expect_err("the stop came first");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    let requests = arm.requests();
+    assert!(requests.last().is_some_and(|last| last.contains("stop_program")), "{requests:?}");
+    robot.acknowledge();
+    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+}
+
+#[test]
+fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
+    let (arm, mut robot) = ready();
+    // As another client would: the state says that the arm rests, and it is not where it was sent.
+    let end = disturbed(&arm, &mut robot, || {
+        arm.set_state(|state| state.enabled = false);
+        arm.set_state(|state| state.enabled = true);
+    });
+    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.reached().is_err_and(|error| error.to_string() == "the motion was stopped before its target"));
+}
+
+#[test]
+fn protective_and_emergency_stops_latch_until_acknowledged() {
+    let (arm, mut robot) = ready();
+    let end = disturbed(&arm, &mut robot, || arm.collide());
+    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
+    robot.client().clear_error().expect("it answers");
+    show(&arm);
+    let sent = arm.requests().len();
+    let error = robot.run(&to(0.0), LONG).expect_err("nobody has looked");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }) && !error.may_have_run());
+    assert_eq!(arm.requests().len(), sent);
+    robot.acknowledge();
+    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+
+    let end = disturbed(&arm, &mut robot, || arm.press_emergency_stop());
+    assert!(matches!(end.outcome, Outcome::EmergencyStop), "{:?}", end.outcome);
+    arm.release_emergency_stop();
+    show(&arm);
+    assert!(robot.start(&to(0.0)).is_err());
+}
+
+#[test]
+fn a_stop_between_motions_latches_too() {
+    let (arm, mut robot) = ready();
+    arm.collide();
+    show(&arm);
+    robot.client().clear_error().expect("it answers");
+    show(&arm);
+    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)));
+    assert!(robot.start(&to(0.0)).is_err());
+    robot.acknowledge();
+    assert!(robot.unacknowledged().is_none());
+}
+
+#[test]
+fn an_arm_that_is_disabled_ends_its_motion() {
+    let (arm, mut robot) = ready();
+    let end = disturbed(&arm, &mut robot, || arm.cut_power());
+    assert!(matches!(end.outcome, Outcome::Disabled), "{:?}", end.outcome);
+}
+
+#[test]
+fn an_error_of_the_controller_ends_a_motion_with_its_code() {
+    let (arm, mut robot) = ready();
+    let end = disturbed(&arm, &mut robot, || {
+        arm.set_state(|state| {
+            state.error_code = "0x0F0034".to_owned();
+            state.error_message = "joint 3 hit something".to_owned();
+        });
+    });
+    let told = end.outcome.to_string();
+    assert!(told.contains("0x0f0034 (error") && told.ends_with("joint 3 hit something"), "{told}");
+}
+
+#[test]
+fn information_and_warnings_end_no_motion() {
+    let (arm, mut robot) = ready();
+    // Servo mode is on; reduced mode; and one that no table has, at an arm that reaches its target.
+    for (code, target) in [("0x10F0015", 40.0), ("0x10f0020", 0.0), ("0x7654321", 40.0)] {
+        let show_code = || {
+            arm.clock().sleep(5 * CYCLE);
+            arm.set_state(|state| code.clone_into(&mut state.error_code));
+        };
+        let end = beside(arm.clock(), show_code, || run(&mut robot, &to(target)));
+        assert!(end.outcome.is_reached(), "{code}: {:?}", end.outcome);
+        assert!((arm.state().joint_position.0[0] - target).abs() < 1e-6);
+    }
+    // An unknown code counts where the arm rests elsewhere; one that was shown before the motion does not.
+    let end = disturbed(&arm, &mut robot, || {
+        arm.set_state(|state| {
+            state.error_code = "0x7654320".to_owned();
+            state.enabled = false;
+        });
+        arm.set_state(|state| state.enabled = true);
+    });
+    assert!(matches!(end.outcome, Outcome::ControllerError { .. }), "{:?}", end.outcome);
+    assert!(run(&mut robot, &to(0.0)).outcome.is_reached());
+}
+
+#[test]
+fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
+    let (_arm, mut robot) = ready();
+    let end = robot.run(&to(40.0), Duration::from_millis(20)).expect("it is accepted");
+    assert!(matches!(end.outcome, Outcome::Deadline));
+    let end = robot.wait(LONG);
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+}
+
+#[test]
+fn a_lost_status_is_reported_and_latches() {
+    let (arm, mut robot) = ready();
+    robot.start(&to(40.0)).expect("it is accepted");
+    arm.status_fault(StatusFault::CloseAfter(10));
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_), .. }), "{:?}", end.outcome);
+    assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
+
+    let (arm, robot) = ready();
+    let silence = Duration::from_millis(50);
+    let mut robot = robot.with_status_silence(silence);
+    arm.status_fault(StatusFault::Silent);
+    robot.start(&to(40.0)).expect("it is accepted");
+    let end = robot.wait(LONG);
+    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{:?}", end.outcome);
+    assert_eq!(end.waited, silence);
+}
+
+#[test]
+fn power_up_follows_the_state() {
+    let arm = Arm::simulated().without_power().controller(|controller| controller.delays(Delays::REAL));
+    let (arm, mut robot) = arm.status_period(CYCLE).with_robot();
+    robot.power_up(LONG).expect("the status follows");
+    assert!(arm.state().enabled);
+    assert!(arm.elapsed() > Delays::REAL.power_on + Delays::REAL.enable, "{:?}", arm.elapsed());
+    let requests = arm.requests();
+    let changes: Vec<_> = requests.iter().filter(|request| !request.contains("get_robot_state")).collect();
+    assert_eq!(changes, [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#]);
+}
+
+#[test]
+fn power_down_follows_the_state() {
+    let (arm, mut robot) = ready();
+    robot.power_down(LONG).expect("the status follows");
+    assert!(!arm.state().powered);
+    let requests = arm.requests();
+    let changes: Vec<_> = requests.iter().filter(|request| !request.contains("get_robot_state")).collect();
+    assert_eq!(changes, [r#"{"cmdName":"disable_robot"}"#, r#"{"cmdName":"power_off"}"#]);
+    // What is done already is not sent, also while the emergency stop is pressed.
+    arm.press_emergency_stop();
+    robot.power_down(LONG).expect("it is down");
+    let sent = arm.requests();
+    assert!(sent[requests.len()..].iter().all(|request| request.contains("get_robot_state")), "{sent:?}");
+}
+
+#[test]
+fn refusals_are_explained() {
+    let (arm, mut robot) = ready();
+    let mut why = |change: fn(&mut jaka_sim::State)| {
+        arm.set_state(change);
+        show(&arm);
+        let error = robot.client().joint_move(&to(0.0)).expect_err("the controller refuses");
+        robot.explain(&error)
+    };
+    assert_eq!(why(|state| state.protective_stop = true), Some(Explanation::ProtectiveStop));
+    assert_eq!(why(|state| state.emergency_stop = true), Some(Explanation::EmergencyStop));
+    let not_enabled = |state: &mut jaka_sim::State| {
+        state.emergency_stop = false;
+        state.protective_stop = false;
+    };
+    assert_eq!(why(not_enabled), Some(Explanation::NotEnabled));
+    assert_eq!(why(|state| state.powered = false), Some(Explanation::NotPowered));
+}
+
+#[test]
+fn a_refused_motion_says_why_in_its_error() {
+    let (arm, mut robot) = ready();
+    arm.set_state(|state| state.enabled = false);
+    show(&arm);
+    let error = robot.run(&to(5.0), LONG).expect_err("the arm is not enabled");
+    assert!(error.is_refused() && !error.may_have_run());
+    assert_eq!(
+        error.to_string(),
+        "the controller refused `joint_move` with code 2: call joint_move failed; \
+         the arm is not enabled: call `enable_robot`"
+    );
+}
+
+#[test]
+fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
+    let (arm, mut robot) = ready();
+    let start = arm.state().tcp_pose;
+    let side = Pose { y: start.y + 40.0, ..start };
+    let request = EndMove::new(side, 60.0).acceleration(400.0);
+    let end = run(&mut robot, &request);
+    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.y - side.y).abs() < 0.01);
+    let mid_pose = Pose { y: start.y + 20.0, z: start.z + 20.0, ..start };
+    let (mode, speed, acceleration, tolerance) = (MoveMode::Absolute, 60.0, 400.0, 0.0);
+    let request = MoveC::new(mode, mid_pose, start, speed, acceleration, tolerance);
+    let end = run(&mut robot, &request);
+    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.y - start.y).abs() < 0.01);
+    let mut joints = arm.state().joint_position;
+    joints.0[5] += 20.0;
+    let request = StartTorqSensorPayloadIdentify::new(joints);
+    let end = run(&mut robot, &request);
+    assert!(end.outcome.is_reached() && (arm.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
+}

@@ -1,0 +1,318 @@
+//! How trajectories end before their end.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use jaka_sim::{Fault, Port};
+use jaka_sync::jaka_motion::TimedPoint;
+use jaka_sync::status::RobotStatus;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{Guard, RobotStop, StreamConfig};
+
+use super::*;
+
+/// A run on its way, and what becomes of it.
+fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Arm, Robot, FollowEnd) {
+    let (arm, mut robot) = ready();
+    let run = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start");
+    wait_for(&arm, &run, 0.5);
+    act(&arm, &run);
+    let end = run.wait();
+    (arm, robot, end)
+}
+
+fn assert_ended_on_the_way(end: &FollowEnd, outcome: FollowOutcome) {
+    assert_eq!(end.outcome, outcome, "{end}");
+    assert!(end.reached < end.duration && end.reached >= Duration::from_millis(500), "{end:?}");
+}
+
+#[test]
+fn a_stop_brakes_along_the_trajectory() {
+    let (arm, mut robot, end) = ended_by(&config(), |_, run| run.stop().expect("it goes on"));
+    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    assert!(end.error.is_none() && end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    let set_points = judge(&arm, &to_and_fro(), &end);
+    let last = set_points.last().expect("there are some");
+    assert!(apart(&to_and_fro().at(end.reached.as_secs_f64()), last) < 1e-6);
+    assert!(!names(&arm).iter().any(|name| name == "stop_program") && !arm.state().servo_mode);
+    let text = end.completed().expect_err("it was stopped").to_string();
+    assert!(
+        text.starts_with("the trajectory was stopped before its end (")
+            && text.ends_with(" s of 3.000 s), and the arm is at rest"),
+        "{text}"
+    );
+    // Nothing must be acknowledged.
+    robot
+        .start_follow(&made(&to_and_fro()), &config().approach(60.0))
+        .expect("the way is free")
+        .stop()
+        .expect("it runs");
+}
+
+#[test]
+fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
+    let (_, _, end) = ended_by(&config(), |_, run| {
+        run.pause().expect("it goes on");
+        run.stop().expect("it goes on");
+    });
+    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    let (arm, mut robot) = ready();
+    arm.set_state(|state| state.joint_position.0[0] += 60.0);
+    let run = robot.start_follow(&made(&to_and_fro()), &config().approach(20.0)).expect("the way is free");
+    arm.clock().sleep(Duration::from_millis(300));
+    assert!(run.progress().time.is_zero() && run.progress().rate == 0.0);
+    run.stop().expect("it goes on");
+    let end = run.wait();
+    assert_eq!((end.outcome, end.reached), (FollowOutcome::Stopped, Duration::ZERO));
+    let at = arm.state().joint_position.0[0] - START[0];
+    assert!((10.0..60.0).contains(&at), "{at}");
+}
+
+#[test]
+fn a_deadline_stops_along_the_trajectory() {
+    let (arm, mut robot) = ready();
+    let config = config().deadline(Duration::from_millis(1500));
+    let end = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config).expect("the arm is at its start").wait();
+    assert_eq!(end.outcome, FollowOutcome::Deadline, "{end}");
+    assert!(end.error.is_none() && end.reached < end.duration && end.is_at_rest(), "{end:?}");
+    judge(&arm, &to_and_fro().slower(3.0), &end);
+    assert!(end.to_string().starts_with("the trajectory was not done by its deadline, and was stopped ("), "{end}");
+}
+
+#[test]
+fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
+    let (arm, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
+    wait_for(&arm, &run, 0.5);
+    stop.stop().expect("the controller takes it");
+    let end = run.wait();
+    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    assert!(
+        end.is_at_rest() && matches!(end.error.as_ref().expect("it says so").kind(), ErrorKind::NotAcknowledged { .. })
+    );
+    judge(&arm, &to_and_fro(), &end);
+    assert!(set_points(&arm).1.contains(&"stop_program".to_owned()));
+    let error = robot.start_follow(&made(&to_and_fro()), &config()).expect_err("nobody has acknowledged it");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+}
+
+#[test]
+fn a_protective_stop_ends_it_at_once() {
+    let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.collide());
+    assert_ended_on_the_way(&end, FollowOutcome::ProtectiveStop);
+    assert!(!end.is_at_rest() && !end.has_left_curve && end.report.landing_cycles == 0, "{end:?}");
+    to_and_fro().has(&set_points(&arm).0).expect("no set-point was sent off the curve");
+    let (_, _, end) = ended_by(&config(), |arm, _| arm.press_emergency_stop());
+    assert_ended_on_the_way(&end, FollowOutcome::EmergencyStop);
+}
+
+#[test]
+fn a_status_that_is_no_longer_known_brakes_it_along_the_trajectory() {
+    let soon_stale = arm().config(|config| config.stale_after(Duration::from_millis(500)));
+    let (arm, mut robot) = ready_with(soon_stale, limits());
+    let run = robot.start_follow(&made(&to_and_fro().slower(2.0)), &config()).expect("the arm is at its start");
+    arm.link(Port::Status).to_client().hold();
+    let end = run.wait();
+    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    judge(&arm, &to_and_fro().slower(2.0), &end);
+    assert!(!arm.state().servo_mode);
+}
+
+#[test]
+fn a_refused_set_point_ends_it_on_the_trajectory() {
+    let refusal = br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec();
+    let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.inject_for("servo_j", Fault::Instead(refusal)));
+    assert_ended_on_the_way(&end, FollowOutcome::Refused);
+    assert!(end.report.refused == 1 && end.error.as_ref().is_some_and(jaka_sync::Error::is_refused), "{end:?}");
+    judge(&arm, &to_and_fro(), &end);
+}
+
+#[test]
+fn an_arm_that_does_not_follow_departs_and_one_that_lags_shows_by_how_much() {
+    let run = |lag: Duration, config: &FollowConfig| {
+        let (arm, mut robot) = lagging(lag);
+        let end = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start").wait();
+        judge(&arm, &to_and_fro(), &end);
+        end
+    };
+    let end = run(Duration::from_millis(1500), &patient().max_departure(3.0));
+    assert_ended_on_the_way(&end, FollowOutcome::Departed);
+    assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    let [quick, slow] = [0, 150].map(|lag| run(Duration::from_millis(lag), &patient()));
+    assert!(matches!((quick.outcome, slow.outcome), (FollowOutcome::Completed, FollowOutcome::Completed)));
+    let [quick, slow] = [quick, slow].map(|end| end.lag.expect("the arm has moved"));
+    let more = slow.delay.saturating_sub(quick.delay);
+    assert!((80..=220).contains(&more.as_millis()), "{quick:?} {slow:?}");
+    assert!(slow.residual_deg[5] > 0.0 && slow.worst_deg[5] >= slow.residual_deg[5], "{slow:?}");
+    assert_eq!([slow.worst_deg[1], slow.worst_deg[2]].map(|degrees| degrees < 1e-3), [true; 2], "they stand: {slow:?}");
+}
+
+#[test]
+fn a_link_that_is_held_or_cut_ends_it() {
+    for cut in [false, true] {
+        let (arm, mut robot) = ready();
+        let run = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config()).expect("the arm is at its start");
+        wait_for(&arm, &run, 0.2);
+        if cut {
+            arm.disconnect();
+        } else {
+            arm.links().hold();
+        }
+        let end = run.wait();
+        assert_eq!(end.outcome, FollowOutcome::LinkLost, "{cut}: {end}");
+        assert!(!end.is_at_rest() && end.error.as_ref().is_some_and(jaka_sync::Error::may_have_run), "{cut}: {end:?}");
+        arm.links().release();
+        to_and_fro().slower(3.0).has(&set_points(&arm).0).expect("they are on the curve");
+    }
+}
+
+#[test]
+fn a_run_that_is_dropped_or_unwinds_stops_along_the_trajectory() {
+    for panics in [false, true] {
+        let (arm, mut robot) = ready();
+        let end = catch_unwind(AssertUnwindSafe(|| {
+            let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
+            wait_for(&arm, &run, 0.5);
+            assert!(!panics, "a bug in the user's program");
+        }));
+        assert_eq!(end.is_err(), panics);
+        let (set_points, _) = set_points(&arm);
+        to_and_fro().has(&set_points).expect("they are on the curve");
+        assert!(
+            set_points.len() < 90
+                && JointPosition(set_points[set_points.len() - 2]) == JointPosition(set_points[set_points.len() - 1])
+        );
+        assert!(!arm.state().servo_mode);
+        robot.client().get_version().expect("the connection works");
+    }
+}
+
+/// All of joint 6's acceleration is used from the start to the end: 2 s one way, 4 s the other, 2 s to rest.
+fn without_reserve() -> (Limits, [TimedPoint; 4]) {
+    let limits = limits().with_joint_accelerations([25.0; 6]).expect("above 0");
+    let at = |time_s: f64, joint_6: f64, speed: f64| {
+        let [mut joints, mut speeds] = [START, [0.0; 6]];
+        (joints[5], speeds[5]) = (joint_6, speed);
+        TimedPoint::new(time_s, joints).with_velocity(speeds)
+    };
+    (limits, [at(0.0, 0.0, 0.0), at(1.0, -12.5, -25.0), at(3.0, -12.5, 25.0), at(4.0, 0.0, 0.0)])
+}
+
+/// How such a run ends that is stopped next to where joint 6 turns round, and where that is.
+fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (FollowEnd, f64) {
+    let (limits, points) = without_reserve();
+    let (arm, mut robot) = ready_with(arm(), limits);
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
+    let handle = robot.stop_handle();
+    let run = robot.start_follow(&trajectory, &config()).expect("the arm is at its start");
+    wait_for(&arm, &run, 1.9);
+    stop(&handle, &run);
+    let end = run.wait();
+    let (set_points, _) = set_points(&arm);
+    let second = |three: &[[f64; 6]]| (three[2][5] - 2.0 * three[1][5] + three[0][5]).abs() / PERIOD.powi(2);
+    let worst = set_points.windows(3).map(second).fold(0.0, f64::max);
+    assert!(worst <= 25.0 * (1.0 + 1e-6) && end.report.gaps == 0, "{worst}: {end:?}");
+    let last = set_points.last().expect("there are some")[5];
+    (end, last)
+}
+
+#[test]
+fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_goes_on_until_there_is() {
+    let (end, last) = stopped_without_reserve(|robot, _| robot.stop().expect("the controller takes it"));
+    assert_eq!((end.outcome, end.has_left_curve), (FollowOutcome::Stopped, true), "{end:?}");
+    assert!(end.is_at_rest() && last < -20.0, "next to where it turns: {last}");
+    let (end, last) = stopped_without_reserve(|_, run| run.stop().expect("it goes on"));
+    // It has stopped at the end, or as good as there.
+    assert!(!end.has_left_curve && end.reached > Duration::from_secs(3) && last > -1.0, "{end:?} {last}");
+}
+
+/// A stop of the robot finds a run on the way to its greatest speed: braking along the trajectory would take longer
+/// than the stop waits, and not much
+/// longer than braking straight on.
+#[test]
+fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_trajectory_brakes_it_straight_on() {
+    let limits = limits().with_joint_accelerations([70.0; 6]).expect("above 0");
+    let at = |time_s: f64, joint_6: f64, speed: f64| {
+        let [mut joints, mut speeds] = [START, [0.0; 6]];
+        (joints[5], speeds[5]) = (joint_6, speed);
+        TimedPoint::new(time_s, joints).with_velocity(speeds)
+    };
+    let points = [at(0.0, -220.0, 0.0), at(2.5, -1.25, 175.0), at(5.0, 217.5, 0.0)];
+    let (arm, mut robot) = ready_with(arm().at(points[0].joints.0), limits);
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
+    let stop = robot.stop_handle();
+    let run = robot.start_follow(&trajectory, &config()).expect("the arm is at its start");
+    wait_for(&arm, &run, 1.6);
+    stop.stop().expect("the controller takes it");
+    let (end, (set_points, _)) = (run.wait(), set_points(&arm));
+    assert_eq!((end.outcome, end.has_left_curve), (FollowOutcome::Stopped, true), "{end:?}");
+    let speeds: Vec<f64> = set_points.windows(2).map(|two| (two[1][5] - two[0][5]) / PERIOD).collect();
+    let (fastest, last) = (speeds.iter().copied().fold(0.0, f64::max), speeds[speeds.len() - 1]);
+    assert!(end.is_at_rest() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
+}
+
+#[test]
+fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing() {
+    let (arm, mut robot) = ready();
+    let is_low = |packet: &RobotStatus| packet.joint_actual_position.is_some_and(|joints| joints.0[5] < START[5] - 5.0);
+    let guard = Guard::when("joint 6 is low", is_low);
+    let run = robot.start_follow_until(&made(&to_and_fro()), &config(), guard.clone()).expect("it is not low yet");
+    let end = run.wait();
+    assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+    assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
+    judge(&arm, &to_and_fro(), &end);
+    let before = names(&arm).len();
+    arm.set_state(|state| state.joint_position.0[5] = START[5] - 6.0);
+    robot.monitor().wait_until(is_low, LONG).expect("packets show it");
+    let config = config().approach(20.0);
+    let error = robot.start_follow_until(&made(&to_and_fro()), &config, guard).expect_err("it is low already");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }) && !error.may_have_run(), "{error:?}");
+    assert_eq!(names(&arm).len(), before, "not even a query");
+}
+
+#[test]
+fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
+    let far = |packet: &RobotStatus| packet.joint_actual_position.is_some_and(|joints| joints.0[0] > START[0] + 14.5);
+    let lags = || lagging(Duration::from_millis(800));
+    let (_arm, mut robot) = lags();
+    let there = turned([15.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let curve = Curve::through(&[(0.0, START), (1.0, there)]);
+    let end = robot.start_follow_until(&made(&curve), &patient(), Guard::when("joint 1 is far", far));
+    let end = end.expect("it is not far yet").wait();
+    assert_eq!((end.outcome, end.reached), (FollowOutcome::Guard, end.duration), "{end:?}");
+    assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
+    // A stream likewise.
+    let (arm, mut robot) = lags();
+    let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LONG);
+    let config = StreamConfig::new().servo(servo).max_departure(1000.0);
+    let stream = robot.stream_until(&config, Guard::when("joint 1 is far", far)).expect("it is not far yet");
+    stream.set_joints(there).expect("within the limits");
+    wait_until(&arm, || stream.joints().max_distance(&JointPosition(there)) <= 0.2);
+    let error = stream.land().expect_err("the guard has tripped");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{error:?}");
+}
+
+#[test]
+fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_braked() {
+    let (arm, mut robot) = ready();
+    let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(Duration::from_millis(500));
+    let curve = to_and_fro().slower(2.0);
+    let run = robot.start_follow(&made(&curve), &config().servo(servo)).expect("the arm is at its start");
+    wait_for(&arm, &run, 0.2);
+    arm.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
+    let end = run.wait();
+    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    judge(&arm, &curve, &end);
+    let text = end.error.as_ref().expect("it says so").to_string();
+    assert!(text.contains("it is not known whether the joints follow their set-points"), "{text}");
+    let before = names(&arm).len();
+    let error = robot.start_follow(&made(&curve), &config()).expect_err("they are not shown");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { .. }) && !error.may_have_run(), "{error:?}");
+    let error = robot.stream(&StreamConfig::new()).expect_err("they are not shown");
+    assert!(matches!(error.kind(), ErrorKind::NotShown { .. }), "{error:?}");
+    assert!(!names(&arm)[before..].contains(&"servo_move".to_owned()));
+}

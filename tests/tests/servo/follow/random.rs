@@ -1,0 +1,159 @@
+//! Random trajectories with random pauses, scales and stops.
+//!
+//! `JAKA_TRAJECTORIES=1000 cargo test --release -p jaka-tests --test servo follow::random::` is the long form.
+
+use std::thread;
+
+use jaka_sync::jaka_motion::{Follower, Via};
+use jaka_sync::servo::ServoJ;
+
+use super::curve::are_on;
+use super::*;
+use jaka_tests::rig::Random;
+
+/// How many trajectories there are in this run.
+fn count(usual: u32) -> u32 {
+    std::env::var("JAKA_TRAJECTORIES").map_or(usual, |text| text.parse().expect("a number of trajectories"))
+}
+
+/// Through two to six points, as fast as it may be or up to three times as slow.
+fn random_curve(random: &mut Random) -> (Curve, Trajectory) {
+    let checker = Checker::new(limits(), Frames::new());
+    let mut time_s = 0.0;
+    let mut points = vec![(0.0, START)];
+    for _ in 0..=random.below(5) {
+        time_s += random.between(0.2, 0.7);
+        let by = random.offsets::<6>(12.0);
+        points.push((time_s, turned(by)));
+    }
+    let mut curve = Curve::through(&points).slower(random.between(1.0, 1.5));
+    loop {
+        match curve.trajectory(&checker) {
+            Ok(trajectory) => return (curve, trajectory),
+            Err(_) => curve = curve.slower(1.2),
+        }
+        assert!(curve.duration_s() < 100.0, "{curve:?}");
+    }
+}
+
+/// The scale for some time: mostly another speed, often a pause, seldom the trajectory's own.
+fn random_scale(random: &mut Random) -> f64 {
+    match random.below(6) {
+        0 | 1 => 0.0,
+        2 => 1.0,
+        _ => random.between(0.0, 1.0),
+    }
+}
+
+/// A set-point as it is on the wire.
+fn on_the_wire(joints: JointPosition) -> [f64; 6] {
+    let text = serde_json::from_str::<Value>(&encoded(joints)).expect("a request is JSON");
+    std::array::from_fn(|joint| text["jointPosition"][joint].as_f64().expect("a number"))
+}
+
+fn encoded(joints: JointPosition) -> String {
+    use jaka_proto::Command as _;
+    let mut out = jaka_proto::wire::Writer::new();
+    ServoJ::absolute(joints).write_request(&mut out);
+    out.as_str().to_owned()
+}
+
+/// Set-points at random scales until the end, or until it has come to rest where it was stopped.
+fn followed_at_random(random: &mut Random, trajectory: &Trajectory) -> Vec<[f64; 6]> {
+    let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+    let stops_at = if random.one_in(3) { random.between(0.0, trajectory.duration_s()) } else { f64::INFINITY };
+    let (mut set_points, mut left) = (vec![START], 0);
+    while !follower.is_at_end() {
+        if left == 0 {
+            follower.set_scale(random_scale(random));
+            left = random.below(40) + 1;
+        }
+        left -= 1;
+        if follower.time_s() >= stops_at {
+            follower.set_scale(0.0);
+            let periods = follower.periods_to_rest(10_000).expect("it comes to rest");
+            set_points.extend((0..=periods).map(|_| on_the_wire(follower.advance())));
+            assert!(follower.is_at_rest());
+            return set_points;
+        }
+        set_points.push(on_the_wire(follower.advance()));
+        assert!(set_points.len() < 100_000, "it goes on");
+    }
+    assert!(apart(set_points.last().expect("there are some"), &trajectory.end().0) < 1e-9);
+    set_points
+}
+
+#[test]
+fn through_bytes_in_memory_they_stay_on_the_curve_and_within_the_limits() {
+    for seed in 0..count(30) {
+        let mut random = Random::new(seed);
+        let (curve, trajectory) = random_curve(&mut random);
+        let set_points = followed_at_random(&mut random, &trajectory);
+        curve.has(&set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
+        assert_eq!(jump(START, &set_points), None, "seed {seed}: {set_points:?}");
+    }
+}
+
+/// What is planned here leaves a share of the accelerations, so that a stop does not take long.
+#[test]
+fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
+    let checker = Checker::new(limits(), Frames::new());
+    for seed in 0..count(30) {
+        let mut random = Random::new(2_000_000 + seed);
+        let joints = (0..random.below(5) + 2).map(|_| Via::Joints(turned(random.offsets::<6>(15.0)).into()));
+        let points: Vec<_> = std::iter::once(Via::Joints(START.into())).chain(joints).collect();
+        let planned = Trajectory::through(points).corner_deg(random.between(0.0, 4.0)).build(&checker);
+        let trajectory = planned.expect("it is far from all limits");
+        let set_points = followed_at_random(&mut random, &trajectory);
+        let at = |time_s: f64| trajectory.at(time_s).joints.0;
+        are_on(&at, trajectory.duration_s(), &set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
+        assert_eq!(jump(START, &set_points), None, "seed {seed}: {set_points:?}");
+        let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+        while !follower.is_at_end() {
+            follower.advance();
+            // 180 deg/s at 300 deg/s² take 0.6 s straight on.
+            assert!(follower.periods_to_rest(50).is_some(), "seed {seed}: at {} s", follower.time_s());
+        }
+    }
+}
+
+/// How many arms there are at once: each waits most of the time.
+const AT_ONCE: u32 = 10;
+
+#[test]
+fn on_the_wire_they_stay_on_the_curve_and_within_the_limits() {
+    let all = count(10);
+    for first in (0..all).step_by(AT_ONCE as usize) {
+        thread::scope(|scope| {
+            for seed in first..all.min(first + AT_ONCE) {
+                scope.spawn(move || follow_at_random(1_000_000 + seed));
+            }
+        });
+    }
+}
+
+fn follow_at_random(seed: u32) {
+    let mut random = Random::new(seed);
+    let (curve, trajectory) = random_curve(&mut random);
+    let (arm, mut robot) = ready();
+    let run = robot.start_follow(&trajectory, &config().speed_scale(random_scale(&mut random))).expect("it is there");
+    for number in 0.. {
+        let told = match random.below(8) {
+            0 | 1 => run.pause(),
+            2 if number > 5 => run.stop(),
+            2 | 3 => run.resume(),
+            _ => run.set_speed_scale(random.between(0.1, 1.0)),
+        };
+        // It ends meanwhile, or it is to end.
+        if told.is_err() || number > 12 {
+            break;
+        }
+        arm.clock().sleep(Duration::from_secs_f64(random.between(0.0, 0.3)));
+    }
+    let _ = run.resume().and_then(|()| run.set_speed_scale(1.0));
+    let end = run.wait();
+    assert!(matches!(end.outcome, FollowOutcome::Completed | FollowOutcome::Stopped), "seed {seed}: {end}");
+    let set_points = judge(&arm, &curve, &end);
+    let last = set_points.last().expect("there are some");
+    assert!(apart(&curve.at(end.reached.as_secs_f64()), last) < 1e-6, "seed {seed}: {end:?}");
+}

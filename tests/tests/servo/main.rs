@@ -1,0 +1,16 @@
+//! Tests of set-points: sessions, streams, trajectories and their landings.
+
+mod follow;
+mod generator;
+mod held_up;
+mod landing;
+mod landing_links;
+#[cfg(target_os = "linux")]
+mod realtime;
+mod received;
+mod session;
+mod simulated_time;
+mod stalls;
+mod stream;
+mod stream_soak;
+mod trajectories;

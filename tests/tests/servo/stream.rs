@@ -1,0 +1,383 @@
+//! Streams: what the controller receives, read as JSON and differenced by index. By simulated clocks.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
+
+use jaka_sim::{Builder, Controller, Port, SimulatedClock, Trip, Underrun};
+use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
+use jaka_sync::servo::SetServoMoveFilter;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
+use jaka_tests::rig::Random;
+use jaka_tests::simulated::side_by_side;
+use jaka_tests::{Arm, ArmBuilder, LONG};
+
+use crate::received::positions;
+
+pub(crate) const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
+
+const CYCLES: u32 = 4;
+const PERIOD: f64 = 0.032;
+const SERVO_PERIOD: Duration = Duration::from_millis(32);
+
+/// What the limits allow of each joint of a Zu 5: 180 deg/s, and accelerations and jerks that are ours.
+const SPEED: f64 = 180.0;
+const ACCELERATION: f64 = 720.0 / 10.0;
+const JERK: f64 = ACCELERATION * 10.0;
+
+pub(crate) fn arm() -> ArmBuilder {
+    Arm::simulated().at(START).status_period(Duration::from_millis(10))
+}
+
+pub(crate) fn limits() -> Limits {
+    Limits::of(Model::named("Zu 5").expect("a published arm"))
+}
+
+fn ready() -> (Arm, Robot) {
+    ready_with(arm(), limits())
+}
+
+fn ready_with(arm: ArmBuilder, limits: Limits) -> (Arm, Robot) {
+    let (arm, robot) = arm.with_robot();
+    (arm, robot.with_limits(limits).expect("it is this arm"))
+}
+
+fn config() -> StreamConfig {
+    StreamConfig::new().servo(ServoConfig::new().step_count(CYCLES))
+}
+
+/// The set-points that came, and the names of what came after the last of them.
+fn set_points(controller: &Controller) -> (Vec<[f64; 6]>, Vec<String>) {
+    positions(controller, CYCLES)
+}
+
+fn assert_smooth(set_points: &[[f64; 6]]) {
+    let jump = jump(START, set_points);
+    assert_eq!(jump, None, "{:?}", jump.map(|index| &set_points[..=index]));
+}
+
+/// The first set-point after standstill at which a joint is faster, or becomes so sooner, than it may.
+pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
+    let mut all = vec![start; 3];
+    all.extend(set_points);
+    all.windows(4).position(|four| {
+        let [a, b, c, d] = four else { unreachable!("windows of four") };
+        (0..6).any(|joint| {
+            let first = (d[joint] - c[joint]) / PERIOD;
+            let second = (d[joint] - 2.0 * c[joint] + b[joint]) / PERIOD.powi(2);
+            let third = (d[joint] - 3.0 * c[joint] + 3.0 * b[joint] - a[joint]) / PERIOD.powi(3);
+            [(first, SPEED), (second, ACCELERATION), (third, JERK)].iter().any(|(is, most)| is.abs() > most + 1e-6)
+        })
+    })
+}
+
+fn turned(joint: usize, by: f64) -> [f64; 6] {
+    let mut joints = START;
+    joints[joint - 1] += by;
+    joints
+}
+
+/// Waits until joint 6 is on its way to 60 deg further.
+pub(crate) fn speed_up(stream: &StreamHandle, clock: &SimulatedClock) {
+    stream.set_joints(turned(6, 60.0)).expect("within its range");
+    wait_until(clock, || stream.joints()[5] - START[5] >= 5.0);
+}
+
+/// Waits until this is so.
+fn wait_until(clock: &SimulatedClock, is_so: impl Fn() -> bool) {
+    let until = clock.elapsed() + LONG;
+    while !is_so() {
+        assert!(clock.elapsed() < until, "it is not so after {LONG:?}");
+        clock.sleep(Duration::from_millis(5));
+    }
+}
+
+/// Its thread goes on, and a second one's set-points between its own would make the arm jump.
+#[test]
+fn a_stream_that_was_forgotten_keeps_a_second_one_from_beginning() {
+    let (_arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let handle = stream.handle();
+    std::mem::forget(stream);
+    let error = robot.stream(&config()).expect_err("the first one goes on");
+    assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ServoModeOn }), "{error}");
+    handle.set_joints(turned(6, 1.0)).expect("it goes on");
+    assert!(handle.wait_for_rest(LONG).expect("it goes on"));
+}
+
+#[test]
+fn a_stream_says_what_holds_it() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    assert_eq!(stream.bound(), None);
+    let upwards =
+        TcpVelocity { linear_mm_s: [0.0, 0.0, 300.0], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase };
+    wait_until(arm.clock(), || {
+        stream.set_tcp_velocity(upwards, Duration::from_millis(500)).expect("it goes on");
+        stream.bound().is_some()
+    });
+    let bound = stream.bound().expect("the time stands still");
+    assert!(matches!(bound, Bound::Limit(_)), "the arm's reach ends somewhere: {bound:?}");
+    drop(stream.land().expect("it lands"));
+}
+
+#[test]
+fn targets_and_velocities_of_many_threads_make_one_smooth_motion() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let clock = arm.clock();
+    let many = (0..3).map(|seed| {
+        let handle = stream.handle();
+        move || {
+            let mut random = Random::new(seed);
+            let mut between = move |least: f64, most: f64| random.between(least, most);
+            for _ in 0..100 {
+                let wait = Duration::from_millis(100);
+                let given = match between(0.0, 4.0) {
+                    0.0..1.0 => handle.set_joints(START.map(|joint| joint + between(-20.0, 20.0))),
+                    1.0..2.0 => handle.set_joint_velocity(START.map(|_| between(-60.0, 60.0)), wait),
+                    2.0..3.0 => {
+                        let linear_mm_s = [0.0; 3].map(|_: f64| between(-200.0, 200.0));
+                        let angular_deg_s = [0.0; 3].map(|_: f64| between(-30.0, 30.0));
+                        let frame = VelocityFrame::User;
+                        handle.set_tcp_velocity(TcpVelocity { linear_mm_s, angular_deg_s, frame }, wait)
+                    }
+                    _ => handle.rest(),
+                };
+                // Joint positions at random may be beyond a range.
+                assert!(
+                    given.is_ok() || given.is_err_and(|error| matches!(error.kind(), ErrorKind::BeyondLimit { .. }))
+                );
+                clock.sleep(Duration::from_secs_f64(between(0.0, 0.06)));
+            }
+        }
+    });
+    side_by_side(clock, many);
+    let report = stream.land().expect("it comes to rest");
+    let (set_points, after) = set_points(&arm);
+    assert_smooth(&set_points);
+    assert_eq!((report.late_cycles, report.gaps), (0, 0));
+    assert!(set_points.iter().any(|joints| joints.iter().zip(START).any(|(at, from)| (at - from).abs() > 1.0)));
+    assert_eq!(set_points.last(), set_points.get(set_points.len() - 2), "it is held at its end");
+    assert_eq!((&*after[0], arm.state().servo_mode), ("servo_move", false));
+    assert_eq!(set_points.len() as u64, report.cycles + report.landing_cycles);
+}
+
+#[test]
+fn a_target_is_reached_and_the_arm_is_there() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    stream.set_joints(turned(6, 8.0)).expect("within its range");
+    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
+    assert!(stream.joints().max_distance(&JointPosition(turned(6, 8.0))) < 1e-5);
+    let pose = arm.state().tcp_pose;
+    drop(stream);
+    assert!(arm.state().joint_position.max_distance(&JointPosition(turned(6, 8.0))) < 1e-5);
+    // To where it is, and 20 mm up, by the arm's own inverse.
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let before = arm.state().tcp_pose;
+    stream.set_pose(jaka_sync::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
+    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
+    stream.land().expect("it is at rest");
+    let up = arm.state().tcp_pose;
+    assert!((up.z - before.z - 20.0).abs() < 0.01 && (up.x - before.x).abs() < 0.01, "{pose:?} {before:?} {up:?}");
+}
+
+#[test]
+fn what_may_not_be_is_refused_at_once_and_the_stream_goes_on() {
+    let floor = Region::half_space("floor", [0.0, 0.0, 50.0], [0.0, 0.0, 1.0]).expect("a plane");
+    let (_arm, mut robot) = ready_with(arm(), limits().with_region(floor).expect("the only one"));
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let error = stream.set_joints(turned(3, 120.0)).expect_err("beyond its range");
+    assert!(error.to_string().starts_with("`servo_j` was not sent: joint 3 would be at 200 deg; limit"), "{error}");
+    let error =
+        stream.set_joint_velocity([200.0, 0.0, 0.0, 0.0, 0.0, 0.0], Duration::from_millis(100)).expect_err("too fast");
+    assert!(matches!(error.kind(), ErrorKind::BeyondLimit { .. }) && error.to_string().contains("200"), "{error}");
+    let error = stream.set_joint_velocity([1.0; 6], Duration::from_secs(1)).expect_err("too long");
+    assert_eq!(
+        error.to_string(),
+        "`servo_j` was not sent: field `for_at_most` is 1s, allowed is at most 500ms: give the velocity again for as long as it is wanted"
+    );
+    stream.set_joints(turned(6, 1.0)).expect("within its range");
+    let handle = stream.handle();
+    stream.land().expect("it comes to rest");
+    let error = handle.set_joints(START).expect_err("it has ended");
+    assert_eq!(error.to_string(), "not sent, because the servo session has ended: it has landed");
+}
+
+#[test]
+fn a_stream_needs_limits() {
+    let (arm, mut robot) = arm().with_robot();
+    let error = robot.stream(&config()).expect_err("it has none");
+    assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::NoLimits, .. }), "{error:?}");
+    assert!(!arm.state().servo_mode);
+    robot.client().get_version().expect("the connection works");
+}
+
+#[test]
+fn a_velocity_ends_while_the_thread_that_gave_it_is_held_up() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 20.0], Duration::from_millis(200)).expect("slow enough");
+    // This thread does nothing more for it.
+    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
+    let moved = stream.joints()[5] - START[5];
+    // 20 deg/s for at most 200 ms, and what braking takes.
+    assert!(moved > 0.0 && moved < 20.0 * 0.2 + 20.0 * 20.0 / ACCELERATION, "{moved}");
+    stream.land().expect("it is at rest");
+    assert_smooth(&set_points(&arm).0);
+}
+
+#[test]
+fn a_stream_that_is_dropped_or_unwinds_at_speed_lands() {
+    for panics in [false, true] {
+        let (arm, mut robot) = ready();
+        let end = catch_unwind(AssertUnwindSafe(|| {
+            let stream = robot.stream(&config()).expect("the arm is ready");
+            speed_up(&stream, arm.clock());
+            assert!(!panics, "a bug in the user's program");
+        }));
+        assert_eq!(end.is_err(), panics);
+        let (set_points, _) = set_points(&arm);
+        assert_smooth(&set_points);
+        let last = set_points.last().expect("there are some");
+        assert!(last[5] - START[5] < 59.0, "{set_points:?}");
+        assert_eq!(set_points.get(set_points.len() - 2), Some(last), "it is held at its end");
+        assert!(!arm.state().servo_mode);
+        robot.client().get_version().expect("the connection works");
+    }
+}
+
+/// No filter, and each of 4.60.
+pub(crate) fn filters() -> [SetServoMoveFilter; 6] {
+    [
+        SetServoMoveFilter::disabled(),
+        SetServoMoveFilter::joint_low_pass(10.0),
+        SetServoMoveFilter::joint_nonlinear(180.0, 500.0, 5000.0),
+        SetServoMoveFilter::joint_mean(10, 0.1, 0.2, 0.6),
+        SetServoMoveFilter::cartesian_nonlinear(1000.0, 5000.0, 50_000.0, 180.0, 500.0, 5000.0),
+        SetServoMoveFilter::speed_lookahead(10, 0.1),
+    ]
+}
+
+/// By each filter of 4.60, or none, on an arm that lags, by simulated clocks.
+#[test]
+fn on_an_arm_that_lags_the_end_of_a_landing_is_seen_and_a_deviation_trips_only_then() {
+    let filters = filters();
+    let underruns = [Underrun::Hold, Underrun::Fault(Duration::from_millis(500)), Underrun::RunOut(300.0)];
+    filters.iter().zip(underruns.iter().cycle()).for_each(|(filter, underrun)| lands_with_lag(filter, *underrun));
+    filters.iter().for_each(trips_by_deviation);
+}
+
+fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Arm, Robot, StreamConfig) {
+    let lags = |arm: Builder| arm.lag(Duration::from_millis(80)).underrun(underrun).trips([trip]);
+    let (arm, robot) = ready_with(arm().controller(lags), limits());
+    let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LONG).filter(*filter);
+    (arm, robot, StreamConfig::new().servo(servo).max_departure(1000.0))
+}
+
+fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
+    let (arm, mut robot, config) = lagging(filter, underrun, Trip::Deviation(60.0));
+    let stream = robot.stream(&config).expect("the arm is ready");
+    speed_up(&stream, arm.clock());
+    stream.land().unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
+    let (state, (set_points, _)) = (arm.state(), set_points(&arm));
+    let last = set_points.last().expect("there are some");
+    let off = state.joint_position.max_distance(&JointPosition(*last));
+    assert!(!state.servo_mode && state.enabled && off < 0.1, "{filter:?}, {underrun:?}: {off}, {state:?}");
+}
+
+fn trips_by_deviation(filter: &SetServoMoveFilter) {
+    let (arm, mut robot, config) = lagging(filter, Underrun::Hold, Trip::Deviation(1.0));
+    let stream = robot.stream(&config).expect("the arm is ready");
+    stream.set_joints(turned(6, 60.0)).expect("within its range");
+    let error = stream.wait_for_rest(LONG).expect_err("it trips before it is there");
+    assert!(matches!(error.kind(), ErrorKind::SessionEnded { .. }), "{filter:?}: {error:?}");
+    let error = stream.land().expect_err("it tripped");
+    let state = arm.state();
+    assert!(!state.servo_mode && state.error_code == "0x158611", "{filter:?}: {error}");
+}
+
+#[test]
+fn a_stop_of_the_program_brakes_a_stream_first() {
+    let (arm, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    speed_up(&stream, arm.clock());
+    stop.stop().expect("the controller takes it");
+    let error = stream.land().expect_err("it was stopped");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    let (set_points, after) = set_points(&arm);
+    // The arm stands after the last one.
+    let stands = [set_points[set_points.len() - 1]; 3];
+    assert_smooth(&[&set_points[..], &stands].concat());
+    assert_eq!(after[0], "stop_program");
+    assert!(robot.stream(&config()).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
+    robot.acknowledge();
+    robot.stream(&config()).expect("it was acknowledged").land().expect("it is at rest");
+}
+
+#[test]
+fn joints_that_do_not_follow_end_the_stream() {
+    let (arm, mut robot) = ready();
+    // The arm is not where it is held.
+    let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(Duration::from_millis(200));
+    let stream = robot.stream(&config().servo(servo).max_departure(2.0)).expect("the arm is ready");
+    stream.set_joints(turned(6, 1.0)).expect("within its range");
+    wait_until(arm.clock(), || {
+        arm.set_state(|state| state.joint_position.0[0] = START[0] + 5.0);
+        stream.rest().is_err()
+    });
+    let error = stream.rest().expect_err("it has ended");
+    assert!(error.to_string().contains("joint 1 does not follow its set-points"), "{error}");
+    let error = stream.land().expect_err("it has ended");
+    assert!(
+        error.to_string().contains("joint 1 does not follow its set-points: it is at 15.00 deg, 5.00 deg from"),
+        "{error}"
+    );
+    assert!(!arm.state().servo_mode);
+}
+
+#[test]
+fn a_status_that_is_no_longer_known_lands_a_stream() {
+    let soon_stale = arm().config(|config| config.stale_after(Duration::from_millis(500)));
+    let (arm, mut robot) = ready_with(soon_stale, limits());
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    speed_up(&stream, arm.clock());
+    arm.link(Port::Status).to_client().hold();
+    stream.wait_for_rest(LONG).expect_err("it ends before it is there");
+    let error = stream.land().expect_err("the status is stale");
+    assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
+    assert_smooth(&set_points(&arm).0);
+    assert!(!arm.state().servo_mode);
+}
+
+#[test]
+fn a_link_that_is_held_or_cut_ends_a_stream_and_no_set_point_follows() {
+    for cut in [false, true] {
+        let (arm, mut robot) = ready();
+        let stream = robot.stream(&config()).expect("the arm is ready");
+        speed_up(&stream, arm.clock());
+        if cut {
+            arm.disconnect();
+        } else {
+            arm.links().hold();
+        }
+        let since = arm.clock().now();
+        stream.wait_for_rest(LONG).expect_err("it ends before it is there");
+        // By the next set-point; or by the fourth, three of which have no answer, and the end of servo mode within a
+        // second.
+        let most = if cut { SERVO_PERIOD } else { SERVO_PERIOD * 4 + Duration::from_secs(1) };
+        assert!(arm.clock().now() - since <= most, "{cut}: {:?}", arm.clock().now() - since);
+        let error = stream.land().expect_err("it has ended");
+        let ErrorKind::ServoModeNotLeft { first: Some(first), .. } = error.kind() else { panic!("{cut}: {error:?}") };
+        assert!(error.is_disconnected() && error.may_have_run(), "{cut}: {error:?}");
+        assert!(cut || matches!(first.kind(), ErrorKind::SetPointsUnanswered { count: 3, .. }), "{error:?}");
+        let came = || set_points(&arm).0.len();
+        let before = came();
+        arm.links().release();
+        arm.clock().sleep(LONG);
+        // What was outstanding may still come.
+        assert!(came() <= before + if cut { 0 } else { 3 }, "{cut}: {} after {before}", came());
+    }
+}
