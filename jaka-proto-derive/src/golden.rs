@@ -2,6 +2,8 @@
 
 mod interface;
 
+use std::thread;
+
 use expect_test::{expect, expect_file};
 use jaka_spec::{Module, Source, Spec};
 use proc_macro2::TokenStream;
@@ -249,16 +251,25 @@ fn what_loads_can_be_rendered() {
     let (new, _) = STRANGE.text.split_once("# What the spec has, changed").expect("the changes stand at the end");
     let lines: Vec<_> = new.lines().collect();
     let values = ["true", "0", "\"x\"", "'\"\\'", "\"text\"", "\"Level\"", "\"array\"", "[]", "[1, 0]"];
-    let mut rendered = 0;
-    for (at, value) in (0..lines.len()).zip(values.iter().cycle()) {
+    let changes: Vec<_> = (0..lines.len()).zip(values.iter().cycle()).collect();
+    let render = |(at, value): (usize, &&str)| {
         let other = lines[at].split_once(" = ").map(|(key, _)| format!("{key} = {value}"));
-        for line in other.into_iter().chain([String::new()]) {
+        let texts = other.into_iter().chain([String::new()]);
+        let loads = texts.filter(|line| {
             let text = [&lines[..at], &[line.as_str()], &lines[at + 1..]].concat().join("\n");
-            let Ok(pack) = jaka_spec::load_pack(&spec, Source { text: &text, ..STRANGE }) else { continue };
+            let Ok(pack) = jaka_spec::load_pack(&spec, Source { text: &text, ..STRANGE }) else { return false };
             let parsed = syn::parse2::<syn::File>(pack::render(&pack.module(), &spec, &quote!(::jaka_sync)));
             assert!(parsed.is_ok(), "line {}, `{line}`: {:?}", at + 1, parsed.err());
-            rendered += 1;
-        }
-    }
+            true
+        });
+        loads.count()
+    };
+    // Four threads share the changes.
+    let rendered: usize = thread::scope(|scope| {
+        let parts = changes.chunks(changes.len().div_ceil(4));
+        let threads: Vec<_> =
+            parts.map(|part| scope.spawn(|| part.iter().copied().map(render).sum::<usize>())).collect();
+        threads.into_iter().map(|thread| thread.join().expect("no change fails")).sum()
+    });
     assert!(rendered > 50, "{rendered}");
 }

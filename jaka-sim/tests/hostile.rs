@@ -64,7 +64,7 @@ fn flood(peer: &mut Peer, bytes: &[u8], times: usize) -> bool {
 /// Sends these bytes over and over until the connection is full, or the controller is held up; the number of bytes that
 /// it has taken.
 fn fill(stream: &mut TcpStream, bytes: &[u8]) -> usize {
-    stream.set_write_timeout(Some(Duration::from_millis(300))).expect("a timeout can be set");
+    stream.set_write_timeout(Some(Duration::from_millis(50))).expect("a timeout can be set");
     let mut sent = 0;
     loop {
         assert!(sent < 256 << 20, "the connection has no end");

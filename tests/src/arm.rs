@@ -8,6 +8,8 @@ use jaka_sim::{Controller, Delays, SimulatedClock, State};
 use jaka_sync::types::JointPosition;
 use jaka_sync::{Client, Config, Monitor, Robot, StatusStream};
 
+use crate::standstill::Standstill;
+
 /// Timeout for what must happen, however busy the machine is.
 pub const LONG: Duration = Duration::from_secs(60);
 
@@ -22,6 +24,7 @@ pub const CYCLE: Duration = Duration::from_millis(8);
 pub struct Arm {
     controller: Controller,
     config: Config,
+    _standstill: Option<Standstill>,
 }
 
 /// Options of an [`Arm`].
@@ -36,6 +39,7 @@ pub struct ArmBuilder {
 
 impl Arm {
     /// An arm in simulated time, which its clients share: each time is exact, and passes as soon as all threads wait.
+    /// A deadlock ends the test.
     pub fn simulated() -> ArmBuilder {
         Self::by_clock(&SimulatedClock::new())
     }
@@ -174,7 +178,8 @@ impl ArmBuilder {
                 state.joint_position = JointPosition(joints);
             }
         });
-        Arm { controller, config: self.config }
+        let standstill = controller.clock().map(Standstill::end_test);
+        Arm { controller, config: self.config, _standstill: standstill }
     }
 
     /// Starts the controller and connects a robot to it.

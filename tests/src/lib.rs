@@ -16,6 +16,7 @@ mod seeds;
 pub mod simulated;
 mod skipped;
 pub mod soak;
+mod standstill;
 
 pub use arm::{Arm, ArmBuilder, CYCLE, LONG};
 pub use hand_fed::{ClockedSocket, HandFed, accepted};

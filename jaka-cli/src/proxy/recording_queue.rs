@@ -197,11 +197,49 @@ fn work(waiting: &Receiver<Waiting>, bytes: &AtomicUsize) {
 
 #[cfg(test)]
 mod tests {
+    use std::io::{Read, Write};
+    use std::net::{Shutdown, TcpListener, TcpStream};
+
     use jaka_sync::recording::Recording;
     use jaka_sync::{Recorder, StatusSampling};
-    use jaka_tests::RecordingBuffer;
+    use jaka_tests::{LONG, RecordingBuffer};
 
+    use super::super::pipe::Pipe;
     use super::*;
+
+    /// Both ends of a connection.
+    fn connected() -> (TcpStream, TcpStream) {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+        let near = TcpStream::connect(listener.local_addr().expect("it listens")).expect("it listens");
+        (near, listener.accept().expect("it was connected").0)
+    }
+
+    #[test]
+    fn a_stop_passes_while_the_garbage_before_it_is_recorded() {
+        const STOP: &[u8] = br#"{"cmdName":"stop_program"}"#;
+        let recorder = Recorder::new(io::sink()).expect("a thread can be had");
+        let queue = RecordingQueue::start().expect("a thread can be had");
+        for garbage in [&b"x{}"[..], b"{", b"}", b"{\""] {
+            let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+            let ((mut program, client), (robot, mut controller)) = (connected(), connected());
+            controller.set_read_timeout(Some(LONG)).expect("a timeout can be set");
+            let bytes = [&garbage.repeat((1 << 20) / garbage.len()), STOP].concat();
+            let mut passed = vec![0; bytes.len()];
+            let read = thread::scope(|scope| {
+                // The recording waits until this is dropped.
+                let recording = connection.frames(Direction::ToRobot);
+                scope.spawn(|| Pipe { client: &client, robot: &robot, connection: &connection, queue: &queue }.run());
+                scope.spawn(|| program.write_all(&bytes));
+                let read = controller.read_exact(&mut passed);
+                drop(recording);
+                for stream in [&client, &robot, &controller] {
+                    stream.shutdown(Shutdown::Both).ok();
+                }
+                read
+            });
+            assert!(read.is_ok() && passed == bytes, "the stop waits for the recording: {read:?}");
+        }
+    }
 
     #[test]
     fn what_an_open_connection_has_sent_in_part_is_recorded_at_the_end() {

@@ -1,7 +1,6 @@
 //! Trajectories, followed: what the controller receives, read as JSON and compared with a curve that is computed here.
 //! By simulated clocks.
 
-mod curve;
 mod ends;
 mod filters;
 mod random;
@@ -9,14 +8,14 @@ mod random;
 use std::time::Duration;
 
 use jaka_sim::Controller;
-use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, Trajectory};
+use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory, TrajectoryError};
 use jaka_sync::types::JointPosition;
 use jaka_sync::{ErrorKind, FollowConfig, FollowEnd, FollowHandle, FollowOutcome, Robot, ServoConfig, Unchecked};
 use jaka_tests::simulated::clock_of;
+use jaka_tests::witness::curve::{Curve, Point, apart};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::Value;
 
-use self::curve::Curve;
 use crate::received::{names, positions};
 
 pub(crate) const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
@@ -70,7 +69,14 @@ fn turned(by: [f64; 6]) -> [f64; 6] {
 }
 
 fn made(curve: &Curve) -> Trajectory {
-    curve.trajectory(&Checker::new(limits(), Frames::new())).expect("within the limits")
+    trajectory(curve, &Checker::new(limits(), Frames::new())).expect("within the limits")
+}
+
+pub(crate) fn trajectory(curve: &Curve, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
+    let point = |point: &Point| {
+        TimedPoint::new(point.time_s, point.joints).with_velocity(point.speeds).with_acceleration([0.0; 6])
+    };
+    Trajectory::timed(&curve.points().iter().map(point).collect::<Vec<_>>(), checker)
 }
 
 /// The set-points that came, and the names of what came after the last of them.
@@ -101,11 +107,6 @@ pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
             first.abs() > speeds[joint] + 1e-6 || second.abs() > ACCELERATION + 1e-3
         })
     })
-}
-
-/// How far two joint positions are apart, in degrees.
-pub(crate) fn apart(one: &[f64; 6], other: &[f64; 6]) -> f64 {
-    one.iter().zip(other).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
 }
 
 /// Waits until the trajectory is followed for so long of its own time.
@@ -226,7 +227,7 @@ fn an_approach_that_does_not_get_to_the_start_ends() {
     // Within what the check takes for rounding.
     let [start, end] = [15.000_005, 5.0].map(|joint_6| turned([0.0, 0.0, 0.0, 0.0, 0.0, joint_6]));
     let curve = Curve::through(&[(0.0, start), (2.0, end)]);
-    let trajectory = curve.trajectory(robot.limits().expect("it has some")).expect("within the limits");
+    let trajectory = trajectory(&curve, robot.limits().expect("it has some")).expect("within the limits");
     let config = config().approach(10.0).deadline(Duration::from_secs(20));
     let end = robot.start_follow(&trajectory, &config).expect("the way is free").wait();
     assert_eq!((end.outcome, end.reached), (FollowOutcome::Failed, Duration::ZERO), "{end:?}");
@@ -273,4 +274,20 @@ fn a_robot_without_limits_follows_nothing() {
     let error = robot.start_follow(&made(&to_and_fro()), &config()).expect_err("it has none");
     assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::NoLimits, .. }), "{error:?}");
     assert_nothing_sent(&arm);
+}
+
+#[test]
+fn what_is_off_the_curve_is_noticed() {
+    let curve = Curve::through(&[(0.0, [0.0; 6]), (1.0, [10.0, 0.0, 0.0, 0.0, 0.0, -5.0]), (2.0, [0.0; 6])]);
+    let times = [0.0, 0.1, 0.5, 0.9, 1.3, 2.0];
+    let on_it = times.map(|time_s| curve.at(time_s));
+    let found = curve.has(&on_it).expect("they are on it");
+    assert!(found.iter().zip(times).all(|(found, time_s)| (found - time_s).abs() < 1e-2), "{found:?}");
+    for (index, joint) in [(1, 0), (2, 3), (4, 5)] {
+        let mut off = on_it;
+        off[index][joint] += 3e-6;
+        assert!(curve.has(&off).is_err_and(|what| what.starts_with(&format!("set-point {index} "))));
+    }
+    // Nor may it go back.
+    assert!(curve.has(&[on_it[2], on_it[1], on_it[3]]).is_err());
 }

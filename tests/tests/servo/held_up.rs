@@ -10,9 +10,10 @@ use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig};
+use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, LONG};
 
-use crate::follow::{self, apart, to_and_fro};
+use crate::follow::{self, to_and_fro};
 use crate::received::positions;
 use crate::stream;
 
@@ -79,7 +80,7 @@ fn a_stream_without_a_set_point_for_three_periods_begins_again_from_standstill()
 fn followed<const TEST: usize>(time: Duration) -> (Vec<[f64; 6]>, FollowEnd) {
     let (arm, mut robot) = ready::<TEST>();
     let trajectory =
-        to_and_fro().trajectory(&Checker::new(follow::limits(), Frames::new())).expect("within the limits");
+        follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
     follow::wait_for(&arm, &run, 0.5);
     hold_up::<TEST>(&arm, time);

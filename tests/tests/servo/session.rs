@@ -203,6 +203,18 @@ fn answers_that_never_come_are_counted_and_hold_nothing_up() {
 }
 
 #[test]
+fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
+    let (arm, mut robot) = ready();
+    let stop = robot.client().stop_handle();
+    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    arm.inject_for("servo_j", Fault::Drop);
+    session.send_joint_offset(STEP).expect("servo mode is on");
+    stop.stop().expect("its reply comes, and that to the set-point does not");
+    let report = session.land().expect("nothing was refused");
+    assert_eq!((report.cycles, report.accepted, report.unanswered), (1, report.landing_cycles, 1));
+}
+
+#[test]
 fn a_stop_or_a_lost_connection_ends_the_session() {
     let (arm, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");

@@ -1,5 +1,6 @@
 //! Where an arm is, computed a second time: from the vendor's URDF files, by plain matrices, without jaka-motion.
 
+pub mod curve;
 mod urdf;
 pub mod way;
 

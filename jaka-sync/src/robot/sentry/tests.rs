@@ -1,6 +1,8 @@
-//! A panic on the guard's own thread. No code of a program runs there but a logger, so the test unwinds by itself.
+//! The threads of a guard: its own and the monitor's.
 
 use std::panic::resume_unwind;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use jaka_sim::{Controller, Delays};
 
@@ -10,14 +12,35 @@ use crate::{Config, Guard};
 /// Far longer than anything takes.
 const LONG: Duration = Duration::from_secs(60);
 
+fn connected() -> (Controller, Robot) {
+    let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
+    let config = Config::new().stale_after(LONG).reply_timeout(LONG);
+    let robot = config.connect_robot_at(controller.command_addr(), controller.status_addr());
+    let robot = robot.expect("the controller listens");
+    robot.monitor().wait_until(|_| true, LONG).expect("a packet comes on connecting");
+    (controller, robot)
+}
+
+/// The guard's own thread would write the stop later, after it was woken.
+#[test]
+fn the_monitors_thread_writes_the_stop_itself() {
+    let (controller, robot) = connected();
+    let trips = Arc::new(AtomicBool::new(false));
+    let asked = Arc::clone(&trips);
+    let guard = Guard::when("asked", move |_| asked.load(Ordering::Relaxed));
+    let armed = robot.arm(&guard, LONG).expect("the packet is fresh");
+    armed.stop_by(robot.stop_handle());
+    armed.let_out().expect("the guard has not tripped");
+    trips.store(true, Ordering::Relaxed);
+    assert!(controller.wait_for_requests(1, LONG), "nobody else watches the guard");
+    assert_eq!(controller.requests(), [r#"{"cmdName":"stop_program"}"#]);
+}
+
+/// No code of a program runs on the guard's own thread but a logger, so the test unwinds by itself.
 #[test]
 fn a_panic_of_the_guards_own_thread_stops_a_motion_that_has_begun_and_keeps_back_one_that_has_not() {
     for has_begun in [false, true] {
-        let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
-        let config = Config::new().stale_after(LONG).reply_timeout(LONG);
-        let robot = config.connect_robot_at(controller.command_addr(), controller.status_addr());
-        let robot = robot.expect("the controller listens");
-        robot.monitor().wait_until(|_| true, LONG).expect("a packet comes on connecting");
+        let (controller, robot) = connected();
         let armed = robot.arm(&Guard::when("never", |_| false), LONG).expect("the packet is fresh");
         let sentry = Sentry::new(&robot, armed, Duration::MAX);
         if has_begun {

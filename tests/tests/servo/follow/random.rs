@@ -7,9 +7,9 @@ use std::thread;
 use jaka_sync::jaka_motion::{Follower, Via};
 use jaka_sync::servo::ServoJ;
 
-use super::curve::are_on;
 use super::*;
 use jaka_tests::rig::Random;
+use jaka_tests::witness::curve::are_on;
 
 /// How many trajectories there are in this run.
 fn count(usual: u32) -> u32 {
@@ -28,7 +28,7 @@ fn random_curve(random: &mut Random) -> (Curve, Trajectory) {
     }
     let mut curve = Curve::through(&points).slower(random.between(1.0, 1.5));
     loop {
-        match curve.trajectory(&checker) {
+        match trajectory(&curve, &checker) {
             Ok(trajectory) => return (curve, trajectory),
             Err(_) => curve = curve.slower(1.2),
         }

@@ -1,18 +1,20 @@
 //! Curves of the fifth degree through points, computed without the code that is tested.
 
-use jaka_sync::jaka_motion::{Checker, TimedPoint, Trajectory, TrajectoryError};
-
-/// A curve through points at times, which stands at both ends.
+/// A curve through points at times, at rest at both ends.
 #[derive(Debug, Clone)]
-pub(crate) struct Curve {
+pub struct Curve {
     points: Vec<Point>,
 }
 
+/// A point of a [`Curve`].
 #[derive(Debug, Clone, Copy)]
-struct Point {
-    time_s: f64,
-    joints: [f64; 6],
-    speeds: [f64; 6],
+pub struct Point {
+    /// Time from the start of the curve, in seconds.
+    pub time_s: f64,
+    /// Joint positions, in degrees.
+    pub joints: [f64; 6],
+    /// Joint speeds, in degrees per second.
+    pub speeds: [f64; 6],
 }
 
 /// How far a set-point may be from the curve, in degrees.
@@ -21,8 +23,8 @@ const ON_CURVE: f64 = 1e-6;
 const STEP_S: f64 = 1e-3;
 
 impl Curve {
-    /// With the mean speed of both sides at each inner point, and no acceleration there.
-    pub(crate) fn through(points: &[(f64, [f64; 6])]) -> Self {
+    /// A curve with the mean speed of both sides at each inner point, and no acceleration there.
+    pub fn through(points: &[(f64, [f64; 6])]) -> Self {
         let speeds = |index: usize| match (index.checked_sub(1).map(|before| points[before]), points.get(index + 1)) {
             (Some(before), Some(after)) => {
                 std::array::from_fn(|joint| (after.1[joint] - before.1[joint]) / (after.0 - before.0))
@@ -33,8 +35,9 @@ impl Curve {
         Self { points: points.iter().enumerate().map(point).collect() }
     }
 
-    /// The same, this many times as slow.
-    pub(crate) fn slower(&self, factor: f64) -> Self {
+    /// Returns the curve, this many times as slow.
+    #[must_use]
+    pub fn slower(&self, factor: f64) -> Self {
         let slower = |point: &Point| Point {
             time_s: point.time_s * factor,
             speeds: point.speeds.map(|speed| speed / factor),
@@ -43,19 +46,18 @@ impl Curve {
         Self { points: self.points.iter().map(slower).collect() }
     }
 
-    pub(crate) fn trajectory(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
-        let point = |point: &Point| {
-            TimedPoint::new(point.time_s, point.joints).with_velocity(point.speeds).with_acceleration([0.0; 6])
-        };
-        Trajectory::timed(&self.points.iter().map(point).collect::<Vec<_>>(), checker)
+    /// Its points, in the order of their times.
+    pub fn points(&self) -> &[Point] {
+        &self.points
     }
 
-    pub(crate) fn duration_s(&self) -> f64 {
+    /// Time from its first point to its last, in seconds.
+    pub fn duration_s(&self) -> f64 {
         self.points.last().map_or(0.0, |point| point.time_s)
     }
 
-    /// Where the joints are at a time.
-    pub(crate) fn at(&self, time_s: f64) -> [f64; 6] {
+    /// Joint positions at a time.
+    pub fn at(&self, time_s: f64) -> [f64; 6] {
         let time_s = time_s.clamp(0.0, self.duration_s());
         let next = self.points.iter().skip(1).position(|point| time_s <= point.time_s).unwrap_or(0);
         let [from, to] = [self.points[next], self.points[next + 1]];
@@ -73,18 +75,20 @@ impl Curve {
         })
     }
 
-    /// Fails where a set-point is off the curve, or before the one before it; the times at which they are on it.
-    pub(crate) fn has(&self, set_points: &[[f64; 6]]) -> Result<Vec<f64>, String> {
+    /// Times at which set-points are on the curve.
+    ///
+    /// # Errors
+    /// As [`are_on`].
+    pub fn has(&self, set_points: &[[f64; 6]]) -> Result<Vec<f64>, String> {
         are_on(&|time_s| self.at(time_s), self.duration_s(), set_points)
     }
 }
 
-/// Fails where a set-point is off a curve, or before the one before it; the times at which they are on it.
-pub(crate) fn are_on(
-    curve: &impl Fn(f64) -> [f64; 6],
-    duration_s: f64,
-    set_points: &[[f64; 6]],
-) -> Result<Vec<f64>, String> {
+/// Times at which set-points are on a curve; an error where one is off it, or before the one before it.
+///
+/// # Errors
+/// Names the first such set-point.
+pub fn are_on(curve: &dyn Fn(f64) -> [f64; 6], duration_s: f64, set_points: &[[f64; 6]]) -> Result<Vec<f64>, String> {
     let mut times = Vec::new();
     let mut least = 0.0;
     for (index, joints) in set_points.iter().enumerate() {
@@ -98,9 +102,14 @@ pub(crate) fn are_on(
     Ok(times)
 }
 
+/// Largest difference of two joint positions, in degrees.
+pub fn apart(one: &[f64; 6], other: &[f64; 6]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
+}
+
 /// The first time from `least` on at which a curve is next to joint positions, and how far away they are then.
-fn nearest(curve: &impl Fn(f64) -> [f64; 6], duration_s: f64, joints: &[f64; 6], least: f64) -> (f64, f64) {
-    let off = |time_s: f64| super::apart(&curve(time_s), joints);
+fn nearest(curve: &dyn Fn(f64) -> [f64; 6], duration_s: f64, joints: &[f64; 6], least: f64) -> (f64, f64) {
+    let off = |time_s: f64| apart(&curve(time_s), joints);
     let mut from = (least - STEP_S).max(0.0);
     let mut best = (from, off(from));
     while from < duration_s && best.1 > ON_CURVE {
@@ -121,20 +130,4 @@ fn narrowed(of: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> (f64, f64) 
     }
     let time_s = f64::midpoint(from, to);
     (time_s, of(time_s))
-}
-
-#[test]
-fn what_is_off_the_curve_is_noticed() {
-    let curve = Curve::through(&[(0.0, [0.0; 6]), (1.0, [10.0, 0.0, 0.0, 0.0, 0.0, -5.0]), (2.0, [0.0; 6])]);
-    let times = [0.0, 0.1, 0.5, 0.9, 1.3, 2.0];
-    let on_it = times.map(|time_s| curve.at(time_s));
-    let found = curve.has(&on_it).expect("they are on it");
-    assert!(found.iter().zip(times).all(|(found, time_s)| (found - time_s).abs() < 1e-2), "{found:?}");
-    for (index, joint) in [(1, 0), (2, 3), (4, 5)] {
-        let mut off = on_it;
-        off[index][joint] += 3e-6;
-        assert!(curve.has(&off).is_err_and(|what| what.starts_with(&format!("set-point {index} "))));
-    }
-    // Nor may it go back.
-    assert!(curve.has(&[on_it[2], on_it[1], on_it[3]]).is_err());
 }
