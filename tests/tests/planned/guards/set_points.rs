@@ -10,12 +10,12 @@ use jaka_sync::jaka_motion::{
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
-    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, NotGuarded, Robot,
-    StatusProblem, StreamConfig, StreamHandle,
+    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, Guard, NotGuarded,
+    Robot, StatusProblem, StreamConfig, StreamHandle,
 };
 use jaka_tests::{Arm, LONG};
 
-use super::{CHANGE, STIFFNESS, above_a_plane, count};
+use super::{CHANGE, IO, STIFFNESS, above_a_plane, count};
 
 /// How much of the permitted speed is used: what is told is about that.
 const USED: f64 = 0.95;
@@ -195,4 +195,24 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     };
     assert!((Duration::from_millis(100)..Duration::from_millis(120)).contains(&age), "{age:?}");
     assert!(!end.has_left_curve && arm.state().at_rest, "{end}");
+}
+
+/// A limit of force permits speeds by the shortest way to rest; other guards stop as gently as a pause does.
+#[test]
+fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
+    let rest_after = |is_limited: bool| {
+        let (arm, mut robot) = bench(Duration::from_millis(30), 25.0);
+        let trajectory = down(&arm, &robot, 10.0);
+        let input = Guard::from(IO.cabinet(1).rises());
+        let guard = if is_limited { input.or(force(2.0)) } else { input };
+        let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+        arm.clock().sleep(Duration::from_secs(1));
+        arm.set_state(|state| state.digital_inputs[0] = true);
+        let since = arm.clock().elapsed();
+        let end = run.wait();
+        assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+        arm.clock().elapsed().saturating_sub(since)
+    };
+    let [limited, other] = [true, false].map(rest_after);
+    assert!(limited < other, "{limited:?}, {other:?}");
 }
