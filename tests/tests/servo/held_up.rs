@@ -10,6 +10,7 @@ use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig};
+use jaka_tests::simulated::beside;
 use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, LONG};
 
@@ -24,7 +25,7 @@ const SERVO_PERIOD: Duration = Duration::from_millis(32);
 struct Slow<const TEST: usize>(RobotStatus);
 
 /// How long the thread of set-points of each test is held up next, by which clock.
-static HOLD_UPS: [Mutex<Option<(SimulatedClock, Duration)>>; 3] = [const { Mutex::new(None) }; 3];
+static HOLD_UPS: [Mutex<Option<(SimulatedClock, Duration)>>; 4] = [const { Mutex::new(None) }; 4];
 
 impl<const TEST: usize> Decode for Slow<TEST> {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -48,7 +49,7 @@ fn ready<const TEST: usize>() -> (Arm, Robot<Slow<TEST>>) {
     let arm = stream::arm().start();
     let monitor = arm.monitor::<Slow<TEST>>();
     let robot = Robot::with_monitor(arm.client(), monitor);
-    let robot = robot.with_limits(if TEST == 0 { stream::limits() } else { follow::limits() });
+    let robot = robot.with_limits(if matches!(TEST, 0 | 3) { stream::limits() } else { follow::limits() });
     (arm, robot.expect("it is this arm"))
 }
 
@@ -107,4 +108,27 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
     let error = end.error.as_ref().expect("it says so");
     let ErrorKind::SetPointLate { late } = error.kind() else { panic!("{error:?}") };
     assert_eq!(*late, late_by);
+}
+
+/// Its braking set-points go on, and the stop that waits for them does not overtake them.
+#[test]
+fn a_stop_waits_for_a_stream_whose_braking_is_held_up() {
+    let (arm, mut robot) = ready::<3>();
+    let stop = robot.stop_handle();
+    let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
+    stream::speed_up(&stream, arm.clock());
+    let held_up = || {
+        arm.clock().sleep(SERVO_PERIOD * 2);
+        hold_up::<3>(&arm, SERVO_PERIOD * 3);
+    };
+    beside(arm.clock(), held_up, || stop.stop().expect("the controller takes it"));
+    let error = stream.land().expect_err("it was stopped");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    let (set_points, after) = positions(&arm, CYCLES);
+    // The arm stands after the last one.
+    let stands = [set_points[set_points.len() - 1]; 3];
+    assert_eq!(stream::jump(stream::START, &[&set_points[..], &stands].concat()), None);
+    assert_eq!(after[0], "stop_program");
+    let is_held_up = HOLD_UPS[3].lock().unwrap_or_else(PoisonError::into_inner).is_none();
+    assert!(is_held_up, "its thread was not held up");
 }

@@ -339,15 +339,50 @@ fn rest_that_no_packet_shows_is_an_error_that_says_so() {
 }
 
 #[test]
+fn a_refusal_and_rest_that_no_packet_shows_are_both_told() {
+    let (arm, mut robot) = arm().with_robot();
+    let mut session = robot.enter_servo_mode(&config().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
+    arm.inject_for("servo_j", Fault::Instead(br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec()));
+    session.send_joint_offset([0.001; 6]).expect("a small step");
+    let error = session.land().expect_err("it was refused");
+    let ErrorKind::RestNotSeen { first: Some(first), .. } = error.kind() else { panic!("{error:?}") };
+    assert!(first.is_refused(), "{error:?}");
+}
+
+#[test]
+fn offsets_of_a_pose_are_braked() {
+    let (arm, mut robot) = arm().with_robot();
+    let mut session = entered(&mut robot);
+    for step in 1..=5 {
+        session.send_pose_offset([0.0, 0.0, 4.0 * f64::from(step), 0.0, 0.0, 0.0]).expect("it is within the limits");
+    }
+    session.land().expect("it comes to rest");
+    let steps: Vec<f64> = requests(&arm)
+        .iter()
+        .filter(|request| request["cmdName"] == "servo_p")
+        .map(|request| request["catPosition"][2].as_f64().expect("a number"))
+        .collect();
+    let most = 8000.0 * PERIOD * PERIOD;
+    assert!(steps.windows(2).all(|two| (two[1] - two[0]).abs() <= most + 1e-6), "{steps:?}");
+    assert!(steps.len() > 5 && steps.last() == Some(&0.0), "{steps:?}");
+}
+
+#[test]
 fn set_points_that_are_poses_are_compared_and_braked_along_their_line() {
     let (arm, mut robot) = arm().with_robot();
     let start = arm.state().tcp_pose;
     let mut session = entered(&mut robot);
     let (mut pose, mut step) = (start, [0.0, 0.0]);
     for _ in 0..5 {
-        // 188 mm/s and 16 deg/s more each period.
+        // 210 mm/s and 16 deg/s more each period.
         step = [step[0] + 6.0, step[1] + 0.5];
-        pose = Pose { z: pose.z + step[0], rz: pose.rz + step[1], ..pose };
+        pose = Pose {
+            x: pose.x + 0.4 * step[0],
+            y: pose.y - 0.3 * step[0],
+            z: pose.z + step[0],
+            rz: pose.rz + step[1],
+            ..pose
+        };
         session.send_pose(pose).expect("it is within the limits");
     }
     let error = session.send_pose(Pose { z: pose.z + 100.0, ..pose }).expect_err("3125 mm/s");
@@ -363,7 +398,8 @@ fn set_points_that_are_poses_are_compared_and_braked_along_their_line() {
         let change = |axis: usize| (three[2][axis] - 2.0 * three[1][axis] + three[0][axis]) / PERIOD / PERIOD;
         assert!(change(2).abs() <= 8000.0 * (1.0 + 1e-6), "{} mm/s²", change(2));
         assert!(change(5).abs() <= 2160.0 * (1.0 + 1e-6), "{} deg/s²", change(5));
-        assert!((three[2][0] - start.x).abs() < 1e-6 && (three[2][1] - start.y).abs() < 1e-6, "off its line");
+        let [x, y, up] = [three[2][0] - start.x, three[2][1] - start.y, three[2][2] - start.z];
+        assert!((x - 0.4 * up).abs() < 1e-6 && (y + 0.3 * up).abs() < 1e-6, "off its line");
     }
     assert!(poses.len() > 5 && poses.last() == poses.get(poses.len() - 2), "{poses:?}");
 }

@@ -11,6 +11,7 @@ use jaka_sync::{ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, Stream
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::side_by_side;
 use jaka_tests::{Arm, ArmBuilder, LONG};
+use serde_json::Value;
 
 use crate::received::positions;
 
@@ -315,6 +316,21 @@ fn a_stop_of_the_program_brakes_a_stream_first() {
     assert!(robot.stream(&config()).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
     robot.acknowledge();
     robot.stream(&config()).expect("it was acknowledged").land().expect("it is at rest");
+}
+
+#[test]
+fn packets_may_fail_to_show_the_joints_for_less_than_half_a_second() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let show = |joints: Value| arm.set_status([("joint_actual_position".to_owned(), joints)]);
+    show(Value::from("x"));
+    arm.clock().sleep(Duration::from_millis(300));
+    show(Value::from(START.to_vec()));
+    arm.clock().sleep(Duration::from_secs(1));
+    show(Value::from("x"));
+    arm.clock().sleep(Duration::from_millis(300));
+    show(Value::from(START.to_vec()));
+    stream.land().expect("the joints were shown again in time");
 }
 
 #[test]

@@ -251,6 +251,17 @@ mod tests {
     }
 
     #[test]
+    fn overtravel_and_reaction_have_a_greatest_value() {
+        let limit = || ForceLimit::new(ForceComponent::Fz, 1.0);
+        let minute = Duration::from_secs(60);
+        assert!(limit().overtravel(1000.0).reaction(minute).check("run_until").is_ok());
+        for beyond in [limit().overtravel(1000.1), limit().reaction(minute + Duration::from_nanos(1))] {
+            let error = beyond.check("run_until").expect_err("it is beyond");
+            assert!(error.to_string().contains("at most "), "{error}");
+        }
+    }
+
+    #[test]
     fn the_permitted_speed_uses_up_the_overtravel() {
         for (period, braking, expected) in [(8, 500.0, 20.6), (30, 500.0, 15.3), (100, 500.0, 7.8)] {
             let speed = permitted(period, braking);

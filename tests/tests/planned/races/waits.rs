@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_sim::{Fault, Habit};
+use jaka_sim::{Delays, Fault, Habit};
 use jaka_sync::motion::JointMove;
 use jaka_sync::{Outcome, Robot};
+use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;
 
@@ -165,4 +166,21 @@ fn an_answer_at_the_target_of_a_queue_is_not_its_end() {
     assert!(end.outcome.is_reached() && arm.state().at_rest, "{:?}", end.outcome);
     // Sixty degrees at 25 deg/s.
     assert!(end.waited > Duration::from_millis(2400), "{:?}", end.waited);
+}
+
+/// Packets say that it is in position while it has not begun to move, and come seldom.
+#[test]
+fn an_arm_that_begins_late_is_not_at_rest_before_enough_packets_have_said_so() {
+    let mut delays = Delays::NONE;
+    delays.in_position = Duration::from_secs(1);
+    let slow = arm().status_period(Duration::from_millis(100)).controller(|controller| controller.delays(delays));
+    let (arm, robot) = slow.with_robot();
+    let mut robot = robot.with_start_grace(Duration::from_millis(50), 5);
+    arm.set_state(|state| state.rapid_rate = 0.0);
+    let begins = || {
+        arm.clock().sleep(Duration::from_millis(350));
+        arm.set_state(|state| state.rapid_rate = 1.0);
+    };
+    let end = beside(arm.clock(), begins, || robot.run(&to(20.0), LONG)).expect("it is accepted");
+    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
 }
