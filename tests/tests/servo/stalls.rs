@@ -190,6 +190,10 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
             .enter_servo_mode(&ServoConfig::new())
             .is_err_and(|error| matches!(error.kind(), ErrorKind::StatusUnknown { .. }))
     );
+    // Nor is a question sent, such as that of where a motion by an offset begins.
+    let offset = JointMove::relative([5.0, 0.0, 0.0, 0.0, 0.0, 0.0], 60.0);
+    let error = robot.run(&offset, LONG).expect_err("nobody knows how the arm is");
+    assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
     assert_eq!(arm.requests().len(), before);
     // A program that says that it does without is not kept back.
     let mut robot = robot.allow_motion_without_status();
