@@ -1,6 +1,8 @@
 //! Streams under a guard.
 
-use jaka_sim::StatusFault;
+use std::time::Duration;
+
+use jaka_sim::{Fault, StatusFault};
 use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_sync::types::JointPosition;
@@ -8,7 +10,7 @@ use jaka_sync::{
     Command, ErrorKind, FollowConfig, FollowOutcome, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig,
 };
 use jaka_tests::LONG;
-use jaka_tests::simulated::until;
+use jaka_tests::simulated::{beside, until};
 
 use super::{IO, count, names, ready, wait_for_motion};
 
@@ -54,6 +56,28 @@ fn a_guard_lands_a_stream() {
         .expect_err("it does not work");
     assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::SensorOff, .. }), "{error:?}");
     assert_eq!(count(&arm, SetServoMode::INFO.name), entered);
+}
+
+/// The arm says where it is only after the input has gone high.
+#[test]
+fn a_guard_that_trips_before_servo_mode_is_entered_keeps_the_arm_out_of_it() {
+    let (arm, robot) = ready();
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let start = arm.state().joint_position;
+    let points = [TimedPoint::new(0.0, start), TimedPoint::new(4.0, start)];
+    let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is within them");
+    arm.inject_for("get_joint_pos", Fault::Delay(Duration::from_millis(500)));
+    let goes_high = || {
+        arm.clock().sleep(Duration::from_millis(200));
+        arm.set_state(|state| state.digital_inputs[0] = true);
+    };
+    let guard = IO.cabinet(1).rises();
+    let started = beside(arm.clock(), goes_high, || robot.start_follow_until(&trajectory, &FollowConfig::new(), guard));
+    let error = started.expect_err("the input went high");
+    assert!(matches!(error.kind(), ErrorKind::GuardTripped { trip } if trip.is_before_start), "{error:?}");
+    assert!(!error.may_have_run());
+    assert_eq!(count(&arm, SetServoMode::INFO.name), 0);
 }
 
 #[test]
