@@ -37,6 +37,8 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is shown. What
     /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot be read, and
     /// motions are kept back until [`Robot::acknowledge`](super::Robot::acknowledge).
+    ///
+    /// Called before each motion and set-point while the connection is locked: a slow implementation holds stops up.
     fn robot_status(&self) -> RobotStatus;
 
     /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come, and the packet as a whole
