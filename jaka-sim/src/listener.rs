@@ -10,7 +10,7 @@ use crate::socket::Socket;
 use crate::time::Time;
 
 /// Limit for a connection on loopback, which takes a second and more where many wait to be accepted.
-const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
+pub(crate) const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// How long to wait after an `accept` that failed, perhaps because no file descriptor is left.
 const RETRY_DELAY: Duration = Duration::from_millis(20);

@@ -6,11 +6,9 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::CommandConnection;
+use crate::listener::CONNECT_TIMEOUT;
 use crate::lock::lock;
 use crate::time::{Signal, Time};
-
-/// How long the kernel may take for a connection.
-const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// The connection of the active client, if one is connected.
 #[derive(Debug)]

@@ -11,6 +11,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::{Contact, Fault, Port, StatusFault};
+use jaka_sync::jaka_motion::{Limits, Model};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::status::RobotStatus;
@@ -67,7 +68,13 @@ fn names(arm: &Arm) -> Vec<String> {
     arm.requests().iter().filter_map(name).collect()
 }
 
-/// How often a command has come.
+/// A robot with the limits of its arm.
+fn limited(robot: Robot) -> Robot {
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    robot.with_limits(limits).expect("it is this arm")
+}
+
+/// Number of requests of a command.
 fn count(arm: &Arm, command: &str) -> usize {
     names(arm).iter().filter(|name| *name == command).count()
 }

@@ -1,4 +1,4 @@
-//! How servo sessions end while the arm moves: what the controller receives, read as JSON and differenced by index. By
+//! Ends of servo sessions while the arm moves: the controller's requests, read as JSON and differenced by index. By
 //! simulated clocks.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -9,6 +9,7 @@ use jaka_sync::types::Pose;
 use jaka_sync::{Error, ErrorKind, Outcome, Robot, ServoConfig, ServoSession};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
+use serde_json::Value;
 
 use crate::received::{names, offsets, requests};
 
@@ -16,7 +17,7 @@ const CYCLES: u32 = 4;
 const PERIOD: f64 = 0.032;
 const SERVO_PERIOD: Duration = Duration::from_millis(32);
 
-/// What the checks allow, and what the ramps here ask for, in deg/s².
+/// Accelerations that the checks allow, and that the ramps here ask for, in deg/s².
 const MOST: f64 = 720.0;
 const ASKED: f64 = 600.0;
 
@@ -70,6 +71,18 @@ fn braked(steps: &[f64]) -> f64 {
     assert_eq!(steps.last(), Some(&0.0), "{steps:?}");
     let begins = steps.iter().rposition(|step| (step - FASTEST).abs() < 1e-9).expect("it was fast");
     steps[begins + 1..].iter().sum()
+}
+
+/// A refusal of a set-point.
+fn refusal() -> Fault {
+    Fault::Instead(br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec())
+}
+
+/// Poses and offsets of poses that the controller received.
+fn poses(controller: &Controller) -> Vec<[f64; 6]> {
+    let requests = requests(controller).into_iter().filter(|request| request["cmdName"] == "servo_p");
+    let pose = |request: Value| std::array::from_fn(|axis| request["catPosition"][axis].as_f64().expect("a number"));
+    requests.map(pose).collect()
 }
 
 #[test]
@@ -265,7 +278,7 @@ fn a_refusal_that_comes_during_the_landing_is_told() {
     let (arm, mut robot) = arm().with_robot();
     let mut session = entered(&mut robot);
     // Of all set-points this one alone is refused.
-    arm.inject_for("servo_j", Fault::Instead(br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec()));
+    arm.inject_for("servo_j", refusal());
     send(&mut session, 0.1).expect("it is sent");
     let error = session.land().expect_err("it was refused");
     assert!(error.is_refused(), "{error:?}");
@@ -342,7 +355,7 @@ fn rest_that_no_packet_shows_is_an_error_that_says_so() {
 fn a_refusal_and_rest_that_no_packet_shows_are_both_told() {
     let (arm, mut robot) = arm().with_robot();
     let mut session = robot.enter_servo_mode(&config().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
-    arm.inject_for("servo_j", Fault::Instead(br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec()));
+    arm.inject_for("servo_j", refusal());
     session.send_joint_offset([0.001; 6]).expect("a small step");
     let error = session.land().expect_err("it was refused");
     let ErrorKind::RestNotSeen { first: Some(first), .. } = error.kind() else { panic!("{error:?}") };
@@ -357,11 +370,7 @@ fn offsets_of_a_pose_are_braked() {
         session.send_pose_offset([0.0, 0.0, 4.0 * f64::from(step), 0.0, 0.0, 0.0]).expect("it is within the limits");
     }
     session.land().expect("it comes to rest");
-    let steps: Vec<f64> = requests(&arm)
-        .iter()
-        .filter(|request| request["cmdName"] == "servo_p")
-        .map(|request| request["catPosition"][2].as_f64().expect("a number"))
-        .collect();
+    let steps: Vec<f64> = poses(&arm).iter().map(|pose| pose[2]).collect();
     let most = 8000.0 * PERIOD * PERIOD;
     assert!(steps.windows(2).all(|two| (two[1] - two[0]).abs() <= most + 1e-6), "{steps:?}");
     assert!(steps.len() > 5 && steps.last() == Some(&0.0), "{steps:?}");
@@ -388,11 +397,7 @@ fn set_points_that_are_poses_are_compared_and_braked_along_their_line() {
     let error = session.send_pose(Pose { z: pose.z + 100.0, ..pose }).expect_err("3125 mm/s");
     let text = error.to_string();
     assert!(text.contains("field `pose` is a step of 100.000 mm") && text.contains("(3000 mm/s)"), "{text}");
-    let poses: Vec<[f64; 6]> = requests(&arm)
-        .iter()
-        .filter(|request| request["cmdName"] == "servo_p")
-        .map(|request| std::array::from_fn(|index| request["catPosition"][index].as_f64().expect("a number")))
-        .collect();
+    let poses = poses(&arm);
     let all = [start.into(), start.into()].into_iter().chain(poses.iter().copied()).collect::<Vec<[f64; 6]>>();
     for three in all.windows(3) {
         let change = |axis: usize| (three[2][axis] - 2.0 * three[1][axis] + three[0][axis]) / PERIOD / PERIOD;

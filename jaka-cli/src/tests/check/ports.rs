@@ -92,23 +92,15 @@ fn the_pendant_keeps_control() {
 
 #[test]
 fn a_controller_that_says_nothing() {
-    let controller = healthy();
-    controller.inject_for("get_version", Fault::Drop);
-    assert_at(
-        &controller,
-        controller.command_addr(),
-        controller.status_addr(),
+    assert_found(
+        |controller| controller.inject_for("get_version", Fault::Drop),
         &expect![[r#"
             command_port: wrong: no reply to `get_version` within 5s
               check that this is port 10001 of a controller that has started, and the network
         "#]],
     );
-    let controller = healthy();
-    controller.status_fault(StatusFault::Silent);
-    assert_at(
-        &controller,
-        controller.command_addr(),
-        controller.status_addr(),
+    assert_found(
+        |controller| controller.status_fault(StatusFault::Silent),
         &expect![[r#"
         status_port: wrong: no status packet from 127.0.0.1:PORT within 5s
           check that this is port 10000 and not 10001, which sends nothing without being asked, and the network
@@ -133,12 +125,8 @@ fn packets_that_are_none() {
           check that this is port 10000 of a controller that is not shutting down
     "#]],
     );
-    let controller = healthy();
-    controller.status_fault(StatusFault::Instead(b"(nothing of this protocol)".to_vec()));
-    assert_at(
-        &controller,
-        controller.command_addr(),
-        controller.status_addr(),
+    assert_found(
+        |controller| controller.status_fault(StatusFault::Instead(b"(nothing of this protocol)".to_vec())),
         &expect![[r#"
             status_port: wrong: no status packet from 127.0.0.1:PORT within 5s; what came is something else
               check the address and the port: something else may listen there, or a controller that expects TLS

@@ -4,9 +4,7 @@
 use std::time::Duration;
 
 use jaka_sim::Port;
-use jaka_sync::jaka_motion::{
-    Exceeded, Limits, Model, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via,
-};
+use jaka_sync::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via};
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
@@ -15,7 +13,7 @@ use jaka_sync::{
 };
 use jaka_tests::{Arm, LONG};
 
-use super::{CHANGE, IO, STIFFNESS, above_a_plane, count};
+use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, limited};
 
 /// How much of the permitted speed is used: what is told is about that.
 const USED: f64 = 0.95;
@@ -23,8 +21,7 @@ const USED: f64 = 0.95;
 /// An arm and its robot, with the limits of the arm.
 fn bench(period: Duration, above_mm: f64) -> (Arm, Robot) {
     let (arm, robot) = above_a_plane(period, above_mm);
-    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    (arm, robot.with_limits(limits).expect("it is this arm"))
+    (arm, limited(robot))
 }
 
 fn force(overtravel: f64) -> ForceLimit {

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
+use jaka_sync::jaka_motion::{TimedPoint, Trajectory};
 use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_sync::types::JointPosition;
 use jaka_sync::{
@@ -12,13 +12,12 @@ use jaka_sync::{
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 
-use super::{IO, count, names, ready, wait_for_motion};
+use super::{IO, count, limited, names, ready, wait_for_motion};
 
 #[test]
 fn a_guard_lands_a_stream() {
     let (arm, robot) = ready();
-    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = limited(robot);
     let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
     let mut target = stream.joints();
     target[0] += 170.0;
@@ -62,8 +61,7 @@ fn a_guard_lands_a_stream() {
 #[test]
 fn a_guard_that_trips_before_servo_mode_is_entered_keeps_the_arm_out_of_it() {
     let (arm, robot) = ready();
-    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = limited(robot);
     let start = arm.state().joint_position;
     let points = [TimedPoint::new(0.0, start), TimedPoint::new(4.0, start)];
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is within them");
@@ -82,10 +80,7 @@ fn a_guard_that_trips_before_servo_mode_is_entered_keeps_the_arm_out_of_it() {
 
 #[test]
 fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
-    let start = |robot: Robot| {
-        let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-        robot.allow_motion_without_status().with_limits(limits).expect("it is this arm")
-    };
+    let start = |robot: Robot| limited(robot.allow_motion_without_status());
     let (arm, robot) = ready();
     let mut robot = start(robot);
     let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
