@@ -246,9 +246,8 @@ impl Controller {
     /// Waits until the controller has accepted every connection made before this call, on both ports.
     ///
     /// A client's `connect` returns as soon as the system has the connection. Only after this call has a new command
-    /// client taken the port
-    /// from the one before it. If the system has no socket left to wait with, only what has been accepted so far
-    /// counts.
+    /// client taken the port from the one before it. If the system has no socket left to wait with, only what has been
+    /// accepted so far counts.
     pub fn wait_until_accepted(&self) {
         self.shared.command_listener.wait_until_accepted();
         self.shared.status_listener.wait_until_accepted();

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use jaka_sim::SimulatedClock;
 
-/// Number of seconds of real time after which a standstill is a deadlock: far more than any computation of a test takes.
+/// Seconds of real time after which a standstill is a deadlock: far more than any computation of a test takes.
 const PATIENCE: u32 = 300;
 
 /// Ends the process with a message if the time of a clock stands still for [`PATIENCE`] before this is dropped. A test

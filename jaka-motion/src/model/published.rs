@@ -16,8 +16,7 @@
 //!
 //! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.4 mm, the
 //! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/offline/kinematics.rs` of the
-//! repository compares each model with its
-//! chain.
+//! repository compares each model with its chain.
 
 use super::Model;
 use crate::closed_form::{ClosedForm, Precision, Wrist};

@@ -25,7 +25,7 @@ fn lenient() -> ArmBuilder {
     Arm::simulated().status_period(PERIOD).config(|config| config.stale_after(LONG))
 }
 
-/// The same with a robot, which bears any silence.
+/// An arm and a robot that bears any silence.
 fn patient(arm: ArmBuilder) -> (Arm, Robot) {
     let (arm, robot) = arm.with_robot();
     (arm, robot.with_status_silence(LONG))
@@ -55,7 +55,7 @@ fn sent(arm: &Arm, name: &str) -> usize {
     arm.requests().iter().filter(|request| request.contains(&format!("\"cmdName\":\"{name}\""))).count()
 }
 
-/// What the arm does at the moment at which a wait ends.
+/// Asserts that the arm is at rest where a wait ends with rest.
 fn assert_rests(arm: &Arm, outcome: &Outcome) {
     let state = arm.state();
     assert!(

@@ -1,6 +1,5 @@
-//! What comes between two steps of a call: a stop, a trip, an answer, a panic. Time is simulated, and the requests that
-//! the controller
-//! received are the witness.
+//! Events between two steps of a call: a stop, a trip, an answer, a panic. Time is simulated; the requests that the
+//! controller received are the witness.
 
 mod guards;
 mod power;

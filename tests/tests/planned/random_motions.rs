@@ -19,7 +19,7 @@ use jaka_tests::simulated::{beside, until};
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// How many arms there are, each with habits of its own.
+/// Number of arms, each with habits of its own.
 const RIGS: u32 = 20;
 
 /// Longer than any motion, with what goes wrong.
@@ -153,8 +153,7 @@ impl Trouble {
         }
     }
 
-    /// What does not wait for the motion to begin: a delay that is constant by then, so that older packets come after
-    /// it.
+    /// Applies a delay before the motion begins, so that older packets come after it.
     fn strike(self, arm: &Arm) {
         if let Self::Delayed(time) = self {
             arm.link(Port::Status).to_client().delay(time);

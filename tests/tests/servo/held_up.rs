@@ -24,7 +24,7 @@ const SERVO_PERIOD: Duration = Duration::from_millis(32);
 /// Packets of the test with this number.
 struct Slow<const TEST: usize>(RobotStatus);
 
-/// How long the thread of set-points of each test is held up next, by which clock.
+/// Next hold-up of each test's thread of set-points, with its clock.
 static HOLD_UPS: [Mutex<Option<(SimulatedClock, Duration)>>; 4] = [const { Mutex::new(None) }; 4];
 
 impl<const TEST: usize> Decode for Slow<TEST> {

@@ -20,7 +20,7 @@ const ACCELERATION: f64 = 50.0;
 /// Set-points of a ramp.
 const RAMP: u32 = 40;
 
-/// How late a set-point is after which the arm is taken to stand: three periods.
+/// Least delay of a set-point after which the arm is taken to stand: three periods.
 const GAP: Duration = Duration::from_millis(24);
 
 fn ready() -> (Arm, Robot) {
@@ -192,7 +192,7 @@ fn rest_is_seen_by_two_packets_that_came_while_the_arm_was_held() {
     assert!(monitor.statistics().packets >= before + 2);
 }
 
-/// Whether the arm is where it is held matters: an arm that hangs behind is not at rest there.
+/// An arm that hangs behind its last set-point is not at rest there.
 #[test]
 fn an_arm_that_stands_somewhere_else_than_it_is_held_is_not_seen_at_rest() {
     let (arm, mut robot) = ready();

@@ -129,7 +129,7 @@ fn no_query_is_sent_while_another_is_outstanding() {
     assert_eq!(names(&arm), asked);
 }
 
-/// How often the robot asks where the arm is before it sends a motion by an offset, which then ends.
+/// Number of position queries before a motion by an offset, which then ends.
 fn questions_before_an_offset(arm: &Arm, robot: &mut Robot) -> usize {
     let before = names(arm).len();
     robot.start(&JointMove::relative([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0)).expect("it is accepted");

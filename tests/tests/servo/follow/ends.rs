@@ -199,7 +199,7 @@ fn without_reserve() -> (Limits, [TimedPoint; 4]) {
     (limits, [at(0.0, 0.0, 0.0), at(1.0, -12.5, -25.0), at(3.0, -12.5, 25.0), at(4.0, 0.0, 0.0)])
 }
 
-/// How such a run ends that is stopped next to where joint 6 turns round, and where that is.
+/// End of such a run after a stop near the point where joint 6 turns round, and that point.
 fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (FollowEnd, f64) {
     let (limits, points) = without_reserve();
     let (arm, mut robot) = ready_with(arm(), limits);
