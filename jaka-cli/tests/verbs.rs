@@ -2,8 +2,6 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-use std::net::TcpStream;
-
 use expect_test::expect;
 use jaka_sim::{Controller, Delays, Fault, Habits};
 use jaka_tests::{Arm, ReservedPort};
@@ -145,22 +143,6 @@ fn an_interrupt_of_up_keeps_further_steps_back() {
                 error: interrupted; accepted before: power_on; not sent: enable_robot\n";
     assert_eq!((run.code, run.err.as_str()), (Some(4), text));
     assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
-}
-
-#[test]
-fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
-    let controller = Arm::real_time().start();
-    let child = started_at(&controller, "move --joints 170,90,90,90,-90,0 --speed 1 --yes --json");
-    wait_until("the arm moves", || !controller.state().at_rest);
-    let other = TcpStream::connect(controller.command_addr()).expect("the controller listens");
-    let run = result(child);
-    assert!(!controller.state().at_rest, "the arm goes on: {run:?}");
-    let json: serde_json::Value = serde_json::from_str(&run.out).expect("it is one object");
-    assert_eq!((run.code, &json["outcome"]), (Some(4), &"connection_lost".into()), "{run:?}");
-    for part in ["it may go on", "such as the vendor's app", "hint: `jaka stop` takes the seat back"] {
-        assert!(run.err.contains(part), "{run:?}");
-    }
-    drop(other);
 }
 
 #[test]

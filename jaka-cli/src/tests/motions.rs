@@ -1,5 +1,7 @@
 //! Ends of motions that are waited for, and of `jaka up`.
 
+use std::time::Duration;
+
 use jaka_sim::{Controller, Delays, Habit, Habits, Port};
 use jaka_sync::motion::JointMove;
 use jaka_tests::{Arm, LONG};
@@ -59,6 +61,27 @@ fn json_says_how_it_ended_whatever_the_end_is() {
     assert_eq!(outcome(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
     let fast = "call joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait --json";
     assert_eq!(outcome(fast, |_| {}), "reached");
+}
+
+#[test]
+fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
+    let arm = Arm::simulated().start();
+    let mut taken_at = Duration::ZERO;
+    let take_the_seat = || {
+        assert!(arm.wait_for_requests(1, LONG), "the motion comes");
+        // The answer has been read by then, and the motion takes minutes.
+        arm.clock().sleep(Duration::from_secs(1));
+        taken_at = arm.clock().elapsed();
+        arm.take_over().expect("loopback has ports");
+    };
+    let run = jaka_beside(&arm, take_the_seat, "move --joints 170,90,90,90,-90,0 --speed 1 --yes --json".split(' '));
+    assert!(arm.clock().elapsed() - taken_at < Duration::from_millis(200), "with the next packets: {run:?}");
+    assert!(!arm.state().at_rest, "the arm goes on: {run:?}");
+    let json: Value = serde_json::from_str(&run.out).expect("it is one object");
+    assert_eq!((run.code, &json["outcome"]), (4, &"connection_lost".into()), "{run:?}");
+    for part in ["it may go on", "such as the vendor's app", "hint: `jaka stop` takes the seat back"] {
+        assert!(run.err.contains(part), "{run:?}");
+    }
 }
 
 #[test]
