@@ -75,7 +75,10 @@ fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
         arm.take_over().expect("loopback has ports");
     };
     let run = jaka_beside(&arm, take_the_seat, "move --joints 170,90,90,90,-90,0 --speed 1 --yes --json".split(' '));
-    assert!(arm.clock().elapsed().saturating_sub(taken_at) < Duration::from_millis(200), "with the next packets: {run:?}");
+    assert!(
+        arm.clock().elapsed().saturating_sub(taken_at) < Duration::from_millis(200),
+        "with the next packets: {run:?}"
+    );
     assert!(!arm.state().at_rest, "the arm goes on: {run:?}");
     let json: Value = serde_json::from_str(&run.out).expect("it is one object");
     assert_eq!((run.code, &json["outcome"]), (4, &"connection_lost".into()), "{run:?}");
