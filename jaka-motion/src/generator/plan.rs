@@ -16,6 +16,8 @@ pub(super) struct Plan {
     calculator: TargetCalculator<6>,
     input: InputParameter<6>,
     way: Trajectory<6>,
+    /// Memory for a way that may be better.
+    other: Trajectory<6>,
     /// How many seconds of the way are behind the arm; none if there is no way.
     elapsed: Option<f64>,
 }
@@ -26,6 +28,11 @@ const USED: f64 = 0.999;
 const HORIZON: f64 = 1000.0;
 /// A speed below which a joint is meant to rest, in deg/s.
 const NEXT_TO_NOTHING: f64 = 1e-6;
+
+/// Relative distance from the greatest speed within which a joint counts as moving with it.
+const AT_SPEED: f64 = 1e-6;
+/// Relative change of the greatest speed by which a singular case is left.
+const NUDGE: f64 = 1e-9;
 
 /// Says by the result that there is no way.
 struct Quiet;
@@ -44,8 +51,8 @@ impl Plan {
     pub(super) fn new() -> Self {
         let mut input = InputParameter::new(None);
         input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
-        let (calculator, way) = (TargetCalculator::new(None), Trajectory::new(None));
-        Self { calculator, input, way, elapsed: None }
+        let (way, other) = (Trajectory::new(None), Trajectory::new(None));
+        Self { calculator: TargetCalculator::new(None), input, way, other, elapsed: None }
     }
 
     pub(super) fn drop_way(&mut self) {
@@ -139,10 +146,41 @@ impl Plan {
         input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
     }
 
+    /// The way, by Ruckig. Where a joint moves with its greatest speed, or is just about to, Ruckig is singular: rounding decides between ways of which one takes up
+    /// to twice as long. The best of three greatest speeds that differ by a billionth is taken then.
     fn compute(&mut self) {
+        let mut best = self.calculate();
+        if best.is_some() {
+            std::mem::swap(&mut self.way, &mut self.other);
+        }
+        let speeds: [f64; 6] = std::array::from_fn(|index| self.input.max_velocity[index]);
+        let is_at_speed = |index: usize| {
+            let (speed, acceleration) = (self.input.current_velocity[index], self.input.current_acceleration[index]);
+            // Where it is once the acceleration has ended.
+            let soon = speed + acceleration * acceleration.abs() / (2.0 * self.input.max_jerk[index]);
+            (soon.abs() - speeds[index]).abs() <= AT_SPEED * speeds[index]
+        };
+        let at_speed: [bool; 6] = std::array::from_fn(is_at_speed);
+        if at_speed.contains(&true) {
+            for factor in [1.0 - NUDGE, 1.0 + NUDGE] {
+                for index in (0..6).filter(|index| at_speed[*index]) {
+                    self.input.max_velocity[index] = speeds[index] * factor;
+                }
+                let found = self.calculate();
+                if found.is_some_and(|found| best.is_none_or(|best| found < best)) {
+                    best = found;
+                    std::mem::swap(&mut self.way, &mut self.other);
+                }
+            }
+        }
+        std::mem::swap(&mut self.way, &mut self.other);
+        self.elapsed = best.map(|_| 0.0);
+    }
+
+    /// Computes a way; returns its duration in seconds, or none if there is none.
+    fn calculate(&mut self) -> Option<f64> {
         let result = self.calculator.calculate::<Quiet>(&self.input, &mut self.way, 0.0);
-        let is_way = matches!(result, Ok(RuckigResult::Working));
-        self.elapsed = is_way.then_some(0.0);
+        matches!(result, Ok(RuckigResult::Working)).then_some(self.way.duration)
     }
 }
 
