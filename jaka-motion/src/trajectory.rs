@@ -20,6 +20,7 @@ use std::time::Duration;
 
 use jaka_proto::messages::types::JointPosition;
 
+use self::error::LONGEST_S;
 pub use self::error::TrajectoryError;
 #[cfg(feature = "trajectory-files")]
 pub use self::file::TrajectoryFileError;
@@ -108,6 +109,10 @@ impl Trajectory {
         mut way_points: Vec<WayPoint>,
         checker: &Checker,
     ) -> Result<Self, TrajectoryError> {
+        let duration_s = pieces.last().map_or(0.0, |piece| piece.start_s + piece.seconds);
+        if duration_s > LONGEST_S {
+            return Err(TrajectoryError::TooLong { duration_s });
+        }
         pieces.shrink_to_fit();
         way_points.shrink_to_fit();
         let made = Made { pieces, way_points, checker: checker.clone() };

@@ -76,7 +76,7 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     resolve::check(&draft.index, &report);
     let Draft { mut spec, index, codes, events, changed, covered, .. } = draft;
     spec.types = index.finish();
-    let mut notes = notes.finish().map_or_else(|errors| errors.0, |()| Vec::new());
+    let mut notes = notes.finish().map_or_else(Errors::into_list, |()| Vec::new());
     if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
         let message = "this pack no longer changes anything: the spec has all of it by now".to_owned();
         notes.insert(0, Error { path: source.path.to_owned(), line: 1, column: 1, message });
@@ -87,7 +87,7 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let report = Report::default();
     read::check_name(source, &report);
     pack.check_methods(source, &report);
-    pack.module_errors = report.finish().map_or_else(|errors| errors.0, |()| Vec::new());
+    pack.module_errors = report.finish().map_or_else(Errors::into_list, |()| Vec::new());
     Ok(pack)
 }
 

@@ -31,21 +31,55 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Everything that is wrong with a spec, by file and line.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Errors(pub(crate) Vec<Error>);
-
-impl Errors {
-    /// The errors, one by one.
-    pub fn iter(&self) -> std::slice::Iter<'_, Error> {
-        self.0.iter()
-    }
+/// Errors of a file or of a spec: the first hundred that were found, by file and line, and the number of the others.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Errors {
+    first: Vec<Error>,
+    more: usize,
 }
 
-/// In the order in which they come.
-impl FromIterator<Error> for Errors {
-    fn from_iter<I: IntoIterator<Item = Error>>(errors: I) -> Self {
-        Self(errors.into_iter().collect())
+/// Number of errors that are kept.
+const MOST: usize = 100;
+
+impl Errors {
+    /// The errors, one by one: the first hundred that were found.
+    pub fn iter(&self) -> std::slice::Iter<'_, Error> {
+        self.first.iter()
+    }
+
+    /// Number of errors beyond the first hundred.
+    pub fn more(&self) -> usize {
+        self.more
+    }
+
+    /// Adds an error, or only counts it if a hundred are here.
+    pub fn push(&mut self, error: impl FnOnce() -> Error) {
+        if self.first.len() == MOST {
+            self.more += 1;
+            return;
+        }
+        let error = error();
+        if !self.first.contains(&error) {
+            self.first.push(error);
+        }
+    }
+
+    /// This as an error, by file and line, if there is one.
+    ///
+    /// # Errors
+    /// There is one.
+    pub fn finish(mut self) -> Result<(), Self> {
+        self.first.sort();
+        if self.first.is_empty() { Ok(()) } else { Err(self) }
+    }
+
+    /// The errors, and a last one that counts the others if there are some.
+    pub(crate) fn into_list(self) -> Vec<Error> {
+        let Self { mut first, more } = self;
+        if let Some(last) = first.last().filter(|_| more > 0) {
+            first.push(Error { message: format!("and {more} more"), ..last.clone() });
+        }
+        first
     }
 }
 
@@ -60,8 +94,9 @@ impl<'a> IntoIterator for &'a Errors {
 
 impl fmt::Display for Errors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines: Vec<_> = self.0.iter().map(Error::to_string).collect();
-        f.write_str(&lines.join("\n"))
+        let lines: Vec<_> = self.first.iter().map(Error::to_string).collect();
+        f.write_str(&lines.join("\n"))?;
+        if self.more > 0 { write!(f, "\nand {} more errors", self.more) } else { Ok(()) }
     }
 }
 
@@ -100,18 +135,15 @@ impl fmt::Display for At<'_> {
 
 /// Where errors are collected.
 #[derive(Debug, Default)]
-pub(crate) struct Report(RefCell<Vec<Error>>);
+pub(crate) struct Report(RefCell<Errors>);
 
 impl Report {
     pub(crate) fn error(&self, at: At<'_>, message: impl Into<String>) {
-        self.0.borrow_mut().push(at.error(message));
+        self.0.borrow_mut().push(|| at.error(message));
     }
 
     /// All errors, or nothing if there are none.
     pub(crate) fn finish(self) -> Result<(), Errors> {
-        let mut errors = self.0.into_inner();
-        errors.sort();
-        errors.dedup();
-        if errors.is_empty() { Ok(()) } else { Err(Errors(errors)) }
+        self.0.into_inner().finish()
     }
 }

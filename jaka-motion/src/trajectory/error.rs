@@ -2,6 +2,9 @@
 
 use crate::beyond::Beyond;
 
+/// Longest duration of a trajectory, in seconds: a week, which is ours. Times stay exact to a nanosecond.
+pub(super) const LONGEST_S: f64 = 604_800.0;
+
 /// Why a [`Trajectory`](crate::Trajectory) cannot be made. Way-points are counted from 1.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -63,6 +66,12 @@ pub enum TrajectoryError {
     /// All way-points are at one place.
     #[error("all way-points are at one place")]
     NoWay,
+    /// The trajectory takes longer than a week.
+    #[error("the trajectory takes {duration_s:.3e} s; at most {LONGEST_S} s, a week, are allowed")]
+    TooLong {
+        /// Its duration in seconds.
+        duration_s: f64,
+    },
     /// A setting is not what it should be.
     #[error("{what}: {given} is not {expected}")]
     Setting {

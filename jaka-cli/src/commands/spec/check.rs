@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use jaka_spec::{Command, Error, Source, Spec, tools};
+use jaka_spec::{Command, Error, Errors, Source, Spec, tools};
 
 use super::files;
 use crate::failure::Failure;
@@ -26,7 +26,7 @@ pub(super) struct Check {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let mut found = 0;
+        let mut found = Found::default();
         let mut spec = match &self.spec {
             Some(folder) => whole(folder, &mut found)?,
             None => packs::builtin(),
@@ -36,27 +36,53 @@ impl Check {
                 spec = with_pack;
             }
         }
-        match found {
+        found.finish()
+    }
+}
+
+/// Number of errors that are printed.
+const MOST: usize = 100;
+
+/// Errors that were found, of which the first are printed.
+#[derive(Debug, Default)]
+struct Found {
+    printed: usize,
+    more: usize,
+}
+
+impl Found {
+    fn tell(&mut self, error: impl FnOnce() -> Error) -> Result<(), Failure> {
+        if self.printed == MOST {
+            self.more += 1;
+            return Ok(());
+        }
+        self.printed += 1;
+        output::line(&error().to_string())
+    }
+
+    fn tell_all(&mut self, errors: &Errors) -> Result<(), Failure> {
+        errors.iter().try_for_each(|error| self.tell(|| error.clone()))?;
+        self.more += errors.more();
+        Ok(())
+    }
+
+    /// Fails if there is an error.
+    fn finish(&self) -> Result<(), Failure> {
+        if self.more > 0 {
+            output::line(&format!("and {}", count(self.more, "more error")))?;
+        }
+        match self.printed + self.more {
             0 => Ok(()),
             errors => Err(Failure::Usage(count(errors, "error"))),
         }
     }
 }
 
-/// Prints errors, and counts them.
-fn tell<'e>(found: &mut usize, errors: impl IntoIterator<Item = &'e Error>) -> Result<(), Failure> {
-    errors.into_iter().try_for_each(|error| {
-        *found += 1;
-        output::line(&error.to_string())
-    })
-}
-
 /// Checks the examples of the commands of a file against their fields.
-fn examples(found: &mut usize, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
+fn examples(found: &mut Found, spec: &Spec, commands: &[Command], source: Source<'_>) -> Result<(), Failure> {
     let mut misfits = commands.iter().flat_map(|command| jaka_dynamic::misfits(spec, command));
     misfits.try_for_each(|misfit| {
-        let error = error(&misfit, source);
-        if misfit.is_lenient { note(&error) } else { tell(found, [&error]) }
+        if misfit.is_lenient { note(&error(&misfit, source)) } else { found.tell(|| error(&misfit, source)) }
     })
 }
 
@@ -73,13 +99,14 @@ fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
 }
 
 /// Checks a folder that is a whole spec; without its spec, packs could not be checked.
-fn whole(folder: &Path, found: &mut usize) -> Result<Spec, Failure> {
+fn whole(folder: &Path, found: &mut Found) -> Result<Spec, Failure> {
     let files = files::read(folder)?;
     let sources = files::sources(&files);
     let spec = match jaka_spec::load(&sources) {
         Ok(spec) => spec,
         Err(errors) => {
-            tell(found, &errors)?;
+            found.tell_all(&errors)?;
+            found.finish().ok();
             return Err(Failure::Usage(format!("the spec in {} has errors", folder.display())));
         }
     };
@@ -94,12 +121,12 @@ fn whole(folder: &Path, found: &mut usize) -> Result<Spec, Failure> {
 }
 
 /// Checks a pack on top of a spec, and gives the spec with it if it can be loaded.
-fn pack(spec: &Spec, path: &Path, found: &mut usize) -> Result<Option<Spec>, Failure> {
+fn pack(spec: &Spec, path: &Path, found: &mut Found) -> Result<Option<Spec>, Failure> {
     let name = path.display().to_string();
     let source = Source { path: &name, text: &packs::read(path)? };
     let pack = match jaka_spec::load_pack(spec, source) {
         Ok(pack) => pack,
-        Err(errors) => return tell(found, &errors).map(|()| None),
+        Err(errors) => return found.tell_all(&errors).map(|()| None),
     };
     pack.notes.iter().try_for_each(note)?;
     pack.module_errors.iter().try_for_each(|error| {

@@ -11,7 +11,7 @@ pub(super) struct Report<'t> {
     file_name: &'t str,
     /// Where lines start, so that many errors do not take long.
     lines: Vec<usize>,
-    errors: Vec<Error>,
+    errors: TrajectoryFileError,
 }
 
 /// Of what was found at most so many characters are shown.
@@ -20,19 +20,29 @@ const SHOWN: usize = 40;
 impl<'t> Report<'t> {
     pub(super) fn new(text: &'t str, file_name: &'t str) -> Self {
         let after_breaks = text.match_indices('\n').map(|(at, _)| at + 1);
-        Self { text, file_name, lines: std::iter::once(0).chain(after_breaks).collect(), errors: Vec::new() }
+        Self {
+            text,
+            file_name,
+            lines: std::iter::once(0).chain(after_breaks).collect(),
+            errors: TrajectoryFileError::default(),
+        }
     }
 
     /// An error at an offset in bytes.
     pub(super) fn error(&mut self, at: usize, message: impl Into<String>) {
-        let line = self.lines.partition_point(|start| *start <= at).max(1);
-        let before = self.text.get(self.lines[line - 1]..at).unwrap_or_default();
-        self.error_at(line, before.chars().count() + 1, message);
+        let (text, path, lines) = (self.text, self.file_name, &self.lines);
+        self.errors.push(|| {
+            let line = lines.partition_point(|start| *start <= at).max(1);
+            let before = text.get(lines[line - 1]..at).unwrap_or_default();
+            let column = before.chars().count() + 1;
+            Error { path: path.to_owned(), line, column, message: message.into() }
+        });
     }
 
     /// An error at a line and column.
     pub(super) fn error_at(&mut self, line: usize, column: usize, message: impl Into<String>) {
-        self.errors.push(Error { path: self.file_name.to_owned(), line, column, message: message.into() });
+        let path = self.file_name;
+        self.errors.push(|| Error { path: path.to_owned(), line, column, message: message.into() });
     }
 
     /// An error about what was found in place of something.
@@ -43,11 +53,7 @@ impl<'t> Report<'t> {
     }
 
     /// The points, if nothing is wrong.
-    pub(super) fn finish<T>(mut self, points: T) -> Result<T, TrajectoryFileError> {
-        if self.errors.is_empty() {
-            return Ok(points);
-        }
-        self.errors.sort();
-        Err(self.errors.into_iter().collect())
+    pub(super) fn finish<T>(self, points: T) -> Result<T, TrajectoryFileError> {
+        self.errors.finish().map(|()| points)
     }
 }
