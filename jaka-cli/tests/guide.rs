@@ -24,7 +24,7 @@ fn controller(arm: ArmBuilder) -> Arm {
     let pack = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/guide/newer.toml");
     let arm = arm.without_power().controller(|controller| controller.firmware(Firmware::Document).pack(pack));
     let controller = arm.start();
-    controller.set_reply("get_version", [("version".to_owned(), json!("1.7.2_02_X64"))]);
+    controller.set_state(|state| "1.7.2_02_X64".clone_into(&mut state.version));
     controller.set_reply("get_payload", [("demo_identified_at".to_owned(), json!(1_795_254_000))]);
     let keys = [("demo_brakes", json!(1)), ("protective_stop", json!("free"))];
     let keys = keys.map(|(key, value)| (key.to_owned(), value));

@@ -4,29 +4,27 @@ pub mod beyond_settings {
     //! Commands that the document does not have. Newer firmware answers them, and public clients use them.
     //!
     //! From which firmware on a controller has them is not known. Of firmware 1.5.14 it is known that it refuses [`emergency_stop_status`](crate::messages::beyond_state::EmergencyStopStatus), and it is
-    //! taken to lack all of them: `since` is the version after it.
-    /// Sets a feed-forward of the joints' torques, as currents, by the names.
+    //! taken to lack all of them: `since` is the version after it. [`torque_feedforward`](type@TorqueFeedforward) is older: the program of a client that sends it follows the
+    //! file names of firmware before 1.5 (4.18).
+    /// Sets a feed-forward of the joints' torques, as currents by its name. It belongs to the torque control mode.
     ///
-    /// No source says which state of the robot it needs, or what happens to an arm with wrong currents: keep clear of it.
+    /// **With the mode `user` the torque is wholly the program's: zeros leave an arm without compensation of its gravity, so that it falls.** No source
+    /// says which state of the robot the command needs: keep clear of it.
     ///
     /// Sends `torque_feedforward`.
-    ///
-    /// Taken to be known to firmware 1.5.15 and later.
     ///
     /// Not in the document. Certain: two independent clients.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct TorqueFeedforward {
-        /// Current for each joint. Unit not stated. `grvCurrent` on the wire.
+        /// Value for each joint. Unit not stated. `grvCurrent` on the wire.
         pub currents: [f64; 6],
-        /// Whether gravity is included, by the name: 0, 1 or 2, which no source explains. 0 to 2. `includeGrvFlag` on the wire.
-        pub include_gravity: i64,
+        /// Meaning of the values. The vendor's header for its SDK 1.0.19 says it; the name of the key reads as something else. `includeGrvFlag` on the wire.
+        pub mode: TorqueFeedforwardMode,
     }
     impl TorqueFeedforward {
         /// With the required fields alone.
-        ///
-        /// - `include_gravity`: 0 to 2
-        pub const fn new(currents: [f64; 6], include_gravity: i64) -> Self {}
+        pub const fn new(currents: [f64; 6], mode: TorqueFeedforwardMode) -> Self {}
     }
     /// Sets the kind of planner that drives motions.
     ///
@@ -206,6 +204,23 @@ pub mod beyond_settings {
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub value: wire::Typed<String>,
     }
+    /// Meaning of the values of [`torque_feedforward`](type@TorqueFeedforward).
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum TorqueFeedforwardMode {
+        /// The controller's own feed-forward holds, whatever the values are. `0` on the wire.
+        Controller,
+        /// The values are added to the controller's own torque. `1` on the wire.
+        Offset,
+        /// The values are the whole torque, that against gravity included: zeros let the arm fall. `2` on the wire.
+        User,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for TorqueFeedforwardMode {}
+    impl From<TorqueFeedforwardMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for TorqueFeedforwardMode {}
     /// Kind of planner that drives motions.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]

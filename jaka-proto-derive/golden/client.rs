@@ -472,7 +472,7 @@ impl Client {
 ///
 /// With the messages of [`beyond_settings`](crate::beyond_settings).
 impl Client {
-    /// Sets a feed-forward of the joints' torques, as currents, by the names.
+    /// Sets a feed-forward of the joints' torques, as currents by its name. It belongs to the torque control mode.
     pub fn torque_feedforward(
         &mut self,
         request: &self::beyond_settings::TorqueFeedforward,

@@ -24,7 +24,7 @@ const MAX_READERS: usize = 256;
 /// The readers, each with a thread of its own so that none waits for another.
 #[derive(Debug)]
 pub(crate) struct Readers {
-    list: Mutex<ReaderList>,
+    list: Arc<Mutex<ReaderList>>,
 }
 
 #[derive(Debug)]
@@ -36,7 +36,7 @@ struct ReaderList {
 
 impl Readers {
     pub(crate) fn new(fault: StatusFault) -> Self {
-        Self { list: Mutex::new(ReaderList { readers: VecDeque::new(), fault }) }
+        Self { list: Arc::new(Mutex::new(ReaderList { readers: VecDeque::new(), fault })) }
     }
 
     /// Sets what is wrong with the packets from now on.
@@ -88,9 +88,9 @@ impl Readers {
         readers.into_iter().for_each(close);
     }
 
-    /// Adds a reader whose thread runs this, and removes those that have ended.
+    /// Adds a reader whose thread runs this, until it ends.
     ///
-    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to.
+    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to; its socket is closed then.
     pub(crate) fn add(
         &self,
         socket: Socket,
@@ -101,8 +101,11 @@ impl Readers {
         list.readers.retain(|(_, thread)| !thread.is_finished());
         let oldest = if list.readers.len() < MAX_READERS { None } else { list.readers.pop_front() };
         let reader = Arc::new(Reader::new(socket, links, list.fault.clone())?);
-        let theirs = Arc::clone(&reader);
-        let thread = links.time().spawn("status", move || run(&theirs))?;
+        let (theirs, of_all) = (Arc::clone(&reader), Arc::clone(&self.list));
+        let thread = links.time().spawn("status", move || {
+            run(&theirs);
+            lock(&of_all).readers.retain(|(reader, _)| !Arc::ptr_eq(reader, &theirs));
+        })?;
         list.readers.push_back((reader, thread));
         drop(list);
         oldest.into_iter().for_each(close);

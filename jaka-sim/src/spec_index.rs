@@ -7,7 +7,7 @@ use std::{fs, io};
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, read_payload, write_refusal};
-use jaka_spec::{Effect, Field, Requirement, Source, Spec};
+use jaka_spec::{Effect, Field, Requirement, Source, Spec, Version, Versions};
 use serde_json::Value;
 
 /// A spec, indexed by `cmdName`.
@@ -31,7 +31,7 @@ pub(crate) struct CommandEntry {
     pub(crate) moves: bool,
     /// True for one that a pack adds or changes.
     pub(crate) packed: bool,
-    /// The firmware that has it, where the document does not.
+    /// The firmware that has it, where a pack says so, or the document does not have it.
     beyond: Option<FirmwareRange>,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
@@ -66,7 +66,11 @@ impl SpecIndex {
                 .map_err(|error| io::Error::new(error.kind(), format!("cannot read the pack `{name}`: {error}")))?;
             let pack = jaka_spec::load_pack(&spec, Source { path: &name, text: &text })
                 .map_err(|errors| io::Error::new(io::ErrorKind::InvalidData, errors))?;
-            packed.extend(pack.module().topic.commands.iter().map(|command| command.wire.clone()));
+            let changed: BTreeSet<_> =
+                pack.module().topic.commands.iter().map(|command| command.wire.clone()).collect();
+            check_followed(&built_in, &pack.spec, &changed)
+                .map_err(|why| io::Error::new(io::ErrorKind::Unsupported, format!("the pack `{name}`: {why}")))?;
+            packed.extend(changed);
             spec = pack.spec;
         }
         Ok(Arc::new(Self::new(spec, Some(&built_in), &packed)))
@@ -108,11 +112,16 @@ impl CommandEntry {
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
         let printed = replies.find(|reply| is_success(reply) && !packed).map(str::to_owned);
         let sample = printed.unwrap_or_else(|| made_up(spec, command));
-        let beyond = Request::COMMANDS.iter().find(|info| info.name == command.wire && info.section.is_empty());
+        let beyond = if packed && base.is_none() {
+            Some(firmware_range(&command.versions))
+        } else {
+            let info = Request::COMMANDS.iter().find(|info| info.name == command.wire && info.section.is_empty());
+            info.map(|info| info.firmware)
+        };
         Self {
             moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
             packed,
-            beyond: beyond.map(|info| info.firmware),
+            beyond,
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
             typed_sample: base.map_or_else(|| sample.clone(), |base| base.typed_sample.clone()),
             sample,
@@ -124,6 +133,48 @@ impl CommandEntry {
     pub(crate) fn is_in_firmware(&self, version: &str) -> bool {
         self.beyond.is_none_or(|range| version.parse().map_or(true, |version| range.contains(version)))
     }
+}
+
+/// Fails where a pack names or types a key otherwise than the built-in spec has it: the state has no value for it, and zeros in its place
+/// would be false.
+fn check_followed(built_in: &SpecIndex, spec: &Spec, changed: &BTreeSet<String>) -> Result<(), String> {
+    for name in changed {
+        let (Some(entry), Some(command)) = (built_in.entry(name), spec.command(name)) else { continue };
+        let sample: Value = serde_json::from_str(&entry.typed_sample).map_err(|error| error.to_string())?;
+        let before = built_in.spec.reply_fields(&entry.command);
+        let value = |field: &Field| sample.get(&field.wire).cloned();
+        if let Some(key) = not_followed((before, spec.reply_fields(command)), spec, value) {
+            return Err(format!(
+                "the simulator cannot follow it: it changes `{key}` in the reply to `{name}`, for which the simulated arm has a value of \
+                 another name or type"
+            ));
+        }
+    }
+    let value = |field: &Field| Some(jaka_dynamic::sample_value(&built_in.spec, field));
+    not_followed((built_in.spec.status_fields(), spec.status_fields()), spec, value).map_or(Ok(()), |key| {
+        Err(format!(
+            "the simulator cannot follow it: it changes `{key}` in status packets, for which the simulated arm has a value of another type"
+        ))
+    })
+}
+
+/// The first key that is not there any more, or cannot have the value that it had.
+fn not_followed<'f>(
+    (before, after): (&'f [Field], &[Field]),
+    spec: &Spec,
+    value: impl Fn(&Field) -> Option<Value>,
+) -> Option<&'f str> {
+    let is_followed = |field: &Field| {
+        let same = after.iter().find(|other| other.wire == field.wire);
+        same.is_some_and(|other| value(field).is_none_or(|value| jaka_dynamic::is_readable(spec, other, &value)))
+    };
+    before.iter().find(|field| !is_followed(field)).map(|field| &*field.wire)
+}
+
+/// The versions of the firmware that has a command of a pack.
+fn firmware_range(versions: &Versions) -> FirmwareRange {
+    let bound = |version: &Option<Version>| version.as_ref().and_then(|version| version.to_string().parse().ok());
+    FirmwareRange { since: bound(&versions.since), until: bound(&versions.until) }
 }
 
 /// True if packs have changed keys of status packets that the spec before them has, or types.

@@ -54,6 +54,8 @@ pub(crate) struct World {
     pub(crate) habits: Habits,
     /// The states of which events have been sent.
     seen: Reported,
+    /// When the information in the error code ends.
+    event_ends: Option<Duration>,
     changes: Vec<(Duration, Change)>,
     now: Duration,
 }
@@ -98,6 +100,7 @@ impl World {
             delays: options.delays,
             habits: options.usual_habits(),
             seen: Reported::default(),
+            event_ends: None,
             changes: Vec::new(),
             now: Duration::ZERO,
         };
@@ -129,6 +132,7 @@ impl World {
             self.now += CYCLE * cycles;
             left -= u128::from(cycles);
             self.run_schedule();
+            self.end_information();
             if !is_idle {
                 self.cycle();
             }
@@ -153,7 +157,8 @@ impl World {
     /// How many of these cycles can be passed at once where nothing goes on: up to the next of what is scheduled.
     fn idle_cycles(&self, left: u128) -> u32 {
         let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
-        let cycles = self.schedule.next_due().map_or(left, |due| left.min(until(due)));
+        let next_due = self.schedule.next_due().into_iter().chain(self.event_ends).min();
+        let cycles = next_due.map_or(left, |due| left.min(until(due)));
         u32::try_from(cycles).unwrap_or(u32::MAX)
     }
 

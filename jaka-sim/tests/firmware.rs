@@ -1,8 +1,8 @@
 //! Shapes of status packets.
 
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
+use std::{fs, io};
 
 use crate::common::{Peer, json};
 use jaka_proto::messages::status::RobotStatus;
@@ -122,19 +122,14 @@ fn inputs_that_are_asked_for_are_those_of_the_packet() {
 }
 
 #[test]
-fn keys_of_status_packets_that_a_pack_adds_or_changes_are_sent_and_can_be_set() {
-    let pack = Path::new(env!("CARGO_TARGET_TMPDIR")).join("status_keys.toml");
-    let text = "title = 'T'\n[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'zz_fan'\ntype = 'float[2]'\noptional = \
-                true\ndoc = 'D.'\n[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\ndoc = 'D.'\n";
-    fs::write(&pack, text).expect("the folder is there");
-    let builder = at_rest().pack(pack).status_period(Duration::MAX);
+fn keys_of_status_packets_that_a_pack_adds_are_sent_and_can_be_set() {
+    let text = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'zz_fan'\ntype = 'float[2]'\noptional = true\ndoc = 'D.'\n";
+    let builder = at_rest().pack(pack("status_keys", text)).status_period(Duration::MAX);
     let controller = builder.start().expect("the pack is correct");
     let mut reader = Peer::status(&controller);
     let packet = reader.receive();
     // After the keys of the firmware, with a value of its type.
     assert!(packet.ends_with("\"netState\": 1, \"zz_fan\": [0.0, 0.0]}"), "{packet}");
-    // The state's number does not fit.
-    assert!(packet.contains("\"rapidrate\": \"\", "), "{packet}");
     let keys = [
         ("zz_fan".to_owned(), json("[1.5,2]")),
         ("rapidrate".to_owned(), json("\"1\"")),
@@ -147,4 +142,39 @@ fn keys_of_status_packets_that_a_pack_adds_or_changes_are_sent_and_can_be_set() 
         assert!(packet.contains(text), "{text}: {packet}");
     }
     assert_eq!(json(&packet)["len"], packet.len());
+}
+
+/// A pack of this text.
+fn pack(name: &str, text: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name).with_extension("toml");
+    fs::write(&path, format!("title = 'T'\n{text}")).expect("the folder is there");
+    path
+}
+
+#[test]
+fn a_pack_that_changes_keys_is_refused_since_the_state_has_no_value_for_them() {
+    let renamed = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
+    let retyped = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
+    let status = "[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\n";
+    for (name, text, what) in [
+        ("renamed", renamed, "it changes `joint_pos` in the reply to `get_joint_pos`"),
+        ("retyped", retyped, "it changes `joint_pos` in the reply to `get_joint_pos`"),
+        ("of_status", status, "it changes `rapidrate` in status packets"),
+    ] {
+        let error = at_rest().pack(pack(name, text)).start().expect_err("it cannot be followed");
+        assert_eq!(error.kind(), io::ErrorKind::Unsupported);
+        assert!(error.to_string().contains(what), "{error}");
+    }
+}
+
+#[test]
+fn a_command_of_a_pack_is_unknown_to_older_firmware() {
+    let text = "[[command]]\nwire = 'demo_brakes'\neffect = 'query'\nsince = '1.9'\ndoc = 'D.'\n[[command.reply]]\nwire = \
+                'brakes'\ntype = 'int'\ndoc = 'D.'\n";
+    let controller = at_rest().pack(pack("since", text)).start().expect("the pack is correct");
+    let mut peer = Peer::commands(&controller);
+    assert_eq!(peer.call("demo_brakes")["errorMsg"], *"Exception:function call failed");
+    controller.set_state(|state| "1.9.1".clone_into(&mut state.version));
+    let reply = peer.call("demo_brakes");
+    assert_eq!((&reply["errorCode"], &reply["brakes"]), (&"0".into(), &0.into()), "{reply}");
 }

@@ -405,6 +405,21 @@ fn information_is_put_into_the_error_code() {
 }
 
 #[test]
+fn information_leaves_the_error_code_and_errors_stay() {
+    let (controller, mut peer) = with(Habit::Events);
+    let code = || controller.state().error_code;
+    assert_accepted(&peer.ask(r#"{"cmdName":"servo_move","relFlag":1}"#), "servo_move");
+    controller.advance(Duration::from_millis(248));
+    assert_eq!(code(), "0x10f0015");
+    controller.advance(CYCLE);
+    assert_eq!((code().as_str(), controller.state().error_message.as_str()), ("0x0", ""));
+    assert_accepted(&peer.ask(r#"{"cmdName":"servo_move","relFlag":0}"#), "servo_move");
+    controller.collide();
+    controller.advance(Duration::from_secs(1));
+    assert_eq!(code(), "0xf0034");
+}
+
+#[test]
 fn each_start_of_a_program_is_an_event_also_when_the_one_before_has_ended_by_itself() {
     let (controller, mut peer) = with(Habit::Events);
     for _ in 0..2 {

@@ -75,7 +75,7 @@ const TABLE: &[(&[&str], &str)] = &[
     ),
     (&["del_tio_rs_signal", "--name", "force"], r#"{"cmdName":"del_tio_rs_signal","tio_signal_name":"force"}"#),
     (
-        &["torque_feedforward", "--currents", "0,0,0,0,0,0", "--include-gravity", "0"],
+        &["torque_feedforward", "--currents", "0,0,0,0,0,0", "--mode", "controller"],
         r#"{"cmdName":"torque_feedforward","grvCurrent":[0,0,0,0,0,0],"includeGrvFlag":0}"#,
     ),
     (&["set_motion_planner", "--planner", "s"], r#"{"cmdName":"set_motion_planner","type":1}"#),

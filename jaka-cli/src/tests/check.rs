@@ -82,7 +82,7 @@ fn nothing_is_found_on_a_healthy_arm() {
         enabled          nothing found  the arm is enabled
         emergency stop   nothing found  not pressed
         protective stop  nothing found  not in one
-        event            nothing found  0x10f0004 (information: the robot is enabled), "the robot is enabled"
+        event            nothing found  none
         servo mode       nothing found  off
         drag mode        nothing found  off
         program          nothing found  none runs

@@ -1,5 +1,7 @@
 //! Events that are put into the error code.
 
+use std::time::Duration;
+
 use jaka_proto::messages::program::ProgramState;
 use jaka_proto::{ControllerEvent, Severity};
 
@@ -13,6 +15,9 @@ const PROTECTIVE_STOP: u32 = 0x10f_000b;
 const SERVO_ON: u32 = 0x10f_0015;
 const SERVO_OFF: u32 = 0x10f_0016;
 const PROGRAM_STARTS: u32 = 0x10f_001b;
+
+/// Time for which information stays in the error code: a capture has one entry of a log for 257 ms.
+const INFORMATION: Duration = Duration::from_millis(256);
 
 /// What was so when events were last reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,7 +49,15 @@ impl World {
             let event = if now { Some(begins) } else { ends };
             if let Some(event) = event.filter(|_| before != now && self.habits.events && !has_error(&self.state)) {
                 self.state.report(event);
+                self.event_ends = Some(self.now + INFORMATION);
             }
+        }
+    }
+
+    /// Takes information out of the error code when its time is over.
+    pub(super) fn end_information(&mut self) {
+        if self.event_ends.take_if(|ends| *ends <= self.now).is_some() && !has_error(&self.state) {
+            self.state.clear_error();
         }
     }
 }

@@ -28,8 +28,11 @@ fn arm() -> ArmBuilder {
     Arm::simulated().controller(|controller| controller.firmware(Firmware::Document).pack(pack))
 }
 
+/// The controller takes what any firmware has, whatever it says of its version.
 fn connected() -> (Arm, Client) {
-    arm().with_client()
+    let (arm, client) = arm().with_client();
+    arm.set_state(|state| "1.8.0".clone_into(&mut state.version));
+    (arm, client)
 }
 
 /// Has the controller say, once, that its version is this.
@@ -48,7 +51,7 @@ fn missing(result: Result<(), Error>) -> NotInFirmware {
 #[test]
 fn nothing_is_refused_by_default() {
     let (controller, mut client) = connected();
-    assert_eq!(client.get_version().expect("it answers").version, "1.6.5_01_X86");
+    assert_eq!(client.get_version().expect("it answers").version, "1.8.0");
     assert_eq!(client.firmware(), None);
     client.call(&QUIET).expect("the simulator takes it");
     assert_eq!(controller.requests()[1], r#"{"cmdName":"set_fan","curve":{"speed":0.5,"quiet":true}}"#);
@@ -57,6 +60,7 @@ fn nothing_is_refused_by_default() {
 #[test]
 fn a_command_that_the_controller_does_not_have_is_not_sent() {
     let (controller, mut client) = connected();
+    says(&controller, "1.6.5_01_X86");
     let firmware = client.check_firmware().expect("the simulator says its version");
     assert_eq!((firmware, client.firmware()), (FirmwareVersion::new([1, 6, 5]), Some(firmware)));
     assert_eq!(controller.requests(), [r#"{"cmdName":"get_version"}"#]);
@@ -112,6 +116,7 @@ fn a_version_that_cannot_be_read_is_an_error_and_changes_nothing() {
     assert_eq!(client.firmware(), None);
     client.call(&QUIET).expect("nothing is refused");
 
+    says(&controller, "1.6.5_01_X86");
     client.check_firmware().expect("now it is one");
     says(&controller, "");
     client.check_firmware().expect_err("it is not a version");

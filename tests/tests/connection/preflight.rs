@@ -32,6 +32,8 @@ fn a_check_sends_queries_alone_and_changes_nothing() {
     for firmware in Firmware::ALL {
         let controller = healthy(*firmware);
         controller.set_state(|state| (state.tool_frame_id, state.user_frame_id) = (2, 2));
+        // Events of powering up leave the error code.
+        controller.clock().sleep(Duration::from_secs(1));
         let before = controller.state();
         let preflight = connect(&controller).preflight();
         assert_eq!(with(&preflight, Verdict::Wrong), [], "{firmware:?}: {preflight}");

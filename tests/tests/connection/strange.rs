@@ -73,7 +73,6 @@ fn commands() -> Vec<Generated> {
         generated::<strange::ServoJ>(),
         generated::<strange::GetProgramState>(),
         generated::<strange::LoadProgram>(),
-        generated::<strange::GetLoadedProgram>(),
     ]
 }
 
