@@ -146,13 +146,21 @@ pub(crate) struct QueueArgs {
 }
 
 impl QueueArgs {
-    /// Fails where packets show that the arm moves.
+    /// Fails where packets show that the arm moves, or do not show whether it does.
     fn check(self, robot: &Robot, command: &str, patience: Duration) -> Result<(), Failure> {
-        if self.queue || robot.monitor().wait_until(|_| true, patience)?.status.in_position != Some(false) {
+        if self.queue {
             return Ok(());
         }
-        Err(Failure::NotSent(format!(
-            "`{command}` was not sent: the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"
-        )))
+        let why = match robot.monitor().wait_until(|_| true, patience)?.status.in_position {
+            Some(true) => return Ok(()),
+            Some(false) => {
+                "the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"
+            }
+            None => {
+                "status packets do not show whether the arm moves, and the controller would queue it behind another motion; look at the arm, and \
+                 use --queue"
+            }
+        };
+        Err(Failure::NotSent(format!("`{command}` was not sent: {why}")))
     }
 }

@@ -1,6 +1,5 @@
 //! Ctrl-C, and the signals by which a system ends programs.
 
-#[cfg(not(test))]
 use std::io;
 use std::io::stdout;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -175,8 +174,26 @@ fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
 }
 
 #[cfg(not(test))]
+#[expect(clippy::unnecessary_wraps, reason = "so has the other")]
 fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    ctrlc::set_handler(call).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
+    *handler() = Some(Box::new(call));
+    Ok(())
+}
+
+/// What a signal calls, once a command has said it.
+static HANDLER: Mutex<Option<Box<dyn FnMut() + Send>>> = Mutex::new(None);
+
+fn handler() -> MutexGuard<'static, Option<Box<dyn FnMut() + Send>>> {
+    HANDLER.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Catches signals from now on. Until a command says what they mean to it, they end the program.
+pub(crate) fn begin() -> Result<(), Failure> {
+    let signalled = || match &mut *handler() {
+        Some(call) => call(),
+        None => end(exit::INTERRUPTED),
+    };
+    ctrlc::set_handler(signalled).map_err(|error| Failure::local("cannot catch Ctrl-C", io::Error::other(error)))
 }
 
 fn end_with(code: u8, text: &str) -> ! {

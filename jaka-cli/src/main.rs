@@ -111,9 +111,10 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
+    let caught = interrupt::begin();
     logging::begin();
     console::color(args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
-    let result = run();
+    let result = caught.and_then(|()| run());
     logging::finish();
     result.map_or_else(|failure| exit::report(&failure), |()| ExitCode::SUCCESS)
 }

@@ -28,6 +28,10 @@ const REST: Duration = Duration::from_millis(20);
 /// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own connections.
 const IDLE: Duration = Duration::from_secs(5);
 
+/// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a stop may come on it.
+/// The controller itself decides about clients of the command port, of which it serves one.
+const MOST_READERS: usize = 64;
+
 /// One port of a proxy, for one port of the robot.
 #[derive(Debug)]
 pub(crate) struct ProxyPort {
@@ -59,8 +63,13 @@ impl ProxyPort {
     fn serve(self: Arc<Self>, listener: &TcpListener) {
         loop {
             let accepted = listener.accept().and_then(|(accepted, _)| {
+                // Each reader's thread has one.
+                if self.port == Port::Status && Arc::strong_count(&self) > MOST_READERS {
+                    pipe::reset(&accepted);
+                    return Err(io::Error::other(format!("{MOST_READERS} read there already")));
+                }
                 let port_proxy = Arc::clone(&self);
-                thread::Builder::new().spawn(move || port_proxy.attend(&accepted))
+                thread::Builder::new().spawn(move || port_proxy.attend(&accepted)).map(drop)
             });
             if let Err(error) = accepted {
                 warn(&format!("a client of the {} port is lost: {error}", self.port.word()));

@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdout, Stdio};
 
 use expect_test::expect;
 
-use crate::common::{failure, jaka, output, started};
+use crate::common::{self, failure, jaka, output, started};
 
 #[test]
 fn a_simulated_controller_serves_other_programs() {
@@ -247,4 +247,41 @@ fn the_help_explains_exit_codes() {
     "#]]
     .assert_eq(&help);
     assert!(output(&mut jaka(&["--version"])).0.starts_with("jaka "));
+}
+
+/// Descriptors that a program has open.
+#[cfg(target_os = "linux")]
+fn descriptors(child: &Child) -> usize {
+    std::fs::read_dir(format!("/proc/{}/fd", child.id())).expect("the system lists descriptors").count()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_simulated_controller_closes_the_sockets_of_readers_that_have_left() {
+    let (mut child, _out, port) = sim(&["--firmware", "newer"]);
+    let before = descriptors(&child);
+    let address = format!("127.0.0.1:{port}");
+    let readers: Vec<_> = (0..50).map(|_| std::net::TcpStream::connect(&address).unwrap()).collect();
+    common::wait_until("all are accepted", || descriptors(&child) >= before + 50);
+    drop(readers);
+    common::wait_until("their sockets are closed", || descriptors(&child) <= before);
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+/// The program reads its configuration from a pipe, to which nobody writes until the signal has come.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_ends_the_program_by_its_exit_code_from_the_start() {
+    let pipe = crate::program::scratch("config.toml");
+    std::fs::remove_file(&pipe).ok();
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status().expect("there is a mkfifo");
+    assert!(made.success());
+    let mut command = jaka(&["status", "-r", "cell1"]);
+    let child = command.env("JAKA_CONFIG", &pipe).stderr(Stdio::piped()).spawn().unwrap();
+    // This waits until the program opens the pipe.
+    let writer = std::fs::OpenOptions::new().write(true).open(&pipe).unwrap();
+    common::interrupt(&child);
+    assert_eq!(common::end(child).code(), Some(130));
+    drop(writer);
 }

@@ -379,3 +379,30 @@ fn an_interrupted_command_leaves_a_whole_recording() {
     assert_eq!(end(child).code(), Some(0));
     assert_eq!(messages(&read(&path), 1)[0], format!("received {}", packet.trim_end()));
 }
+
+#[test]
+fn status_readers_are_bounded_and_commands_go_through() {
+    let controller = Arm::real_time().without_power().start();
+    let proxy = Proxy::start("readers.jsonl", &address_of(&controller));
+    let readers: Vec<_> = (0..80).map(|_| TcpStream::connect(proxy.status).unwrap()).collect();
+    let is_served = |reader: &TcpStream| {
+        reader.set_read_timeout(Some(LONG)).unwrap();
+        common::read(reader, &mut [0]).is_ok_and(|count| count == 1)
+    };
+    // In the order in which they came.
+    let served: Vec<_> = readers.iter().map(is_served).collect();
+    assert_eq!(served.iter().filter(|served| **served).count(), 64, "{served:?}");
+    assert!(served[..64].iter().all(|served| *served), "{served:?}");
+    let mut client = TcpStream::connect(proxy.commands).unwrap();
+    client.write_all(br#"{"cmdName":"power_on"}"#).unwrap();
+    client.set_read_timeout(Some(LONG)).unwrap();
+    assert!(common::read(&client, &mut [0]).is_ok_and(|count| count == 1), "it is answered");
+    drop(readers);
+    // As soon as one has left, another is served.
+    common::wait_until("a reader is served", || is_served(&TcpStream::connect(proxy.status).unwrap()));
+    drop(client);
+    let recording = proxy.finish();
+    assert!(
+        recording.entries.iter().any(|entry| entry.event == Event::Sent(Message::new(r#"{"cmdName":"power_on"}"#)))
+    );
+}

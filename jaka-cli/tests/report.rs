@@ -2,7 +2,12 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::time::Duration;
 
+use jaka_sync::motion::JointMove;
+use jaka_sync::proto::wire::Writer;
+use jaka_sync::{Outcome, ServoConfig, ServoSession};
+use jaka_tests::{Arm, LONG, recorded};
 use serde_json::{Value, json};
 
 use crate::program::{Run, jaka, scratch};
@@ -212,4 +217,43 @@ fn what_is_not_a_recording_is_an_error_and_no_page() {
         assert_eq!((run.code, page.as_str(), run.out.as_str()), (Some(2), "", ""), "{text}: {}", run.err);
         assert!(run.err.starts_with("error: ") && run.err.contains("session.jsonl: line "), "{text}: {}", run.err);
     }
+}
+
+#[test]
+fn late_set_points_ends_of_motions_and_stops_are_told() {
+    let late = |session: &mut ServoSession<'_>, arm: &Arm| {
+        let turn = |session: &mut ServoSession<'_>, by| session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, by]);
+        turn(session, 0.04).expect("it is sent");
+        turn(session, 0.08).expect("it is sent");
+        arm.clock().sleep(Duration::from_millis(20));
+        turn(session, 0.08).expect("it is late, and sent");
+        arm.clock().sleep(Duration::from_millis(40));
+        turn(session, 0.08).expect_err("it is too late");
+    };
+    let ((), recording) = recorded(Arm::simulated(), |arm| {
+        let mut robot = arm.robot();
+        robot.power_up(LONG).expect("it has power");
+        late(&mut robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest"), arm);
+        let to = |angle| JointMove::absolute([angle, 90.0, 90.0, 90.0, -90.0, 0.0], 20.0).acceleration(60.0);
+        robot.run(&to(10.0), LONG).expect("it is accepted").reached().expect("nothing is in its way");
+        robot.start(&to(40.0)).expect("it is accepted");
+        robot.stop_handle().stop().expect("it is accepted");
+        assert!(matches!(robot.wait(LONG).outcome, Outcome::Stopped));
+    });
+    let mut text = Writer::new();
+    recording.write(&mut text);
+    let (page, run) = report(text.as_str().as_bytes());
+    assert_eq!(run.text(), "exit code 0\n");
+    let problems = part(&page, "problems");
+    for problem in [
+        "a set-point is 12.0ms late",
+        "a set-point is 32.0ms late: the controller had none when several were due",
+        "a set-point is 32.0ms late: the machine was too busy to send it in time",
+        "the program stops the arm (`stop_program`)",
+        "the motion was stopped before its target",
+    ] {
+        assert!(problems.contains(problem), "{problem} in {problems}");
+    }
+    let reached = "the motion has reached its target";
+    assert!(part(&page, "list").contains(reached) && !problems.contains(reached), "{}", part(&page, "list"));
 }

@@ -2,9 +2,17 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
+use std::io::Write;
+use std::net::TcpListener;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
 use expect_test::expect;
 use jaka_sim::{Controller, Delays, Fault, Habits};
 use jaka_tests::{Arm, ReservedPort};
+use serde_json::{Deserializer, Value};
 
 #[cfg(unix)]
 use crate::common::{interrupt, wait_until};
@@ -68,6 +76,70 @@ fn up_tells_how_far_it_has_come() {
     "#]]
     .assert_eq(&notes(&controller, "up --yes"));
     assert_eq!(notes(&slow(), "up --yes -q"), "");
+}
+
+/// A controller of two plain sockets whose packets do not show power, and whose arm has none until it is switched on. Returns the words that
+/// lead to it.
+fn without_shown_power() -> [String; 6] {
+    let (commands, status) = (listener(), listener());
+    let port = |listener: &TcpListener| listener.local_addr().expect("it is bound").port().to_string();
+    let words =
+        ["-r", "127.0.0.1", "--command-port", &port(&commands), "--status-port", &port(&status)].map(str::to_owned);
+    let is_enabled = Arc::new(AtomicBool::new(false));
+    let shown = Arc::clone(&is_enabled);
+    thread::spawn(move || {
+        let (mut reader, _) = status.accept().expect("it listens");
+        loop {
+            let enabled = shown.load(Ordering::SeqCst);
+            let packet = format!(
+                r#"{{"len": 100, "errcode": "0x0", "enabled": {enabled}, "inpos": true, "emergency_stop": 0, "protective_stop": 0}}"#
+            );
+            if reader.write_all(packet.as_bytes()).is_err() {
+                return;
+            }
+            // Packets that come later change no result.
+            thread::sleep(Duration::from_millis(20));
+        }
+    });
+    thread::spawn(move || {
+        let (client, _) = commands.accept().expect("it listens");
+        let mut power = "powered_off";
+        for request in Deserializer::from_reader(&client).into_iter::<Value>().map_while(Result::ok) {
+            let name = request["cmdName"].as_str().expect("it has a name");
+            let state = match name {
+                "power_on" => {
+                    power = "powered_on";
+                    String::new()
+                }
+                "enable_robot" => {
+                    is_enabled.store(true, Ordering::SeqCst);
+                    String::new()
+                }
+                _ => {
+                    let enabled = if is_enabled.load(Ordering::SeqCst) { "robot_enabled" } else { "robot_disabled" };
+                    format!(r#", "enable": "{enabled}", "power": "{power}""#)
+                }
+            };
+            let reply = format!(r#"{{"errorCode": "0", "errorMsg": "", "cmdName": "{name}"{state}}}"#);
+            (&client).write_all(reply.as_bytes()).expect("the client reads");
+        }
+    });
+    words
+}
+
+fn listener() -> TcpListener {
+    TcpListener::bind("127.0.0.1:0").expect("loopback has free ports")
+}
+
+#[test]
+fn up_says_nothing_of_power_that_packets_do_not_show() {
+    let run = jaka(["up", "--yes"].map(str::to_owned).into_iter().chain(without_shown_power()));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    expect![[r"
+        note: switching the power on
+        note: the arm has power, after 0.0 s; enabling it
+    "]]
+    .assert_eq(&run.err.replace(|c: char| c.is_ascii_digit(), "0"));
 }
 
 #[test]
@@ -193,7 +265,7 @@ fn move_goes_to_joints_and_poses() {
     assert!((controller.state().joint_position.0[0] + 5.0).abs() < 0.1);
     let pose = controller.state().tcp_pose;
     let line = format!("move --pose {},{},{},{},{},{} ", pose.x, pose.y, pose.z + 10.0, pose.rx, pose.ry, pose.rz);
-    let json: serde_json::Value = serde_json::from_str(&run_to(&(line + "--speed 100 --yes --json"))).expect("JSON");
+    let json: Value = serde_json::from_str(&run_to(&(line + "--speed 100 --yes --json"))).expect("JSON");
     assert_eq!(json["outcome"], "reached");
     assert!((controller.state().tcp_pose.z - pose.z - 10.0).abs() < 0.5);
 }
@@ -225,7 +297,7 @@ fn a_jog_of_a_joint_is_compared_with_limits_and_runs() {
         assert!((controller.state().joint_position.0[0] - before - 1.0).abs() < 0.05);
         let sent =
             changes(&controller).into_iter().find(|request| request.contains("joint_move")).expect("it was sent");
-        let sent: serde_json::Value = serde_json::from_str(&sent).expect("it is JSON");
+        let sent: Value = serde_json::from_str(&sent).expect("it is JSON");
         assert_eq!(sent["accel"], acceleration, "{options}: {sent}");
     }
     let controller = Arm::real_time().start();

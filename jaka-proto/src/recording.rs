@@ -37,6 +37,7 @@
 //! | `received` | `text` or `hex`: a message of the controller, or bytes that are not one |
 //! | `closed` | `by`: `client`, `controller` or `failure`; `why`: in words |
 //! | `error` | `text`: an error that was reported to the program, as text |
+//! | `motion` | `step`: `late`, `gap`, `done` or `failed`; `text`: in words, of the program that moves the arm |
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
 //!
 //! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for each
@@ -166,6 +167,13 @@ pub enum Event {
         /// The error that was reported to the program.
         text: String,
     },
+    /// Something happened to a motion of the program.
+    Motion {
+        /// Kind of happening.
+        step: MotionStep,
+        /// In words.
+        text: String,
+    },
     /// Entries of this connection are missing here, since the file could not be written as fast.
     Dropped {
         /// How many.
@@ -181,6 +189,20 @@ impl Event {
             _ => None,
         }
     }
+}
+
+/// Happening to a motion of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum MotionStep {
+    /// A set-point went out a period late or more.
+    Late,
+    /// A set-point was late by three periods or more: the controller had none when several were due.
+    Gap,
+    /// The motion ended as it was to.
+    Done,
+    /// The motion ended otherwise.
+    Failed,
 }
 
 /// Who ended a connection.

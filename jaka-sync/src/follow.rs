@@ -5,7 +5,6 @@ mod config;
 mod cycle;
 mod end;
 mod handle;
-mod lag;
 mod orders;
 mod start;
 
@@ -19,7 +18,6 @@ use jaka_proto::messages::status::RobotStatus;
 pub use self::config::FollowConfig;
 pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
-pub use self::lag::FollowLag;
 use self::orders::Orders;
 #[cfg(doc)]
 use crate::ErrorKind;
@@ -40,7 +38,8 @@ use crate::{Error, Guard, MotionStatus, Robot};
 ///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`FollowEnd::has_left_curve`].
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
 ///
-/// After a late set-point nothing is skipped; after one that is late by three periods or more the arm is taken to stand, and goes on from standstill.
+/// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow goes on from standstill;
+/// one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late set-points").
 ///
 /// ```no_run
 /// use std::time::Duration;

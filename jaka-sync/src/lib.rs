@@ -36,9 +36,7 @@ pub use client::Client;
 pub use config::Config;
 pub use error::{Disconnect, Error, ErrorKind};
 #[cfg(feature = "stream")]
-pub use follow::{
-    FollowConfig, FollowEnd, FollowHandle, FollowLag, FollowOutcome, FollowProgress, FollowRun, NotCompleted,
-};
+pub use follow::{FollowConfig, FollowEnd, FollowHandle, FollowOutcome, FollowProgress, FollowRun, NotCompleted};
 /// A simulated clock, for tests. Needs the feature `simulated-clock`.
 #[cfg(feature = "simulated-clock")]
 pub use jaka_clock::{self, SimulatedClock};
@@ -66,13 +64,15 @@ pub use pipeline::Pipeline;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
 pub use robot::{
     AnalogCondition, AnalogInput, Explanation, ForceComponent, ForceLimit, Guard, GuardTrip, Input, InputCondition,
-    Motion, MotionEnd, MotionStatus, NotGuarded, NotReached, NotShown, Numbering, Outcome, Path, Robot, RobotStop,
-    StatusProblem, Target, TcpBox, TripReason,
+    LagBeyondReaction, Motion, MotionEnd, MotionStatus, NotGuarded, NotReached, NotShown, Numbering, Outcome, Path,
+    PowerStep, Robot, RobotStop, StatusProblem, Target, TcpBox, TripReason,
 };
 #[cfg(feature = "preflight")]
 pub use robot::{CheckItem, Finding, Preflight, Verdict};
 #[cfg(feature = "motion")]
 pub use robot::{LimitPolicy, Unchecked};
+#[cfg(feature = "stream")]
+pub use servo_session::FollowLag;
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;

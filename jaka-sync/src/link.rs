@@ -25,6 +25,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::exchange::{ReadReply, RequestId};
 use jaka_proto::messages::beyond_settings::SetInstallationAngle;
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
+use jaka_proto::recording::MotionStep;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo};
 
@@ -148,6 +149,11 @@ impl Link {
     #[cfg_attr(not(feature = "motion"), allow(dead_code, reason = "limits ask"))]
     pub(crate) fn stop_count(&self) -> u64 {
         self.state.lock().stops
+    }
+
+    /// Records what happened to a motion.
+    pub(crate) fn record_motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
+        self.tap.motion(step, text);
     }
 
     /// The same error, with the last messages where they are recorded.

@@ -61,10 +61,14 @@ pub struct Monitor<S = RobotStatus> {
     pub(crate) stale_after: Duration,
 }
 
-/// How long after a silence packets may be old ones that the network had held back.
+/// Time after a silence in which packets may be old ones that the network had held back.
 const SETTLING: Duration = Duration::from_millis(100);
 
-/// A status packet, and when it came.
+/// Status packet, and when it came.
+///
+/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age) ago. A link that
+/// delays all packets alike cannot be told from one that does not. Only a reply on the command port is certain to be later than the
+/// command before it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Snapshot<S = RobotStatus> {
@@ -77,6 +81,11 @@ pub struct Snapshot<S = RobotStatus> {
     /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
     /// [`status`](Self::status). Usually none.
     pub unfit: Vec<DecodeError>,
+    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`]: a network that stalled delivers what it
+    /// had held back, so the controller may have written the packet at any time of the silence.
+    ///
+    /// [`Monitor::wait_until`] and [`Monitor::next_packet`] pass over such packets, and no motion goes out by them.
+    pub follows_silence: bool,
     pub(crate) clock: Clock,
 }
 
@@ -93,7 +102,8 @@ impl<S> Snapshot<S> {
         self.unfit.iter().any(|error| error.is_in(field))
     }
 
-    /// How long ago the packet came.
+    /// Time since the packet came. The controller wrote it at least so long ago; after a silence it may be far older
+    /// ([`follows_silence`](Self::follows_silence)).
     pub fn age(&self) -> Duration {
         self.clock.elapsed(self.received)
     }
@@ -120,8 +130,6 @@ struct State<S> {
     closing: bool,
     /// True while the connection is lost and is being made again.
     reconnecting: bool,
-    /// When packets came again after a silence in which the last had become stale.
-    resumed: Option<Instant>,
     /// How often waiting threads were told to check again.
     wakes: u64,
 }
@@ -139,7 +147,6 @@ impl<S> State<S> {
             tap,
             closing: false,
             reconnecting: false,
-            resumed: None,
             wakes: 0,
         }
     }
@@ -188,6 +195,9 @@ impl<S: 'static> Monitor<S> {
     ///
     /// # Errors
     /// [`ErrorKind::Disconnected`] if the connection has ended: no newer packet will come.
+    #[doc(alias = "last")]
+    #[doc(alias = "latest")]
+    #[doc(alias = "status")]
     pub fn newest_packet(&self) -> Result<Option<Arc<Snapshot<S>>>, Error> {
         let state = self.board.lock();
         ended(&state)?;
@@ -216,9 +226,7 @@ impl<S: 'static> Monitor<S> {
         if age > self.stale_after {
             return Err(StatusProblem::Stale { age });
         }
-        // A link that stalled delivers what it had held back: the first packets are old.
-        let since = state.resumed.map(|resumed| latest.received.saturating_duration_since(resumed));
-        if since.is_some_and(|since| since < SETTLING) { Err(StatusProblem::Resuming) } else { Ok(latest) }
+        if latest.follows_silence { Err(StatusProblem::Resuming) } else { Ok(latest) }
     }
 
     /// True if no packet has come for longer than [`Config::stale_after`].
@@ -226,20 +234,26 @@ impl<S: 'static> Monitor<S> {
         self.last_known_packet().is_none_or(|snapshot| snapshot.age() > self.stale_after)
     }
 
-    /// Waits for the next packet that comes.
+    /// Waits for the next packet that comes. A packet that [may be old](Snapshot::follows_silence) does not count.
     ///
     /// # Errors
-    /// [`ErrorKind::StatusTimeout`] after the reply timeout; [`ErrorKind::Disconnected`] if the connection has ended.
+    /// After the reply timeout [`ErrorKind::StatusTimeout`] if none came, [`ErrorKind::WaitEnded`] if all may be old;
+    /// [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn next_packet(&self) -> Result<Arc<Snapshot<S>>, Error> {
         let now = self.last_known_packet().map_or(0, |snapshot| snapshot.number);
         self.wait_for(self.timeout, |snapshot| snapshot.number > now)
     }
 
-    /// Waits until `wanted` is true of a packet. The newest one that has come counts, unless it is stale.
+    /// Waits until `wanted` is true of a packet. The newest one that has come counts, unless it is stale or
+    /// [may be old](Snapshot::follows_silence).
+    ///
+    /// The packet tells of a time before it came, and nothing bounds how long before: see [`Snapshot`]. Where a person or a part depends
+    /// on the state, ask the controller for it on the command port afterwards.
     ///
     /// # Errors
-    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none, [`ErrorKind::UnexpectedStatus`] if they could
-    /// not be read, [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
+    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none, [`ErrorKind::WaitEnded`] if the newest may
+    /// be old, [`ErrorKind::UnexpectedStatus`] if they could not be read, [`ErrorKind::StatusTimeout`] if none came.
+    /// [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
@@ -290,7 +304,8 @@ impl<S: 'static> Monitor<S> {
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
         ended(&self.board.lock())?;
         let before = self.statistics().packets;
-        let found = self.watch(timeout, |latest| latest.filter(|latest| wanted(latest)).cloned())?;
+        let counts = |latest: &&Arc<Snapshot<S>>| !latest.follows_silence && wanted(latest);
+        let found = self.watch(timeout, |latest| latest.filter(counts).cloned())?;
         found.ok_or_else(|| self.not_in_time(timeout, before))
     }
 
@@ -300,6 +315,10 @@ impl<S: 'static> Monitor<S> {
         let state = self.board.lock();
         let kind = match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => ErrorKind::UnexpectedStatus { source },
+            (None, Some(last)) if packets > 0 && last.follows_silence => {
+                let what = "the robot is in the expected state".to_owned();
+                ErrorKind::WaitEnded { what, problem: StatusProblem::Resuming }
+            }
             (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: describe(last) },
             _ => ErrorKind::StatusTimeout { address: state.tap.address(), after },
         };
@@ -307,6 +326,8 @@ impl<S: 'static> Monitor<S> {
     }
 
     /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
+    ///
+    /// Those that [may be old](Snapshot::follows_silence) come, too, and say so.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
         let queue = Arc::new(Queue::new(&self.clock, Items::new(capacity)));
         let mut state = self.board.lock();

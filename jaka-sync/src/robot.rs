@@ -32,13 +32,16 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::recording::MotionStep;
 
 use self::batch::{Batch, Begin, Frames};
 pub use self::explain::Explanation;
 pub(crate) use self::guard::Armed;
 #[cfg(feature = "stream")]
 pub(crate) use self::guard::SetPointGuard;
-pub use self::guard::{ForceComponent, ForceLimit, Guard, GuardTrip, NotGuarded, TcpBox, TripReason};
+pub use self::guard::{
+    ForceComponent, ForceLimit, Guard, GuardTrip, LagBeyondReaction, NotGuarded, TcpBox, TripReason,
+};
 pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;
 use self::limits::Checks;
@@ -50,6 +53,7 @@ pub use self::not_shown::NotShown;
 pub(crate) use self::not_shown::shown_joints;
 pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
+pub use self::power::PowerStep;
 #[cfg(feature = "preflight")]
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use self::readiness::StatusProblem;
@@ -184,6 +188,9 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
     /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
+    #[doc(alias = "get_joint_pos")]
+    #[doc(alias = "get_tcp_pos")]
+    #[doc(alias = "set_digital_output")]
     pub fn client(&mut self) -> &mut Client {
         self.rests = false;
         self.checks.forget_plan();
@@ -200,6 +207,13 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
     /// was accepted is reported by the [`MotionEnd`].
+    #[doc(alias = "joint_move")]
+    #[doc(alias = "linear_move")]
+    #[doc(alias = "move_c")]
+    #[doc(alias = "move_j")]
+    #[doc(alias = "move_l")]
+    #[doc(alias = "movej")]
+    #[doc(alias = "movel")]
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
         let since = self.clock().stopwatch();
         self.send(motion, timeout, None)?;
@@ -276,9 +290,11 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none. Once the command connection is lost, no
     /// longer than until the next status packet: [`Outcome::ConnectionLost`].
+    #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
         let end = self.wait_unless(timeout, &|| false);
         self.report(&end);
+        self.record(&end);
         end
     }
 
@@ -303,6 +319,16 @@ impl<S: MotionStatus> Robot<S> {
         // A connection that is lost is the outcome.
         let not_answered = wait.failure.filter(|failure| !failure.is_disconnected());
         MotionEnd { outcome, waited, packets, not_answered, stop: None }
+    }
+
+    /// Records how motions ended, if there were some.
+    fn record(&self, end: &MotionEnd) {
+        let step = match &end.outcome {
+            Outcome::NoMotion => return,
+            Outcome::Reached | Outcome::AtRest => MotionStep::Done,
+            _ => MotionStep::Failed,
+        };
+        self.client.link.record_motion(step, || end.outcome.to_string());
     }
 
     /// The program is told of the stops that have ended a motion, if they have.
@@ -365,6 +391,9 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
+    #[doc(alias = "abort")]
+    #[doc(alias = "motion_abort")]
+    #[doc(alias = "stop")]
     pub fn stop_handle(&self) -> RobotStop {
         RobotStop {
             handle: self.client.stop_handle(),

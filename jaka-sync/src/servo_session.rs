@@ -7,6 +7,8 @@ mod enter;
 #[cfg(feature = "stream")]
 mod generated;
 mod histogram;
+#[cfg(feature = "stream")]
+mod lag;
 mod land;
 mod lateness;
 mod leave;
@@ -24,9 +26,15 @@ use std::time::Duration;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
 #[cfg(feature = "stream")]
+pub(crate) use self::course::Course;
+#[cfg(feature = "stream")]
 pub(crate) use self::generated::{
-    Seen, SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, generator, no_limits, not_generated,
+    SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, generator, no_limits, not_generated,
 };
+#[cfg(feature = "stream")]
+pub use self::lag::FollowLag;
+#[cfg(feature = "stream")]
+pub(crate) use self::lag::LagFit;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;
@@ -169,8 +177,8 @@ impl ServoConfig {
         self
     }
 
-    /// How late a set-point is at least after which the arm is taken to stand: the controller had none for so long. No source says how
-    /// long it takes; three periods are ours.
+    /// Least lateness of a set-point that follows a gap: the controller had none for so long. No source says how long it bears that; three
+    /// periods are ours.
     fn gap(&self) -> Duration {
         self.period() * 3
     }

@@ -63,8 +63,9 @@ impl StreamConfig {
         self
     }
 
-    /// Sets how late a set-point may be: 100 ms by default. Beyond that the stream ends with [`ErrorKind::SetPointLate`]. After one that is late by three periods
-    /// or more the motion begins again from standstill.
+    /// Sets how late a set-point may be while the arm is slow: 100 ms by default. Beyond that the stream ends with
+    /// [`ErrorKind::SetPointLate`]. In the middle of a motion it ends so after three periods
+    /// ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;
         self

@@ -1,13 +1,12 @@
 //! `jaka up`: power on and enable.
 
-mod progress;
-
 use std::time::Duration;
 
 use clap::Args;
+use jaka_sync::PowerStep;
 use jaka_sync::power::{EnableRobot, PowerOn};
+use jaka_sync::proto::Command;
 
-use self::progress::Progress;
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::output;
@@ -30,16 +29,29 @@ impl Up {
             "get power and be enabled: its brakes release",
             &[intent(&PowerOn::new())?, intent(&EnableRobot::new())?],
         )?;
-        act.with_steps(|robot| {
-            let patience = act.patience(PATIENCE);
-            let progress = Progress::begin(robot, patience);
-            let done = robot.power_up(patience);
-            if done.is_ok() {
-                progress.has_power();
-            }
-            progress.end();
-            done
-        })?;
+        let mut progress = Progress::default();
+        act.with_steps(|robot| robot.power_up_with(act.patience(PATIENCE), |step| progress.note(step)))?;
         output::line("the arm is powered and enabled")
+    }
+}
+
+/// Notes of the steps, as the controller's answers show them.
+#[derive(Debug, Default)]
+struct Progress {
+    /// Time that switching the power on took, if that was a step.
+    powered_after: Option<Duration>,
+}
+
+impl Progress {
+    fn note(&mut self, step: PowerStep) {
+        match (step.command, step.took) {
+            (command, Some(took)) if command == PowerOn::INFO.name => self.powered_after = Some(took),
+            (command, None) if command == PowerOn::INFO.name => output::note("switching the power on"),
+            (_, None) => output::note(&self.powered_after.map_or_else(
+                || "enabling the arm, which has power".to_owned(),
+                |took| format!("the arm has power, after {:.1} s; enabling it", took.as_secs_f64()),
+            )),
+            (_, Some(_)) => {}
+        }
     }
 }

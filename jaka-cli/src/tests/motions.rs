@@ -116,9 +116,10 @@ fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
 #[test]
 fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
     // The replies, and that to the stop, come only when the step is done.
-    for (steps, said) in [
-        (1, "accepted before: power_on; not sent: enable_robot"),
-        (2, "accepted before: power_on, enable_robot; not sent: nothing"),
+    let powered = "note: the arm has power, after 8.0 s; enabling it\n";
+    for (steps, told, said) in [
+        (1, "", "accepted before: power_on; not sent: enable_robot"),
+        (2, powered, "accepted before: power_on, enable_robot; not sent: nothing"),
     ] {
         let slow = Arm::simulated().without_power();
         let slow = slow.controller(|it| it.delays(Delays::REAL).habits(Habits::from(Habit::LatePower))).start();
@@ -128,7 +129,7 @@ fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
             }
         });
         let text = format!(
-            "note: interrupted: no further step is sent\nnote: switching the power on\nerror: interrupted; {said}\n"
+            "note: interrupted: no further step is sent\nnote: switching the power on\n{told}error: interrupted; {said}\n"
         );
         assert_eq!((run.code, run.err), (4, text));
         let sent = [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#];

@@ -7,7 +7,7 @@ use std::fmt;
 use std::str;
 use std::time::Duration;
 
-use super::{Ending, Entry, Event, FORMAT, Header, Message, Port, Recording};
+use super::{Ending, Entry, Event, FORMAT, Header, Message, MotionStep, Port, Recording};
 use crate::wire::{Decode, DecodeError, Reader};
 
 impl Recording {
@@ -123,6 +123,11 @@ impl<'l> Line<'l> {
                 Ok(Event::Closed { by, why: self.optional("why")?.unwrap_or_default() })
             }
             "error" => Ok(Event::Error { text: self.required("text")? }),
+            "motion" => {
+                let expected = "`late`, `gap`, `done` or `failed`";
+                let step = self.one_of("step", expected, MotionStep::ALL, MotionStep::word)?;
+                Ok(Event::Motion { step, text: self.required("text")? })
+            }
             "dropped" => self.required("count").map(|Count(count)| Event::Dropped { count }),
             other => Err(DecodeError::unfit("an event of the format", other).in_field("event")),
         }

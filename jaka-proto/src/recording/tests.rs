@@ -24,6 +24,7 @@ fn lines_look_as_the_format_says() {
         at(593, Event::Sent(Message::new("{\"cmdName\":\"get_version\"}"))),
         at(1_002_190, Event::Received(Message::new(b"{\xff}".as_slice()))),
         at(2_000_000, Event::Error { text: "a\nb".to_owned() }),
+        at(2_000_000, Event::Motion { step: MotionStep::Gap, text: "late".to_owned() }),
         at(2_000_001, Event::Dropped { count: 3 }),
         at(2_000_002, Event::Closed { by: Ending::Failure, why: "reset".to_owned() }),
     ];
@@ -33,6 +34,7 @@ fn lines_look_as_the_format_says() {
         r#"{"time":0.000593,"port":"command","connection":1,"event":"sent","text":"{\"cmdName\":\"get_version\"}"}"#,
         r#"{"time":1.002190,"port":"command","connection":1,"event":"received","hex":"7bff7d"}"#,
         r#"{"time":2.000000,"port":"command","connection":1,"event":"error","text":"a\nb"}"#,
+        r#"{"time":2.000000,"port":"command","connection":1,"event":"motion","step":"gap","text":"late"}"#,
         r#"{"time":2.000001,"port":"command","connection":1,"event":"dropped","count":3}"#,
         r#"{"time":2.000002,"port":"command","connection":1,"event":"closed","by":"failure","why":"reset"}"#,
     ];
@@ -119,6 +121,7 @@ fn any_event() -> impl Strategy<Value = Event> {
         message().prop_map(Event::Received),
         (proptest::sample::select(&Ending::ALL[..]), text()).prop_map(|(by, why)| Event::Closed { by, why }),
         text().prop_map(|text| Event::Error { text }),
+        (proptest::sample::select(&MotionStep::ALL[..]), text()).prop_map(|(step, text)| Event::Motion { step, text }),
         any::<u64>().prop_map(|count| Event::Dropped { count }),
     ]
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use super::{Ending, Entry, Event, FORMAT, Header, Message, Port, Recording};
+use super::{Ending, Entry, Event, FORMAT, Header, Message, MotionStep, Port, Recording};
 use crate::wire::Writer;
 
 impl Recording {
@@ -76,6 +76,20 @@ impl Ending {
     }
 }
 
+impl MotionStep {
+    pub(super) const ALL: [Self; 4] = [Self::Late, Self::Gap, Self::Done, Self::Failed];
+
+    /// Its name in a recording, such as `late`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Late => "late",
+            Self::Gap => "gap",
+            Self::Done => "done",
+            Self::Failed => "failed",
+        }
+    }
+}
+
 impl Event {
     /// Its name in a recording, such as `sent`.
     pub fn word(&self) -> &'static str {
@@ -85,6 +99,7 @@ impl Event {
             Self::Received(_) => "received",
             Self::Closed { .. } => "closed",
             Self::Error { .. } => "error",
+            Self::Motion { .. } => "motion",
             Self::Dropped { .. } => "dropped",
         }
     }
@@ -98,6 +113,10 @@ impl Event {
                 field("why", why, out);
             }
             Self::Error { text } => field("text", text, out),
+            Self::Motion { step, text } => {
+                field("step", step.word(), out);
+                field("text", text, out);
+            }
             Self::Dropped { count } => {
                 out.raw(",\"count\":");
                 out.raw(&count.to_string());

@@ -33,8 +33,8 @@ pub(crate) enum Step {
 pub(super) fn scripts(recording: &Recording, port: Port) -> Vec<Arc<Script>> {
     let mut numbers = Vec::new();
     for entry in recording.entries.iter().filter(|entry| entry.port == port) {
-        // An error alone is that of a connection that was not made.
-        if !matches!(entry.event, Event::Error { .. }) && !numbers.contains(&entry.connection) {
+        // An error alone is that of a connection that was not made; what happened to motions is the program's own.
+        if !matches!(entry.event, Event::Error { .. } | Event::Motion { .. }) && !numbers.contains(&entry.connection) {
             numbers.push(entry.connection);
         }
     }

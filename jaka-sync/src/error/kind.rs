@@ -208,10 +208,11 @@ worded! {
             off_deg: f64,
         } =>
             "joint {joint} does not follow its set-points: it is at {at_deg:.2} deg, {off_deg:.2} deg from all of the last half second",
-        /// A set-point of a stream or a trajectory was due too long ago: the machine was too busy for it. It has ended. Needs the feature `stream`.
-        #[cfg(feature = "stream")]
+        /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too busy: it was not sent, and the
+        /// session has ended without set-points that brake. Give the thread a priority
+        /// ([`ServoConfig::realtime_priority`](crate::ServoConfig::realtime_priority)), or the machine less to do.
         SetPointLate {
-            /// How long ago.
+            /// Time since it was due.
             late: Duration,
         } => "a set-point is {late:.1?} late: the machine was too busy to send it in time",
         /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early. Nothing was sent.
@@ -340,6 +341,7 @@ impl ErrorKind {
             Self::Thread { source } => (Group::Other, false, Some(source)),
             Self::UnexpectedStatus { source } => (Group::Other, false, Some(source)),
             Self::NotReady { .. }
+            | Self::SetPointLate { .. }
             | Self::SessionEnded { .. }
             | Self::NotShown { .. }
             | Self::NotGuarded { .. }
@@ -351,7 +353,7 @@ impl ErrorKind {
             #[cfg(feature = "stream")]
             Self::Trajectory { source } => (Group::Other, false, source.source()),
             #[cfg(feature = "stream")]
-            Self::NotAtStart { .. } | Self::Departed { .. } | Self::SetPointLate { .. } => (Group::Other, false, None),
+            Self::NotAtStart { .. } | Self::Departed { .. } => (Group::Other, false, None),
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
         }

@@ -5,15 +5,15 @@ use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
+use jaka_proto::recording::MotionStep;
 
 use super::approach::Approach;
 use super::end::{FollowEnd, FollowOutcome};
-use super::lag::LagFit;
 use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::Clock;
 use crate::robot::SetPointGuard;
-use crate::servo_session::{Seen, SetPoint, SetPoints, Supervision, no_limits};
+use crate::servo_session::{LagFit, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Error, MotionStatus, Robot, ServoSession};
 
@@ -44,10 +44,14 @@ pub(super) fn run<S: MotionStatus>(
     };
     begun.give(Ok(()));
     let (period, most_deg) = (config.servo.period(), config.max_departure_deg);
-    let mut supervision = Supervision::new(way.last, period, most_deg, config.max_gap, guard);
+    let lag = LagFit::new(session.robot.clock().now(), way.last, period);
+    let mut supervision = Supervision::new((way.last, period), most_deg, config.max_gap, guard, Some(lag));
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
+    if end.error.is_none() && end.outcome != FollowOutcome::Completed {
+        robot.client().link.record_motion(MotionStep::Failed, || end.to_string());
+    }
     orders.end(end.to_string());
     Some(end)
 }
@@ -60,7 +64,6 @@ struct Way<'o> {
     follower: Follower,
     orders: &'o Orders,
     is_overdue: bool,
-    lag: LagFit,
     /// The last set-point, or where the arm was before.
     last: JointPosition,
     clock: Clock,
@@ -88,7 +91,6 @@ impl<'o> Way<'o> {
             follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
             orders,
             is_overdue: false,
-            lag: LagFit::new(session.robot.clock().now(), at, period),
             last: at,
             clock: session.robot.clock().clone(),
         })
@@ -120,7 +122,7 @@ impl<'o> Way<'o> {
             reached: Duration::from_secs_f64(self.follower.time_s()),
             duration: self.follower.trajectory().duration(),
             has_left_curve,
-            lag: self.lag.best(),
+            lag: supervision.lag(),
             report: std::mem::take(&mut session.report),
             error,
         }
@@ -138,7 +140,12 @@ impl<'o> Way<'o> {
                 ahead = self.look_ahead(straight_on.periods(course), left);
             }
             is_straight_on = is_straight_on || ahead.takes_longer();
-            if is_straight_on { straight_on.next(course) } else { self.brake() }
+            if is_straight_on {
+                self.orders.followed(self.follower.time_s(), 0.0);
+                straight_on.next(course)
+            } else {
+                self.brake()
+            }
         });
         let is_off = self.approach.is_none() && session.last_joints() != Some(self.follower.joints());
         if is_off && !is_straight_on {
@@ -263,6 +270,7 @@ impl SetPoints for Way<'_> {
             Some(approach) => approach.paused(),
             None => self.follower.paused(),
         }
+        self.tell();
     }
 
     fn take_back(&mut self) {
@@ -273,11 +281,6 @@ impl SetPoints for Way<'_> {
     }
 
     fn sent(&mut self) {
-        self.lag.sent(self.clock.now(), self.last);
         self.tell();
-    }
-
-    fn seen(&mut self, packet: &Seen) {
-        self.lag.seen(packet.received, packet.joints);
     }
 }

@@ -4,9 +4,9 @@ use std::error::Error as StdError;
 use std::fmt;
 use std::time::Duration;
 
-use super::{FollowLag, FollowProgress};
+use super::FollowProgress;
 use crate::worded::worded;
-use crate::{Error, ErrorKind, Outcome, ServoReport};
+use crate::{Error, ErrorKind, FollowLag, Outcome, ServoReport};
 
 worded! {
     /// How the following of a trajectory ended.

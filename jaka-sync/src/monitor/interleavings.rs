@@ -40,8 +40,8 @@ fn two_packets(mut worker: Worker<i64>) {
     for packet in 1..=2 {
         worker.number += 1;
         let (received, number) = (Instant::now(), worker.number);
-        let unfit = Vec::new();
-        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit, clock: Clock::default() })));
+        let (unfit, follows_silence, clock) = (Vec::new(), false, Clock::default());
+        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit, follows_silence, clock })));
     }
     assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
     worker.end();

@@ -2,11 +2,11 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::{Board, Snapshot};
+use super::{Board, SETTLING, Snapshot};
 use crate::clock::{Clock, Stopwatch};
 use crate::packets::{Between, Packets};
 use crate::receive::Chunk;
@@ -32,11 +32,32 @@ pub(super) struct Worker<S> {
     /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes its time over an
     /// old packet must not delay the newest.
     passed: Vec<Arc<Snapshot<S>>>,
+    silence: Silence,
+}
+
+/// Recognises the packets that follow a silence.
+#[derive(Debug, Default)]
+struct Silence {
+    /// When the last packet came that could be read.
+    last: Option<Instant>,
+    /// When packets came again after the last silence.
+    over: Option<Instant>,
+}
+
+impl Silence {
+    /// Takes the next packet, and says whether it may have been held back in a silence longer than this.
+    fn is_followed_by(&mut self, received: Instant, silence: Duration) -> bool {
+        let gap = self.last.replace(received).map(|last| received.saturating_duration_since(last));
+        if gap.is_some_and(|gap| gap > silence) {
+            self.over = Some(received);
+        }
+        self.over.is_some_and(|over| received.saturating_duration_since(over) < SETTLING)
+    }
 }
 
 impl<S: Decode> Worker<S> {
     pub(super) fn new(board: Arc<Board<S>>, address: String, config: Config) -> Self {
-        Self { board, address, config, number: 0, spare: None, passed: Vec::new() }
+        Self { board, address, config, number: 0, spare: None, passed: Vec::new(), silence: Silence::default() }
     }
 
     /// Reads until the monitor is dropped, or the connection ends and is not made again.
@@ -137,7 +158,13 @@ impl<S: Decode> Worker<S> {
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
         let (spare, number, clock) = (self.spare.take(), self.number, &self.config.clock);
         let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number, clock)));
-        decoded.unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))
+        let mut decoded = decoded
+            .unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))?;
+        // Nobody else has it yet.
+        if let Some(snapshot) = Arc::get_mut(&mut decoded) {
+            snapshot.follows_silence = self.silence.is_followed_by(snapshot.received, self.config.stale_after);
+        }
+        Ok(decoded)
     }
 
     pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
@@ -149,10 +176,6 @@ impl<S: Decode> Worker<S> {
                 state.counters.counted.unfit += u64::from(!snapshot.unfit.is_empty());
                 state.unfit = None;
                 state.reconnecting = false;
-                let last = state.latest.as_ref().map(|latest| snapshot.received.duration_since(latest.received));
-                if last.is_some_and(|silence| silence > self.config.stale_after) {
-                    state.resumed = Some(snapshot.received);
-                }
                 self.spare = state.latest.replace(Arc::clone(&snapshot));
                 to_hand_out.push(snapshot);
             }
@@ -250,7 +273,7 @@ fn decode_over<S: Decode>(
             let status = S::decode(&mut reader)?;
             reader.end()?;
             let unfit = reader.take_unfit();
-            Ok(Arc::new(Snapshot { status, received, number, unfit, clock: clock.clone() }))
+            Ok(Arc::new(Snapshot { status, received, number, unfit, follows_silence: false, clock: clock.clone() }))
         }
     }
 }

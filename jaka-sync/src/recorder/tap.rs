@@ -5,7 +5,7 @@ use std::error::Error as StdError;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use jaka_proto::recording::{Ending, Entry, Event, Message, Port};
+use jaka_proto::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
 use super::exchanges::KEPT;
 use super::track::Track;
@@ -121,6 +121,13 @@ impl Tap {
         let Some(connection) = &self.connection else { return };
         if std::mem::take(&mut lock(&connection.state).is_open) {
             connection.track.record(Event::Closed { by, why: why() });
+        }
+    }
+
+    /// Something happened to a motion.
+    pub(crate) fn motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
+        if let Some(connection) = &self.connection {
+            connection.track.record(Event::Motion { step, text: text() });
         }
     }
 

@@ -25,7 +25,7 @@ pub(super) use self::packet_period::longest_silence;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_points::SetPointGuard;
 pub use self::tcp_box::TcpBox;
-pub use self::trip::{GuardTrip, TripReason};
+pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};
 use super::inputs::{AnalogCondition, InputCondition};
 #[cfg(doc)]
 use crate::Robot;

@@ -8,6 +8,11 @@ use jaka_proto::messages::types::{MoveMode, Pose};
 use super::Target;
 
 /// A planned motion: one whose reply says that it was accepted, and whose end is waited for.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a motion whose end a robot waits for",
+    note = "any other command goes out by `Robot::client`: `robot.client().call(&request)`",
+    note = "a motion of a pack implements `Motion`, which says where it ends"
+)]
 pub trait Motion: Command<Reply = ()> {
     /// Where it ends, as far as the request determines it. The controller's own answer says whether the arm is there.
     fn target(&self) -> Target;

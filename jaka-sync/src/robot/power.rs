@@ -18,9 +18,23 @@ const QUERY_PERIOD: Duration = Duration::from_millis(100);
 /// How the time until the next query passes: it may end with an error.
 type Pause<R> = fn(&mut R, Duration) -> Result<(), Error>;
 
+/// Step of [`Robot::power_up_with`] or [`Robot::power_down_with`], as the controller's own answers show it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct PowerStep {
+    /// `cmdName` of the step's command.
+    pub command: &'static str,
+    /// Time from sending the command until the controller answered that the step is done (`get_robot_state`, 4.12); `None` just
+    /// before the command is sent.
+    pub took: Option<Duration>,
+}
+
+/// Called for each step.
+type Observer<'o> = &'o mut dyn FnMut(PowerStep);
+
 /// The steps of a call, how long all of them may take, and the stop after which no other is sent.
-#[derive(Debug)]
-struct Steps {
+struct Steps<'o> {
+    observer: Observer<'o>,
     since: Stopwatch,
     timeout: Duration,
     /// The number of the latest stop of the program's own that does not count.
@@ -30,13 +44,22 @@ struct Steps {
     rest: Vec<&'static str>,
 }
 
-impl Steps {
-    fn new(clock: &Clock, timeout: Duration, stop: u64) -> Self {
-        Self { since: clock.stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
+impl<'o> Steps<'o> {
+    fn new(clock: &Clock, timeout: Duration, stop: u64, observer: Observer<'o>) -> Self {
+        Self { observer, since: clock.stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
     }
 
     fn left(&self) -> Duration {
         self.since.left_of(self.timeout)
+    }
+
+    /// Tells the program and its log of a step.
+    fn tell(&mut self, step: PowerStep) {
+        match step.took {
+            None => log::info!(target: "jaka_sync", "{} is sent next", step.command),
+            Some(took) => log::info!(target: "jaka_sync", "{} is done, after {took:.1?}", step.command),
+        }
+        (self.observer)(step);
     }
 
     /// Fails once a stop has begun that counts. As a gate it lets no step out after that.
@@ -51,7 +74,28 @@ impl Steps {
 
 impl<S: MotionStatus> Robot<S> {
     /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`, 4.12), and
-    /// waits until the status packets say so, too. It usually takes about 12 s.
+    /// waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged (`log::info!`).
+    ///
+    /// # Errors
+    /// As [`power_up_with`](Self::power_up_with).
+    #[doc(alias = "enable_robot")]
+    #[doc(alias = "power_on")]
+    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_up_with(timeout, |_| {})
+    }
+
+    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when it is done.
+    ///
+    /// A step that is done already is left out. The observer runs in this thread, between the steps.
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_sync::Robot::connect("10.5.5.100")?;
+    /// robot.power_up_with(std::time::Duration::from_secs(60), |step| match step.took {
+    ///     None => println!("{} …", step.command),
+    ///     Some(took) => println!("{} done after {took:.1?}", step.command),
+    /// })?;
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
     ///
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
@@ -60,8 +104,8 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
-    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
-        let mut steps = Steps::new(self.clock(), timeout, self.latch.reported());
+    pub fn power_up_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        let mut steps = Steps::new(self.clock(), timeout, self.latch.reported(), &mut observer);
         self.monitor.wait_until(|_| true, timeout)?;
         self.check_emergency_stop(Duration::ZERO)?;
         let state = self.client.call_within(&GetRobotState::new(), steps.left())?;
@@ -84,13 +128,24 @@ impl<S: MotionStatus> Robot<S> {
     /// 4.12), and waits until the status packets say so, too. A step that is done already is left out.
     ///
     /// # Errors
+    /// As [`power_down_with`](Self::power_down_with).
+    #[doc(alias = "disable_robot")]
+    #[doc(alias = "power_off")]
+    pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_down_with(timeout, |_| {})
+    }
+
+    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer` before each step and when it is
+    /// done.
+    ///
+    /// # Errors
     /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
     /// - [`ErrorKind::StatusTimeout`]: no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
-    pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
-        let mut steps = Steps::new(self.clock(), timeout, self.latch.stops.begun());
+    pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        let mut steps = Steps::new(self.clock(), timeout, self.latch.stops.begun(), &mut observer);
         let state = self.client.call_within(&GetRobotState::new(), steps.left())?;
         steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
         steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
@@ -112,13 +167,16 @@ impl<S: MotionStatus> Robot<S> {
         &mut self,
         command: &C,
         is_done: impl Fn(&GetRobotStateReply) -> bool,
-        steps: &mut Steps,
+        steps: &mut Steps<'_>,
         pause: Pause<Self>,
     ) -> Result<(), Error> {
         let (since, own_stops) = (self.monitor.statistics().packets, Arc::clone(&self.latch.stops));
         if steps.left().is_zero() {
             return Err(self.not_in_time(steps.timeout, since));
         }
+        steps.check_stops(&own_stops)?;
+        let sent = self.clock().stopwatch();
+        steps.tell(PowerStep { command: C::INFO.name, took: None });
         let gate = || steps.check_stops(&own_stops);
         let accepted = self.client.call_through(Some(&gate), command, steps.left());
         accepted.map_err(|error| self.explained(error, steps.left()))?;
@@ -130,6 +188,7 @@ impl<S: MotionStatus> Robot<S> {
                 return Err(self.not_in_time(steps.timeout, since));
             }
         }
+        steps.tell(PowerStep { command: C::INFO.name, took: Some(sent.passed()) });
         Ok(())
     }
 

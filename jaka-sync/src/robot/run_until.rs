@@ -87,7 +87,11 @@ impl<S: MotionStatus> Robot<S> {
             Ok::<_, Error>((result, stopped.or_else(|| sentry.written(None))))
         })?;
         match (result, sentry.armed.trip()) {
-            (Ok(end), _) => Ok(self.end_of_guarded(&sentry, end, stopped)),
+            (Ok(end), _) => {
+                let end = self.end_of_guarded(&sentry, end, stopped);
+                self.record(&end);
+                Ok(end)
+            }
             (Err(error), Some(trip)) if matches!(error.kind(), ErrorKind::GuardTripped { .. }) => {
                 self.not_begun(&guard, trip, since.passed())
             }

@@ -45,13 +45,14 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
-        let Snapshot { status, received, number, unfit, clock } = &**snapshot;
+        let Snapshot { status, received, number, unfit, follows_silence, clock } = &**snapshot;
         let (mut unfit, clock) = (unfit.clone(), clock.clone());
         let status = told(status).unwrap_or_else(|error| {
             unfit.push(error);
             RobotStatus::default()
         });
-        Arc::new(Snapshot { status, received: *received, number: *number, unfit, clock })
+        let (received, number, follows_silence) = (*received, *number, *follows_silence);
+        Arc::new(Snapshot { status, received, number, unfit, follows_silence, clock })
     }
 }
 

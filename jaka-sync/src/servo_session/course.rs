@@ -55,6 +55,12 @@ impl Course {
         self.joints.both()
     }
 
+    /// Joint positions of the last set-point, where they are known.
+    #[cfg(feature = "stream")]
+    pub(crate) fn joints(&self) -> Option<JointPosition> {
+        self.joints.last
+    }
+
     /// Where the joints are to be at the last set-point, if that is one of joints, and where it is known.
     pub(super) fn held_joints(&self) -> Option<JointPosition> {
         let of_joints = matches!(self.sent, Some(SetPoint::Joints(_) | SetPoint::JointOffset(_)));
@@ -138,6 +144,11 @@ impl Course {
     /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or that is not known.
     pub(super) fn step(&self) -> Option<Step> {
         self.step.filter(|step| !step.is_none())
+    }
+
+    /// The step to the last set-point, in joints where these are known; none where the step is not known.
+    pub(super) fn step_of_joints(&self) -> Option<Step> {
+        self.joints.both().map(|[before, last]| Step::between_joints(before, last)).or(self.step)
     }
 
     /// The set-point this far from the last one, of the same kind as that.

@@ -11,10 +11,11 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::ServoSession;
 use super::departure::Departure;
+use super::lag::LagFit;
 use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::robot::{SetPointGuard, shown_joints};
-use crate::{Error, ErrorKind, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
+use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
 pub(crate) trait SetPoints {
@@ -32,16 +33,6 @@ pub(crate) trait SetPoints {
 
     /// The last one was sent.
     fn sent(&mut self);
-
-    /// A packet shows the joints.
-    fn seen(&mut self, _packet: &Seen) {}
-}
-
-/// The joints of a packet.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Seen {
-    pub(crate) joints: JointPosition,
-    pub(crate) received: Instant,
 }
 
 /// What ends generated set-points: joints that do not follow, a machine that is too slow, and a guard.
@@ -54,39 +45,56 @@ pub(crate) struct Supervision<'g> {
     unseen: Option<Instant>,
     max_gap: Duration,
     guard: Option<&'g SetPointGuard>,
+    lag: Option<LagFit>,
 }
 
 impl<'g> Supervision<'g> {
     /// For an arm at rest.
     pub(crate) fn new(
-        start: JointPosition,
-        period: Duration,
+        (start, period): (JointPosition, Duration),
         max_departure_deg: f64,
         max_gap: Duration,
         guard: Option<&'g SetPointGuard>,
+        lag: Option<LagFit>,
     ) -> Self {
         let departure = Departure::new(start, period.as_secs_f64(), max_departure_deg);
-        Self { departure, packet: 0, unseen: None, max_gap, guard }
+        Self { departure, packet: 0, unseen: None, max_gap, guard, lag }
     }
 
     /// Fails once the guard has tripped.
     pub(super) fn check_tripped(&self) -> Result<(), Error> {
-        self.guard.map_or(Ok(()), SetPointGuard::check_tripped)
+        self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.lag()))
+    }
+
+    /// How the arm has followed its set-points; none where that is not measured, or not known.
+    pub(crate) fn lag(&self) -> Option<FollowLag> {
+        self.lag.as_ref().and_then(LagFit::best)
+    }
+
+    /// A set-point was sent.
+    fn sent(&mut self, at: impl FnOnce() -> Instant, joints: JointPosition) {
+        self.departure.sent(joints);
+        if let Some(lag) = &mut self.lag {
+            lag.sent(at(), joints);
+        }
     }
 
     /// Compares the joints of a packet, if it shows them. Fails where none has for half a second.
-    fn take(&mut self, packet: &Snapshot) -> Result<Option<Seen>, Error> {
+    fn take(&mut self, packet: &Snapshot) -> Result<(), Error> {
         self.packet = packet.number;
         match shown_joints(packet) {
             Ok(joints) => {
                 self.unseen = None;
                 self.departure.check(joints)?;
-                Ok(Some(Seen { joints, received: packet.received }))
+                if let Some(lag) = &mut self.lag {
+                    lag.seen(packet.received, joints);
+                }
+                Ok(())
             }
             Err(reason) => {
                 let since = *self.unseen.get_or_insert(packet.received);
                 let is_long = packet.received.saturating_duration_since(since) >= UNSEEN;
-                if is_long { Err(not_shown(reason)) } else { Ok(None) }
+                if is_long { Err(not_shown(reason)) } else { Ok(()) }
             }
         }
     }
@@ -131,28 +139,27 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         supervision: &mut Supervision<'_>,
     ) -> Result<(), Error> {
         loop {
-            let late = self.wait_for_cycle();
+            let cycle = self.wait_for_cycle();
             // The arm is taken to stand: it had no set-points for so long.
-            if late >= self.config.gap() {
+            if cycle.as_ref().map_or(true, |late| *late >= self.config.gap()) {
                 set_points.paused();
             }
-            supervision.guard.map_or(Ok(()), |guard| guard.check(self.robot.monitor()))?;
+            supervision.guard.map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.lag()))?;
             if set_points.is_done() {
                 return Ok(());
             }
+            let late = cycle?;
             if late > supervision.max_gap {
                 return Err(ErrorKind::SetPointLate { late }.into());
             }
-            if let Some(packet) = self.packet_after(supervision.packet)
-                && let Some(seen) = supervision.take(&packet)?
-            {
-                set_points.seen(&seen);
+            if let Some(packet) = self.packet_after(supervision.packet) {
+                supervision.take(&packet)?;
             }
             let joints = set_points.next();
             let sent = self.send_checked(SetPoint::Joints(joints), Some(joints));
             sent.inspect_err(|_| set_points.take_back())?;
-            self.report.late(late, self.config.period());
-            supervision.departure.sent(joints);
+            self.went_out(late);
+            supervision.sent(|| self.robot.clock().now(), joints);
             set_points.sent();
         }
     }

@@ -86,8 +86,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
     fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
-        if self.begun.map_or_else(|| self.pace.late(), |due| self.robot.clock().elapsed(due)) >= self.config.gap() {
-            self.stand();
+        let late = self.begun.map_or_else(|| self.pace.late(), |due| self.robot.clock().elapsed(due));
+        if late >= self.config.gap() {
+            self.stand(late);
             return Ok(());
         }
         while let Some(next) = braking(&self.course) {
@@ -101,8 +102,10 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// The arm has had no set-point for so long that it is taken to stand, which is told of one that moved.
-    fn stand(&mut self) {
-        self.report.gaps += u64::from(self.course.is_moving());
+    fn stand(&mut self, late: Duration) {
+        if self.course.is_moving() {
+            self.count_gap(late);
+        }
         self.course.paused();
     }
 
@@ -164,12 +167,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         refused: u64,
     ) -> Result<bool, Error> {
         // What was computed since takes its time, too.
-        let late = match self.begun.take() {
-            Some(due) => self.robot.clock().elapsed(due),
-            None => self.pace.wait(),
+        let (late, due) = if let Some(due) = self.begun.take() {
+            (self.robot.clock().elapsed(due), Some(due))
+        } else {
+            let late = self.pace.wait();
+            (late, self.robot.clock().now().checked_sub(late))
         };
         if late >= self.config.gap() {
-            self.stand();
+            self.stand(late);
             return Ok(false);
         }
         self.take_answers(ServoJ::INFO.name)?;
@@ -178,7 +183,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Err(refusal);
         }
         self.check_unanswered()?;
-        self.post(&set_point, gate)?;
+        let punctual = self.punctual(due);
+        match self.post(&set_point, &|| gate().and_then(|()| punctual())) {
+            Err(error) if let ErrorKind::SetPointLate { late } = *error.kind() => {
+                self.stand(late);
+                return Ok(false);
+            }
+            sent => sent?,
+        }
         self.course.sent(set_point, self.course.joints_at(&set_point));
         self.report.landing_cycles += 1;
         Ok(true)
@@ -194,11 +206,12 @@ pub(super) fn lets_land(error: &Error) -> bool {
         | ErrorKind::Refused { .. }
         | ErrorKind::UnexpectedReply { .. }
         | ErrorKind::GuardTripped { .. }
+        | ErrorKind::SetPointLate { .. }
         | ErrorKind::StatusUnknown { .. } => true,
         #[cfg(feature = "motion")]
         ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
         #[cfg(feature = "stream")]
-        ErrorKind::Departed { .. } | ErrorKind::SetPointLate { .. } | ErrorKind::NotAtStart { .. } => true,
+        ErrorKind::Departed { .. } | ErrorKind::NotAtStart { .. } => true,
         // That packets do not show the joints any more.
         #[cfg(feature = "stream")]
         ErrorKind::NotShown { .. } => true,

@@ -6,6 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
+use jaka_proto::recording::MotionStep;
 
 #[cfg(feature = "stream")]
 use super::Supervision;
@@ -52,10 +53,17 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (Some(first), Err(landing)) if !first.is_disconnected() => Some(not_seen(first, landing)),
             (first, landed) => first.or(landed.err()).map(|error| self.explained(error)),
         };
-        match (first, left) {
+        let ended = match (first, left) {
             (first, Ok(())) => first.map_or(Ok(()), Err),
             (first, Err(leaving)) => Err(not_left(first, leaving)),
+        };
+        let rest = if self.report.rest_was_seen { "is at rest" } else { "was not seen at rest" };
+        let link = &self.robot.client().link;
+        match &ended {
+            Ok(()) => link.record_motion(MotionStep::Done, || format!("the set-points have ended, and the arm {rest}")),
+            Err(error) => link.record_motion(MotionStep::Failed, || error.to_string()),
         }
+        ended
     }
 
     fn last_answers(&mut self) -> Result<(), Error> {
@@ -87,6 +95,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(error.to_string());
+        self.robot.client().link.record_motion(MotionStep::Failed, || error.to_string());
         #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error

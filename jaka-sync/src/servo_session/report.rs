@@ -12,8 +12,10 @@ pub struct ServoReport {
     pub cycles: u64,
     /// Set-points sent more than half a period late.
     pub late_cycles: u64,
-    /// How often a set-point was late by three periods or more: the arm is taken to have stood then.
+    /// Gaps: set-points that were late by three periods or more. The arm is taken to have stood then.
     pub gaps: u64,
+    /// The longest of these, by the lateness of the set-point after it; zero without a gap.
+    pub longest_gap: Duration,
     /// Set-points of the landing: those that braked the arm, and those that held it.
     pub landing_cycles: u64,
     /// Answers that accepted a set-point.
@@ -35,6 +37,12 @@ impl ServoReport {
         self.cycles += 1;
         self.late_cycles += u64::from(late > period / 2);
         self.lateness.add(late);
+    }
+
+    /// Counts a gap.
+    pub(super) fn gap(&mut self, late: Duration) {
+        self.gaps += 1;
+        self.longest_gap = self.longest_gap.max(late);
     }
 
     /// By how much set-points were sent late, at a share from 0 to 1 of them: 0.99 for the 99th percentile, 1 for the

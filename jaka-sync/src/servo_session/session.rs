@@ -9,12 +9,13 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_proto::recording::MotionStep;
 
 use super::course::Course;
 use super::pace::Pace;
 #[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
-use super::set_point::SetPoint;
+use super::set_point::{SetPoint, Step};
 use super::{ServoConfig, ServoReport};
 use crate::link::Answers;
 use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
@@ -33,10 +34,16 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 ///
 /// # Set-points
 /// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be faster than 180 deg/s, and
-/// [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with each other. The first step is from standstill, and
-/// so is one after a gap, before a set-point that is late by three periods or more: the controller had none when one was due. One
-/// that is late by a period or more delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits, since
+/// [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with each other. The first step is from standstill.
+/// A set-point that is late by a period or more delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits, since
 /// it is not known how far it is. [`ServoConfig::unchecked`] turns these checks off.
+///
+/// # Late set-points
+/// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due. No source says what an
+/// arm does then; three periods are ours. If each joint was slower than its acceleration limit times one period, the arm is taken to stand:
+/// the session goes on, and the step is compared with standstill. Otherwise the session ends with [`ErrorKind::SetPointLate`], sends no
+/// set-points that brake, since the motion that they would brake is over, and holds the last one. [`report`](Self::report) has the lateness.
+/// On a machine that does other work, give the thread `ServoConfig::realtime_priority`.
 ///
 /// # Landing
 /// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
@@ -92,6 +99,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.pace.time()
     }
 
+    /// Report of the session so far; the whole one once the session has ended.
+    pub fn report(&self) -> &ServoReport {
+        &self.report
+    }
+
     /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
@@ -100,6 +112,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
     /// - [`ErrorKind::InvalidArgument`]: a joint would have to be too fast, or to become so too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
+    /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was not sent, and nothing
+    ///   braked the arm.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop. [`ErrorKind::Disconnected`]: the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
@@ -162,22 +176,66 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if let Some(because) = self.ended.clone() {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
-        let late = self.wait_for_cycle();
-        let sent = self.check(&set_point).and_then(|joints| self.send_checked(set_point, joints));
-        sent.map_err(|error| self.end(error))?;
-        self.report.late(late, self.config.period());
+        let sent = self.wait_for_cycle().and_then(|late| {
+            let joints = self.check(&set_point)?;
+            self.send_checked(set_point, joints).map(|()| late)
+        });
+        let late = sent.map_err(|error| self.end(error))?;
+        self.went_out(late);
         Ok(())
     }
 
-    /// Waits for the next cycle, and returns how late it is.
-    pub(super) fn wait_for_cycle(&mut self) -> Duration {
-        let late = self.pace.wait();
-        if late >= self.config.gap() {
-            self.course.paused();
-            self.report.gaps += 1;
+    /// Counts a set-point that went out so late.
+    pub(super) fn went_out(&mut self, late: Duration) {
+        let period = self.config.period();
+        self.report.late(late, period);
+        if late >= period && late < self.config.gap() {
+            let text = || format!("a set-point is {late:.1?} late");
+            self.robot.client().link.record_motion(MotionStep::Late, text);
         }
+    }
+
+    /// Counts a gap before a set-point that is so late.
+    pub(super) fn count_gap(&mut self, late: Duration) {
+        self.report.gap(late);
+        let text = || format!("a set-point is {late:.1?} late: the controller had none when several were due");
+        self.robot.client().link.record_motion(MotionStep::Gap, text);
+    }
+
+    /// Waits for the next cycle, and returns its lateness. Fails after a gap in the middle of a motion.
+    pub(super) fn wait_for_cycle(&mut self) -> Result<Duration, Error> {
+        let late = self.pace.wait();
         self.begun = self.robot.clock().now().checked_sub(late);
-        late
+        if late < self.config.gap() {
+            return Ok(late);
+        }
+        let may_go_on = self.stands_within_a_period();
+        self.course.paused();
+        self.count_gap(late);
+        if may_go_on {
+            return Ok(late);
+        }
+        // A stop may have come meanwhile, and says more.
+        self.robot.gate()().and(Err(ErrorKind::SetPointLate { late }.into()))
+    }
+
+    /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm without a set-point
+    /// is taken to stand.
+    fn stands_within_a_period(&self) -> bool {
+        let rates = &self.config.rates;
+        let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
+        !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
+    }
+
+    /// Lets a set-point pass that was due then and is not too late for a moving arm: the thread may be held up until the moment in which it is
+    /// written.
+    pub(super) fn punctual(&self, due: Option<Instant>) -> impl Fn() -> Result<(), Error> + use<S> {
+        let due = due.filter(|_| !self.stands_within_a_period());
+        let (clock, gap) = (self.robot.clock().clone(), self.config.gap());
+        move || match due.map(|due| clock.elapsed(due)) {
+            Some(late) if late >= gap => Err(ErrorKind::SetPointLate { late }.into()),
+            _ => Ok(()),
+        }
     }
 
     /// Where the joints are at the set-point, if that is known.
@@ -210,8 +268,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
         self.robot.latch.check()?;
         self.check_unanswered()?;
-        let gate = self.robot.gate();
-        self.post(&set_point, &gate)?;
+        let (gate, punctual) = (self.robot.gate(), self.punctual(self.begun));
+        self.post(&set_point, &|| gate().and_then(|()| punctual()))?;
         self.course.sent(set_point, joints);
         self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
         Ok(())

@@ -8,7 +8,9 @@ use jaka_proto::messages::types::JointPosition;
 use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::robot::SetPointGuard;
-use crate::servo_session::{SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits};
+use crate::servo_session::{
+    Course, LagFit, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
+};
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Error, MotionStatus, Robot, ServoReport, ServoSession};
 
@@ -43,14 +45,21 @@ pub(super) fn run<S: MotionStatus>(
     let _ends = OnDrop(|| targets.end("its thread has ended".to_owned()));
     begun.give(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
-    let mut supervision = Supervision::new(start, period, config.max_departure_deg, config.max_gap, guard);
+    let lag = guard.filter(|guard| guard.has_force_limits()).map(|_| LagFit::new(clock.now(), start, period));
+    let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
     let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
     let ended = session.send_all(&mut led, &mut supervision);
-    let rest = &mut |_: &_| (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints));
+    let rest = &mut |course: &Course| {
+        targets.landing(course.joints());
+        (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints))
+    };
     let result = match ended {
         Ok(()) => session.land_by(rest, &supervision).map(|()| std::mem::take(&mut session.report)),
         Err(error) => Err(session.end_by(error, rest)),
     };
+    if let Some(joints) = session.last_joints() {
+        targets.landed(joints);
+    }
     targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));
     Some(result)
 }

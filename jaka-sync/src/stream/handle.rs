@@ -72,7 +72,7 @@ impl StreamHandle {
         self.give(Goal::Rest, None)
     }
 
-    /// Where the joints are to be at the last set-point: the arm lags behind it.
+    /// Joint positions of the last set-point, also while the stream lands and after its end. The arm lags behind them.
     pub fn joints(&self) -> JointPosition {
         self.targets.joints()
     }

@@ -124,6 +124,18 @@ impl Targets {
         state.is_at_rest = rests;
     }
 
+    /// The stream lands: a set-point of the landing was sent to these joints.
+    pub(super) fn landing(&self, joints: Option<JointPosition>) {
+        if let (Some(joints), Some(mut state)) = (joints, self.state.try_lock()) {
+            (state.joints, state.bound) = (joints, None);
+        }
+    }
+
+    /// The stream has landed: nothing waits for this thread any more.
+    pub(super) fn landed(&self, joints: JointPosition) {
+        self.state.lock().joints = joints;
+    }
+
     pub(super) fn end(&self, because: String) {
         self.state.lock().ended.get_or_insert(because);
         self.state.wake();

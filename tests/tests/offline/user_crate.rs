@@ -49,9 +49,13 @@ impl UserCrate {
         fs::write(path, text).expect("the file can be written");
     }
 
-    /// Compiles the crate against the library that this program was built with. `cargo check` would compile the library
-    /// once more.
     fn expect(&self, expected: &Expect) {
+        self.compare(self.compile(), expected);
+    }
+
+    /// Compiles the crate against the library that this program was built with; what the compiler says. `cargo check` would compile the
+    /// library once more.
+    fn compile(&self) -> Vec<u8> {
         let dependencies = JAKA_SYNC.parent().expect("a file is in a folder");
         let output = Command::new(Path::new(env!("CARGO")).with_file_name("rustc"))
             .args(["src/lib.rs", "--crate-type=lib", "--emit=metadata", "--color=never", "--edition", self.edition])
@@ -61,7 +65,7 @@ impl UserCrate {
             .current_dir(&self.folder)
             .output()
             .expect("the compiler runs");
-        self.compare(output.stderr, expected);
+        output.stderr
     }
 
     /// Compares what the compiler or cargo says, without the paths of this machine.
@@ -302,4 +306,22 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
         error: aborting due to 1 previous error
 
     "]]);
+}
+
+/// What newcomers write for a command that is none.
+#[test]
+fn what_is_no_motion_is_told_with_a_way_to_send_it() {
+    let code = r"
+pub fn guess(robot: &mut jaka_sync::Robot) {
+    let _ = robot.run(&jaka_sync::power::PowerOn::new(), std::time::Duration::ZERO);
+}
+";
+    let said = String::from_utf8(UserCrate::new("guess", "2024", code).compile()).expect("the compiler speaks UTF-8");
+    for part in [
+        "error[E0277]: `jaka_sync::power::PowerOn` is not a motion whose end a robot waits for",
+        "note: any other command goes out by `Robot::client`: `robot.client().call(&request)`",
+        "note: a motion of a pack implements `Motion`, which says where it ends",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
 }

@@ -48,7 +48,12 @@ fn ready() -> (Arm, Robot) {
 
 /// An arm this far above a plane, which the torque sensor feels, and a robot that knows how often packets come.
 fn above_a_plane(period: Duration, above_mm: f64) -> (Arm, Robot) {
-    let (arm, robot) = Arm::simulated().status_period(period).with_robot();
+    lagging_above_a_plane(Duration::ZERO, period, above_mm)
+}
+
+/// The same for an arm that lags behind what it is told.
+fn lagging_above_a_plane(lag: Duration, period: Duration, above_mm: f64) -> (Arm, Robot) {
+    let (arm, robot) = Arm::simulated().controller(|it| it.lag(lag)).status_period(period).with_robot();
     arm.set_state(|state| state.torque_sensor.working = true);
     let pose = arm.state().tcp_pose;
     let plane = Contact::plane([pose.x, pose.y, pose.z - above_mm], [0.0, 0.0, 1.0], STIFFNESS);

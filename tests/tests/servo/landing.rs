@@ -237,9 +237,9 @@ fn after_three_periods_without_a_set_point_the_arm_is_taken_to_stand() {
         let mut session = entered(&mut robot);
         at_speed_and_paused(&mut session, &arm);
         let sent = send(&mut session, FASTEST);
-        let from_standstill =
-            |error: &Error| error.is_invalid_argument() && error.to_string().contains("from standstill");
-        assert!(if stands { sent.is_err_and(|error| from_standstill(&error)) } else { sent.is_ok() }, "{pause:?}");
+        let is_late =
+            |error: &Error| matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 3);
+        assert!(if stands { sent.is_err_and(|error| is_late(&error)) } else { sent.is_ok() }, "{pause:?}");
         drop(session);
         // A landing brakes an arm that moves, and holds one that stands.
         let mut session = entered(&mut robot);

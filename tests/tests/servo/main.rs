@@ -5,12 +5,14 @@ mod generator;
 mod held_up;
 mod landing;
 mod landing_links;
+mod late;
 #[cfg(target_os = "linux")]
 mod realtime;
 mod received;
 mod session;
 mod simulated_time;
 mod stalls;
+mod stop_lengths;
 mod stream;
 mod stream_soak;
 mod trajectories;

@@ -9,7 +9,8 @@ use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
 use jaka_tests::rig::Random;
-use jaka_tests::simulated::side_by_side;
+use jaka_tests::simulated::{beside, side_by_side};
+use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::Value;
 
@@ -396,4 +397,33 @@ fn a_link_that_is_held_or_cut_ends_a_stream_and_no_set_point_follows() {
         // What was outstanding may still come.
         assert!(came() <= before + if cut { 0 } else { 3 }, "{cut}: {} after {before}", came());
     }
+}
+
+#[test]
+fn handles_tell_the_set_points_of_a_landing() {
+    let (arm, mut robot) = ready();
+    let stop = robot.stop_handle();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    speed_up(&stream, arm.clock());
+    let handle = stream.handle();
+    let at_speed = handle.joints()[5];
+    beside(
+        arm.clock(),
+        || stop.stop().expect("the controller takes it"),
+        || {
+            for _ in 0..100 {
+                arm.clock().sleep(SERVO_PERIOD);
+                let ((set_points, _), told) = (positions(&arm, CYCLES), handle.joints().0);
+                // At the moment in which one goes out, that is the last or the last but one.
+                assert!(
+                    set_points.iter().rev().take(2).any(|last| apart(last, &told) == 0.0),
+                    "{told:?}: {set_points:?}"
+                );
+            }
+        },
+    );
+    assert!(handle.joints()[5] - at_speed > 1.0, "it went on while it landed");
+    stream.land().expect_err("it was stopped");
+    let (set_points, _) = positions(&arm, CYCLES);
+    assert!(apart(&handle.joints().0, &set_points[set_points.len() - 1]) == 0.0);
 }

@@ -41,6 +41,7 @@ fn describe(event: &Event) -> String {
         Event::Received(message) => format!("<- {}", excerpt(message, SHOWN)),
         Event::Closed { by, why } => format!("closed by {}: {why}", by.word()),
         Event::Error { text } => format!("error: {text}"),
+        Event::Motion { step, text } => format!("{}: {text}", step.word()),
         Event::Dropped { count } => format!("{count} entries are missing here"),
         _ => event.word().to_owned(),
     }

@@ -2,7 +2,11 @@
 
 use std::time::Duration;
 
-use jaka_sync::recording::{Ending, Entry, Event};
+use jaka_sync::program::StopProgram;
+use jaka_sync::proto::Command;
+use jaka_sync::recording::{Ending, Entry, Event, MotionStep, Port};
+
+use crate::recorded::command_of;
 
 /// Something that happened.
 #[derive(Debug)]
@@ -21,17 +25,19 @@ pub(in crate::report) enum Kind {
     Refused,
     Unanswered,
     Error,
+    Motion,
     State,
     ControllerEvent,
     Packets,
 }
 
 impl Kind {
-    pub(in crate::report) const ALL: [(Self, &'static str); 7] = [
+    pub(in crate::report) const ALL: [(Self, &'static str); 8] = [
         (Self::Connection, "connections"),
         (Self::Refused, "refused"),
         (Self::Unanswered, "without reply"),
         (Self::Error, "errors of the program"),
+        (Self::Motion, "motions of the program"),
         (Self::State, "state of the robot"),
         (Self::ControllerEvent, "events of the controller"),
         (Self::Packets, "packets, entries missing"),
@@ -65,6 +71,13 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
             let by = if *by == Ending::Controller { "closed by the controller" } else { "lost" };
             Happening::wrong(time, Kind::Connection, format!("connection {connection} {by}: {why}"))
         }
+        Event::Sent(message)
+            if *port == Port::Command && command_of(message).as_deref() == Some(StopProgram::INFO.name) =>
+        {
+            Happening::wrong(time, Kind::Motion, "the program stops the arm (`stop_program`)")
+        }
+        Event::Motion { step: MotionStep::Done, text } => Happening::usual(time, Kind::Motion, text.as_str()),
+        Event::Motion { text, .. } => Happening::wrong(time, Kind::Motion, text.as_str()),
         Event::Error { text } => Happening::wrong(time, Kind::Error, text.as_str()),
         Event::Dropped { count: dropped } => {
             let entries = if *dropped == 1 { "1 entry".to_owned() } else { format!("{dropped} entries") };

@@ -211,7 +211,16 @@ impl Judging {
             Some((condition, reason, judge.condition.to_string()))
         })?;
         let packet = Arc::clone(packet);
-        Some(GuardTrip { condition, text, reason, packet, reaction: None, is_before_start: false, is_at_rest: false })
+        Some(GuardTrip {
+            condition,
+            text,
+            reason,
+            packet,
+            reaction: None,
+            is_before_start: false,
+            is_at_rest: false,
+            lag: None,
+        })
     }
 }
 

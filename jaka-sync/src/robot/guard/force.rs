@@ -58,7 +58,7 @@ pub struct ForceLimit {
     component: ForceComponent,
     change: f64,
     pub(super) overtravel_mm: f64,
-    reaction: Duration,
+    pub(super) reaction: Duration,
     braking: Option<f64>,
 }
 

@@ -7,9 +7,9 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
-use super::{Armed, ForceLimit, Guard, GuardTrip, NotGuarded, TripReason};
+use super::{Armed, ForceLimit, Guard, GuardTrip, LagBeyondReaction, NotGuarded, TripReason};
 use crate::robot::readiness::{fresh_status, unknown};
-use crate::{Error, ErrorKind, Monitor, MotionStatus, Robot, StatusProblem};
+use crate::{Error, ErrorKind, FollowLag, Monitor, MotionStatus, Robot, StatusProblem};
 
 /// A guard of set-points, which is asked in each cycle, and never waited for.
 #[derive(Debug)]
@@ -32,27 +32,39 @@ const BRAKING_S: f64 = 0.1;
 impl SetPointGuard {
     /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has allowed; under a limit of force also once
     /// packets have stayed away for too long for it.
-    pub(crate) fn check<S: MotionStatus>(&self, monitor: &Monitor<S>) -> Result<(), Error> {
-        self.check_tripped()?;
+    /// `lag` is how the arm has followed its set-points.
+    pub(crate) fn check<S: MotionStatus>(
+        &self,
+        monitor: &Monitor<S>,
+        lag: impl FnOnce() -> Option<FollowLag>,
+    ) -> Result<(), Error> {
+        self.check_tripped(lag)?;
         let age = fresh_status(monitor).map_err(unknown)?.age();
         let fresh_for = self.force.as_ref().map_or(Duration::MAX, |force| super::longest_silence(force.period));
         if age > fresh_for { Err(unknown(StatusProblem::Stale { age })) } else { Ok(()) }
     }
 
     /// Fails once the guard has tripped.
-    pub(crate) fn check_tripped(&self) -> Result<(), Error> {
+    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<FollowLag>) -> Result<(), Error> {
         match (self.armed.trip(), self.armed.broken()) {
-            (Some(trip), _) => Err(trip.into_error()),
+            (Some(trip), _) => Err(GuardTrip { lag: self.lag_beyond_reaction(lag()), ..trip }.into_error()),
             (None, Some(problem)) => Err(unknown(problem)),
             (None, None) => Ok(()),
         }
+    }
+
+    /// The arm's lag, where it is longer than the shortest reaction that a limit of force allows for.
+    fn lag_beyond_reaction(&self, lag: Option<FollowLag>) -> Option<LagBeyondReaction> {
+        let reaction = self.force.as_ref()?.limits.iter().map(|limit| limit.reaction).min()?;
+        let lag = lag?.delay;
+        (lag > reaction).then_some(LagBeyondReaction { lag, reaction })
     }
 
     /// Fails once the guard has tripped, before anything that moves the arm was sent.
     pub(crate) fn check_before_start(&self) -> Result<(), Error> {
         match self.armed.trip() {
             Some(trip) => Err(trip.before_start().into_error()),
-            None => self.check_tripped(),
+            None => self.check_tripped(|| None),
         }
     }
 

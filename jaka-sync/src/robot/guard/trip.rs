@@ -26,6 +26,30 @@ pub struct GuardTrip {
     pub is_before_start: bool,
     /// True if the arm was then seen at rest, by two answers of the controller that agree.
     pub is_at_rest: bool,
+    /// Lag of the arm behind its set-points, where it was longer than the reaction that a [`ForceLimit`](crate::ForceLimit) allows for: the
+    /// tool may have gone on for longer than the overtravel. Measured in streams and trajectories under such a limit.
+    pub lag: Option<LagBeyondReaction>,
+}
+
+/// Lag of an arm that is longer than the reaction of a limit of force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct LagBeyondReaction {
+    /// Delay from sending a set-point to the packet that shows the arm there.
+    pub lag: Duration,
+    /// The limit's reaction ([`ForceLimit::reaction`](crate::ForceLimit::reaction)).
+    pub reaction: Duration,
+}
+
+impl fmt::Display for LagBeyondReaction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { lag, reaction } = self;
+        write!(
+            f,
+            "the arm lagged {lag:?} behind its set-points, longer than the limit's reaction of {reaction:?}: the tool may have gone on for \
+             longer than the overtravel; give the limit a reaction of at least {lag:?}"
+        )
+    }
 }
 
 /// Why a guard has tripped.
@@ -58,6 +82,9 @@ impl fmt::Display for GuardTrip {
             TripReason::NotShown(reason) => write!(f, "it is not known whether {}: {reason}", self.text)?,
             TripReason::Panicked => write!(f, "the question panicked that says whether {}", self.text)?,
         }
-        if self.is_before_start { f.write_str("; nothing was sent") } else { Ok(()) }
+        if self.is_before_start {
+            f.write_str("; nothing was sent")?;
+        }
+        self.lag.as_ref().map_or(Ok(()), |lag| write!(f, "; {lag}"))
     }
 }

@@ -8,12 +8,12 @@ use jaka_sync::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, Traj
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
-    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, Guard, NotGuarded,
-    Robot, StatusProblem, StreamConfig, StreamHandle,
+    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, Guard, GuardTrip,
+    NotGuarded, Robot, StatusProblem, StreamConfig, StreamHandle,
 };
 use jaka_tests::{Arm, LONG};
 
-use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, limited};
+use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, lagging_above_a_plane, limited};
 
 /// How much of the permitted speed is used: what is told is about that.
 const USED: f64 = 0.95;
@@ -212,4 +212,49 @@ fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
     };
     let [limited, other] = [true, false].map(rest_after);
     assert!(limited < other, "{limited:?}, {other:?}");
+}
+
+/// The trip that has ended something.
+fn trip(error: &Error) -> &GuardTrip {
+    let ErrorKind::GuardTripped { trip } = error.kind() else { panic!("{error:?}") };
+    trip
+}
+
+/// The depth is what the plane has felt. An arm that lags is further behind the packets' forces than the limit allows for.
+#[test]
+fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
+    let ms = Duration::from_millis;
+    for (lag, reaction, is_longer) in [(ms(60), ms(20), true), (ms(100), ms(20), true), (ms(60), ms(120), false)] {
+        let limit = force(1.0).reaction(reaction);
+        let (arm, mut robot) = lagging_above_a_plane(lag, ms(8), 15.0);
+        robot = limited(robot);
+        let fast = down(&arm, &robot, 200.0);
+        let permitted = refused(&arm, &mut robot, &fast, limit).1;
+        let trajectory = down(&arm, &robot, USED * permitted);
+        let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), limit).expect("it is slow enough");
+        let end = run.wait();
+        assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+        let error = end.error.as_ref().expect("the guard has ended it");
+        let found = trip(error).lag;
+        assert_eq!(found.is_some(), is_longer, "{lag:?}, {reaction:?}: {end:?}");
+        let deepest = arm.deepest_penetration();
+        assert_eq!(deepest > 1.0, is_longer, "{deepest} mm, with a lag of {lag:?} and a reaction of {reaction:?}");
+        let Some(found) = found else { continue };
+        // Packets take their time, too.
+        assert!(found.reaction == reaction && found.lag >= lag && found.lag < lag + ms(40), "{found:?}");
+        let text = error.to_string();
+        assert!(text.contains(&format!("the arm lagged {:?} behind its set-points", found.lag)), "{text}");
+        assert!(text.contains("the tool may have gone on for longer than the overtravel"), "{text}");
+        // Streams, too.
+        let (arm, robot) = lagging_above_a_plane(lag, ms(8), 15.0);
+        let mut robot = limited(robot);
+        let stream = robot.stream_until(&StreamConfig::new(), limit).expect("the sensor works");
+        let target = below(&arm, 20.0);
+        while stream.set_pose(target).is_ok() {
+            arm.clock().sleep(ms(100));
+        }
+        let error = stream.land().expect_err("the guard has ended it");
+        let found = trip(&error).lag.expect("the arm lags");
+        assert!(found.lag >= lag && found.lag < lag + ms(40), "{found:?}");
+    }
 }

@@ -30,7 +30,7 @@ const MOVED_DEG: f64 = 0.5;
 
 /// The set-points of the last time, and how well each delay fits.
 #[derive(Debug)]
-pub(super) struct LagFit {
+pub(crate) struct LagFit {
     /// A ring, with when each was sent.
     recent: Vec<(Instant, JointPosition)>,
     next: usize,
@@ -49,7 +49,7 @@ struct Fit {
 
 impl LagFit {
     /// For an arm at rest. All memory is taken here.
-    pub(super) fn new(now: Instant, start: JointPosition, period: Duration) -> Self {
+    pub(crate) fn new(now: Instant, start: JointPosition, period: Duration) -> Self {
         // Packets are compared a period after they came at most, but for one that is late.
         let most = Duration::from_millis(2 * MOST_MS as u64);
         let count = usize::try_from(most.as_nanos().div_ceil(period.as_nanos().max(1))).unwrap_or(MOST_MS);
@@ -95,7 +95,7 @@ impl LagFit {
     }
 
     /// The delay that fits best; none where the arm has hardly moved, or where it is not among those that are compared.
-    pub(super) fn best(&self) -> Option<FollowLag> {
+    pub(crate) fn best(&self) -> Option<FollowLag> {
         let has_moved = (0..6).any(|joint| self.most.0[joint] - self.least.0[joint] >= MOVED_DEG);
         if self.packets < FEWEST_PACKETS || !has_moved {
             return None;
