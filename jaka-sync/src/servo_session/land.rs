@@ -184,12 +184,10 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
         self.check_unanswered()?;
         let punctual = self.punctual(due);
-        match self.post(&set_point, &|| gate().and_then(|()| punctual())) {
-            Err(error) if let ErrorKind::SetPointLate { late } = *error.kind() => {
-                self.stand(late);
-                return Ok(false);
-            }
-            sent => sent?,
+        if let Err(error) = self.post(&set_point, &|| gate().and_then(|()| punctual())) {
+            let ErrorKind::SetPointLate { late } = *error.kind() else { return Err(error) };
+            self.stand(late);
+            return Ok(false);
         }
         self.course.sent(set_point, self.course.joints_at(&set_point));
         self.report.landing_cycles += 1;
