@@ -131,3 +131,12 @@ fn types_that_hold_each_other_do_not_grow_without_end() {
     expect!["newer.toml:6:31: type `T0`, field `a`: the type `T1` holds more than 4096 values, or more than 32 types in each other"]
         .assert_eq(errors.to_string().lines().next().unwrap_or_default());
 }
+
+#[test]
+fn of_many_errors_the_first_hundred_are_said_and_the_others_counted() {
+    let text = format!("title = 'T'\n{}", "[[command]]\nwire = 'Odd name'\neffect = 'query'\n".repeat(1000));
+    let errors = load(&[Source { path: "many.toml", text: &text }]).expect_err("each has errors");
+    assert_eq!(errors.iter().count(), 100);
+    assert!(errors.more() >= 900, "{}", errors.more());
+    assert!(errors.to_string().ends_with(&format!("\nand {} more errors", errors.more())));
+}

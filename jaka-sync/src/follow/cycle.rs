@@ -110,6 +110,8 @@ impl<'o> Way<'o> {
                 (Some(error), has_left_curve)
             }
         };
+        // No trajectory time passes any more, whatever the last set-points were.
+        self.orders.followed(self.follower.time_s(), 0.0);
         let outcome = match &error {
             Some(error) => FollowOutcome::of(error, session.shown_after(error).as_ref()),
             None if self.follower.is_at_end() && session.report.rest_was_seen => FollowOutcome::Completed,

@@ -126,7 +126,9 @@ fn followed<const TEST: usize>(time: Duration) -> (Vec<[f64; 6]>, FollowEnd) {
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
     follow::wait_for(&arm, &run, 0.5);
     hold_up::<TEST>(&arm, time);
+    let handle = run.handle();
     let end = run.wait();
+    assert_eq!((handle.progress().time, handle.progress().rate.to_bits()), (end.reached, 0.0_f64.to_bits()));
     let (set_points, _) = positions(&arm, CYCLES);
     to_and_fro().has(&set_points).unwrap_or_else(|what| panic!("{what}: {end:?}"));
     (set_points, end)

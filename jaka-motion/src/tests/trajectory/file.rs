@@ -139,3 +139,12 @@ fn no_text_makes_a_reader_panic() {
         }
     }
 }
+
+#[test]
+fn of_many_errors_the_first_hundred_are_said_and_the_others_counted() {
+    let text = format!("{CSV}{}", "0,x,y,z,0,0,0\n".repeat(100_000));
+    let errors = TimedPoint::from_csv(&text, "way.csv").unwrap_err();
+    assert_eq!((errors.iter().count(), errors.more()), (100, 399_899));
+    let said = errors.to_string();
+    assert!(said.starts_with("way.csv:2:3: ") && said.ends_with("\nand 399899 more errors"), "{said}");
+}

@@ -1,7 +1,7 @@
 //! What nobody would send.
 
 use super::{HOME, Random, checker, slow_enough, some_points};
-use crate::{TimedPoint, Trajectory};
+use crate::{TimedPoint, Trajectory, TrajectoryError, Via};
 
 #[test]
 fn no_numbers_make_it_panic() {
@@ -60,4 +60,28 @@ fn very_many_points_at_one_place_are_no_harm() {
     points[99_999][0] += 1.0;
     let trajectory = Trajectory::through(points).corner_deg(1.0).build(&checker).expect("a way");
     assert_eq!(trajectory.way_points().len(), 100_000);
+}
+
+#[test]
+fn a_trajectory_of_more_than_a_week_is_none() {
+    let to = |time_s| {
+        let points = [TimedPoint::new(0.0, HOME), TimedPoint::new(time_s, HOME.map(|joint| joint + 1.0))];
+        Trajectory::timed(&points, &checker())
+    };
+    assert!(to(604_800.0).is_ok());
+    for time_s in [604_801.0, 1e30, 1e308, f64::MAX] {
+        let error = to(time_s).expect_err("nothing moves for so long");
+        assert!(
+            matches!(error, TrajectoryError::TooLong { duration_s } if duration_s.total_cmp(&time_s).is_eq()),
+            "{error}"
+        );
+    }
+    assert_eq!(
+        to(1e308).expect_err("nothing moves for so long").to_string(),
+        "the trajectory takes 1.000e308 s; at most 604800 s, a week, are allowed"
+    );
+    // Also one whose times are found.
+    let points = [Via::Joints(HOME.into()), Via::Joints(HOME.map(|joint| joint + 1.0).into())];
+    let slow = Trajectory::through(points).joint_speeds([1e-300; 6]).build(&checker());
+    assert!(slow.is_err(), "{slow:?}");
 }
