@@ -180,7 +180,7 @@ fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a signal calls, once a command has said it.
+/// Handler of signals, once a command has set one.
 static HANDLER: Mutex<Option<Box<dyn FnMut() + Send>>> = Mutex::new(None);
 
 fn handler() -> MutexGuard<'static, Option<Box<dyn FnMut() + Send>>> {

@@ -28,8 +28,8 @@ const REST: Duration = Duration::from_millis(20);
 /// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own connections.
 const IDLE: Duration = Duration::from_secs(5);
 
-/// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a stop may come on it.
-/// The controller itself decides about clients of the command port, of which it serves one.
+/// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a
+/// stop may come on it. The controller itself decides about clients of the command port, of which it serves one.
 const MOST_READERS: usize = 64;
 
 /// One port of a proxy, for one port of the robot.

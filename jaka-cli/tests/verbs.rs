@@ -78,8 +78,8 @@ fn up_tells_how_far_it_has_come() {
     assert_eq!(notes(&slow(), "up --yes -q"), "");
 }
 
-/// A controller of two plain sockets whose packets do not show power, and whose arm has none until it is switched on. Returns the words that
-/// lead to it.
+/// A controller of two plain sockets whose packets do not show power, and whose arm has none until it is switched on.
+/// Returns the words that lead to it.
 fn without_shown_power() -> [String; 6] {
     let (commands, status) = (listener(), listener());
     let port = |listener: &TcpListener| listener.local_addr().expect("it is bound").port().to_string();

@@ -217,13 +217,13 @@ impl Builder {
 
     /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the start.
     ///
-    /// What a pack adds is checked and answered by what it says: with its example, or else with zeros. To answer something else, see
-    /// [`Controller::set_reply`](crate::Controller::set_reply). A command that the simulated firmware does not have by the pack's `since` and
-    /// `until` is unknown to the controller, as to a real one: choose a [`firmware`](Self::firmware), or set
-    /// [`State::version`](crate::State::version).
+    /// What a pack adds is checked and answered by what it says: with its example, or else with zeros. To answer
+    /// something else, see [`Controller::set_reply`](crate::Controller::set_reply). A command that the simulated
+    /// firmware does not have by the pack's `since` and `until` is unknown to the controller, as to a real one: choose
+    /// a [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
     ///
-    /// A pack that names or types a key of replies or packets otherwise than the built-in spec has it is an error at the start: the state
-    /// has no value for it.
+    /// A pack that names or types a key of replies or packets otherwise than the built-in spec has it is an error at
+    /// the start: the state has no value for it.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());

@@ -62,8 +62,8 @@ kinds! {
     /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the start of a
     /// program. `events` as a text.
     ///
-    /// It stays for 256 ms, until the next, or until `clear_error`: 312 of 312 captured packets of enabled arms have `"0x0"`, and one entry of a
-    /// log stood for 257 ms. An error is not replaced by it.
+    /// It stays for 256 ms, until the next, or until `clear_error`: 312 of 312 captured packets of enabled arms have
+    /// `"0x0"`, and one entry of a log stood for 257 ms. An error is not replaced by it.
     Events: "events" => habits.events = true;
 }
 

@@ -90,7 +90,8 @@ impl Readers {
 
     /// Adds a reader whose thread runs this, until it ends.
     ///
-    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to; its socket is closed then.
+    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to; its
+    /// socket is closed then.
     pub(crate) fn add(
         &self,
         socket: Socket,

@@ -135,8 +135,8 @@ impl CommandEntry {
     }
 }
 
-/// Fails where a pack names or types a key otherwise than the built-in spec has it: the state has no value for it, and zeros in its place
-/// would be false.
+/// Fails where a pack names or types a key otherwise than the built-in spec has it: the state has no value for it, and
+/// zeros in its place would be false.
 fn check_followed(built_in: &SpecIndex, spec: &Spec, changed: &BTreeSet<String>) -> Result<(), String> {
     for name in changed {
         let (Some(entry), Some(command)) = (built_in.entry(name), spec.command(name)) else { continue };

@@ -54,7 +54,7 @@ pub(crate) struct World {
     pub(crate) habits: Habits,
     /// The states of which events have been sent.
     seen: Reported,
-    /// When the information in the error code ends.
+    /// End of the information in the error code.
     event_ends: Option<Duration>,
     changes: Vec<(Duration, Change)>,
     now: Duration,

@@ -38,8 +38,9 @@ use crate::{Error, Guard, MotionStatus, Robot};
 ///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`FollowEnd::has_left_curve`].
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
 ///
-/// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow goes on from standstill;
-/// one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late set-points").
+/// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow
+/// goes on from standstill; one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late
+/// set-points").
 ///
 /// ```no_run
 /// use std::time::Duration;

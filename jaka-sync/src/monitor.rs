@@ -66,9 +66,9 @@ const SETTLING: Duration = Duration::from_millis(100);
 
 /// Status packet, and when it came.
 ///
-/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age) ago. A link that
-/// delays all packets alike cannot be told from one that does not. Only a reply on the command port is certain to be later than the
-/// command before it.
+/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age)
+/// ago. A link that delays all packets alike cannot be told from one that does not. Only a reply on the command port is
+/// certain to be later than the command before it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Snapshot<S = RobotStatus> {
@@ -81,8 +81,9 @@ pub struct Snapshot<S = RobotStatus> {
     /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
     /// [`status`](Self::status). Usually none.
     pub unfit: Vec<DecodeError>,
-    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`]: a network that stalled delivers what it
-    /// had held back, so the controller may have written the packet at any time of the silence.
+    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`]: a network that
+    /// stalled delivers what it had held back, so the controller may have written the packet at any time of the
+    /// silence.
     ///
     /// [`Monitor::wait_until`] and [`Monitor::next_packet`] pass over such packets, and no motion goes out by them.
     pub follows_silence: bool,
@@ -247,13 +248,13 @@ impl<S: 'static> Monitor<S> {
     /// Waits until `wanted` is true of a packet. The newest one that has come counts, unless it is stale or
     /// [may be old](Snapshot::follows_silence).
     ///
-    /// The packet tells of a time before it came, and nothing bounds how long before: see [`Snapshot`]. Where a person or a part depends
-    /// on the state, ask the controller for it on the command port afterwards.
+    /// The packet tells of a time before it came, and nothing bounds how long before: see [`Snapshot`]. Where a person
+    /// or a part depends on the state, ask the controller for it on the command port afterwards.
     ///
     /// # Errors
-    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none, [`ErrorKind::WaitEnded`] if the newest may
-    /// be old, [`ErrorKind::UnexpectedStatus`] if they could not be read, [`ErrorKind::StatusTimeout`] if none came.
-    /// [`ErrorKind::Disconnected`] if the connection has ended.
+    /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none,
+    /// [`ErrorKind::WaitEnded`] if the newest may be old, [`ErrorKind::UnexpectedStatus`] if they could not be read,
+    /// [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))

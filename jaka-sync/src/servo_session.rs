@@ -177,8 +177,8 @@ impl ServoConfig {
         self
     }
 
-    /// Least lateness of a set-point that follows a gap: the controller had none for so long. No source says how long it bears that; three
-    /// periods are ours.
+    /// Least lateness of a set-point that follows a gap: the controller had none for so long. No source says how long
+    /// it bears that; three periods are ours.
     fn gap(&self) -> Duration {
         self.period() * 3
     }

@@ -1,5 +1,5 @@
-//! Retargetings of the generator in the middle of motions, as JSON lines: the state, the limits, the target, and the time until rest there.
-//! `tests/outside/run retargetings` compares them with Ruckig.
+//! Retargetings of the generator in the middle of motions, as JSON lines: the state, the limits, the target, and the
+//! time until rest there. `tests/outside/run retargetings` compares them with Ruckig.
 //!
 //! `cargo run --release -p jaka-tests --example retargetings -- 10000 28`: how many, and the seed.
 
@@ -56,7 +56,8 @@ impl Run {
         Self { generator, dynamics: [speeds, accelerations, jerks], goal: target(random) }
     }
 
-    /// Some set-points on the way to the last goal or, for a cruise, to another one until a joint has its greatest speed.
+    /// Some set-points on the way to the last goal or, for a cruise, to another one until a joint has its greatest
+    /// speed.
     fn go_on(&mut self, random: &mut Random, to_cruise: bool) {
         for _ in 0..random.below(200) {
             self.generator.next(&self.goal);

@@ -146,8 +146,9 @@ impl Plan {
         input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
     }
 
-    /// The way, by Ruckig. Where a joint moves with its greatest speed, or is just about to, Ruckig is singular: rounding decides between ways of which one takes up
-    /// to twice as long. The best of three greatest speeds that differ by a billionth is taken then.
+    /// The way, by Ruckig. Where a joint moves with its greatest speed, or is just about to, Ruckig is singular:
+    /// rounding decides between ways of which one takes up to twice as long. The best of three greatest speeds that
+    /// differ by a billionth is taken then.
     fn compute(&mut self) {
         let mut best = self.calculate();
         if best.is_some() {

@@ -208,9 +208,9 @@ worded! {
             off_deg: f64,
         } =>
             "joint {joint} does not follow its set-points: it is at {at_deg:.2} deg, {off_deg:.2} deg from all of the last half second",
-        /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too busy: it was not sent, and the
-        /// session has ended without set-points that brake. Give the thread a priority
-        /// ([`ServoConfig::realtime_priority`](crate::ServoConfig::realtime_priority)), or the machine less to do.
+        /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too
+        /// busy: it was not sent, and the session has ended without set-points that brake. Give the thread a priority
+        /// (`ServoConfig::realtime_priority`), or the machine less to do.
         SetPointLate {
             /// Time since it was due.
             late: Duration,

@@ -76,8 +76,9 @@ impl FollowConfig {
     }
 
     /// Sets how late a set-point may be while the arm is slow: 100 ms by default. Beyond that the run ends with
-    /// [`FollowOutcome::Underrun`](crate::FollowOutcome::Underrun). In the middle of a motion it ends so after three periods
-    /// ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from standstill.
+    /// [`FollowOutcome::Underrun`](crate::FollowOutcome::Underrun). In the middle of a motion it ends so after three
+    /// periods ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from
+    /// standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;
         self

@@ -38,9 +38,9 @@ pub(super) struct Worker<S> {
 /// Recognises the packets that follow a silence.
 #[derive(Debug, Default)]
 struct Silence {
-    /// When the last packet came that could be read.
+    /// Arrival of the last packet that could be read.
     last: Option<Instant>,
-    /// When packets came again after the last silence.
+    /// Arrival of the first packet after the last silence.
     over: Option<Instant>,
 }
 

@@ -24,8 +24,8 @@ type Pause<R> = fn(&mut R, Duration) -> Result<(), Error>;
 pub struct PowerStep {
     /// `cmdName` of the step's command.
     pub command: &'static str,
-    /// Time from sending the command until the controller answered that the step is done (`get_robot_state`, 4.12); `None` just
-    /// before the command is sent.
+    /// Time from sending the command until the controller answered that the step is done (`get_robot_state`, 4.12);
+    /// `None` just before the command is sent.
     pub took: Option<Duration>,
 }
 
@@ -73,8 +73,9 @@ impl<'o> Steps<'o> {
 }
 
 impl<S: MotionStatus> Robot<S> {
-    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`, 4.12), and
-    /// waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged (`log::info!`).
+    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`,
+    /// 4.12), and waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged
+    /// (`log::info!`).
     ///
     /// # Errors
     /// As [`power_up_with`](Self::power_up_with).
@@ -84,7 +85,8 @@ impl<S: MotionStatus> Robot<S> {
         self.power_up_with(timeout, |_| {})
     }
 
-    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when it is done.
+    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when
+    /// it is done.
     ///
     /// A step that is done already is left out. The observer runs in this thread, between the steps.
     ///
@@ -135,8 +137,8 @@ impl<S: MotionStatus> Robot<S> {
         self.power_down_with(timeout, |_| {})
     }
 
-    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer` before each step and when it is
-    /// done.
+    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer`
+    /// before each step and when it is done.
     ///
     /// # Errors
     /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).

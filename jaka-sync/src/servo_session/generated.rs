@@ -66,7 +66,7 @@ impl<'g> Supervision<'g> {
         self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.lag()))
     }
 
-    /// How the arm has followed its set-points; none where that is not measured, or not known.
+    /// Lag of the arm behind its set-points; none where it is not measured, or not known.
     pub(crate) fn lag(&self) -> Option<FollowLag> {
         self.lag.as_ref().and_then(LagFit::best)
     }

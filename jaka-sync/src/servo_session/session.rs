@@ -33,17 +33,19 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 /// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # Set-points
-/// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be faster than 180 deg/s, and
-/// [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with each other. The first step is from standstill.
-/// A set-point that is late by a period or more delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits, since
-/// it is not known how far it is. [`ServoConfig::unchecked`] turns these checks off.
+/// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be
+/// faster than 180 deg/s, and [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with
+/// each other. The first step is from standstill. A set-point that is late by a period or more delays all later ones,
+/// and none is skipped. From poses to absolute joint positions there is no way without limits, since it is not known
+/// how far it is. [`ServoConfig::unchecked`] turns these checks off.
 ///
 /// # Late set-points
-/// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due. No source says what an
-/// arm does then; three periods are ours. If each joint was slower than its acceleration limit times one period, the arm is taken to stand:
-/// the session goes on, and the step is compared with standstill. Otherwise the session ends with [`ErrorKind::SetPointLate`], sends no
-/// set-points that brake, since the motion that they would brake is over, and holds the last one. [`report`](Self::report) has the lateness.
-/// On a machine that does other work, give the thread `ServoConfig::realtime_priority`.
+/// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due.
+/// No source says what an arm does then; three periods are ours. If each joint was slower than its acceleration limit
+/// times one period, the arm is taken to stand: the session goes on, and the step is compared with standstill.
+/// Otherwise the session ends with [`ErrorKind::SetPointLate`], sends no set-points that brake, since the motion that
+/// they would brake is over, and holds the last one. [`report`](Self::report) has the lateness. On a machine that does
+/// other work, give the thread `ServoConfig::realtime_priority`.
 ///
 /// # Landing
 /// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
@@ -112,8 +114,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
     /// - [`ErrorKind::InvalidArgument`]: a joint would have to be too fast, or to become so too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
-    /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was not sent, and nothing
-    ///   braked the arm.
+    /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was
+    ///   not sent, and nothing braked the arm.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop. [`ErrorKind::Disconnected`]: the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
@@ -219,16 +221,16 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.robot.gate()().and(Err(ErrorKind::SetPointLate { late }.into()))
     }
 
-    /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm without a set-point
-    /// is taken to stand.
+    /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm
+    /// without a set-point is taken to stand.
     fn stands_within_a_period(&self) -> bool {
         let rates = &self.config.rates;
         let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
         !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
     }
 
-    /// Lets a set-point pass that was due then and is not too late for a moving arm: the thread may be held up until the moment in which it is
-    /// written.
+    /// Lets a set-point pass that was due then and is not too late for a moving arm: the thread may be held up until
+    /// the moment in which it is written.
     pub(super) fn punctual(&self, due: Option<Instant>) -> impl Fn() -> Result<(), Error> + use<S> {
         let due = due.filter(|_| !self.stands_within_a_period());
         let (clock, gap) = (self.robot.clock().clone(), self.config.gap());

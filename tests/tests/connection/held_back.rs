@@ -1,5 +1,5 @@
-//! A network holds status packets back, and delivers them at once: packets of the silence are not given as news. The controller is a plain
-//! socket, and each packet has the time at which it was written.
+//! A network holds status packets back, and delivers them at once: packets of the silence are not given as news. The
+//! controller is a plain socket, and each packet has the time at which it was written.
 
 use std::io::Write;
 use std::time::Duration;

@@ -53,8 +53,8 @@ impl UserCrate {
         self.compare(self.compile(), expected);
     }
 
-    /// Compiles the crate against the library that this program was built with; what the compiler says. `cargo check` would compile the
-    /// library once more.
+    /// Compiles the crate against the library that this program was built with; what the compiler says. `cargo check`
+    /// would compile the library once more.
     fn compile(&self) -> Vec<u8> {
         let dependencies = JAKA_SYNC.parent().expect("a file is in a folder");
         let output = Command::new(Path::new(env!("CARGO")).with_file_name("rustc"))
@@ -308,7 +308,7 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
     "]]);
 }
 
-/// What newcomers write for a command that is none.
+/// A command in place of a motion.
 #[test]
 fn what_is_no_motion_is_told_with_a_way_to_send_it() {
     let code = r"

@@ -51,7 +51,7 @@ fn above_a_plane(period: Duration, above_mm: f64) -> (Arm, Robot) {
     lagging_above_a_plane(Duration::ZERO, period, above_mm)
 }
 
-/// The same for an arm that lags behind what it is told.
+/// An arm above a plane that lags behind what it is told.
 fn lagging_above_a_plane(lag: Duration, period: Duration, above_mm: f64) -> (Arm, Robot) {
     let (arm, robot) = Arm::simulated().controller(|it| it.lag(lag)).status_period(period).with_robot();
     arm.set_state(|state| state.torque_sensor.working = true);

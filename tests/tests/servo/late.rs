@@ -1,4 +1,5 @@
-//! Set-points that a program gives too late. The controller is plain sockets; each set-point has the time at which it came.
+//! Set-points that a program gives too late. The controller is plain sockets; each set-point has the time at which it
+//! came.
 
 use std::time::Duration;
 
@@ -50,8 +51,8 @@ const SLOW: [Course; 2] = [
     Course { send: tool, first: 0.4, then: 0.4, key: "catPosition", index: 2 },
 ];
 
-/// Sends set-points of a motion, then one three periods late, and a few more; returns how the late one went, the session's report by then, and
-/// what the controller got after the gap.
+/// Sends set-points of a motion, then one three periods late, and a few more; returns how the late one went, the
+/// session's report by then, and what the controller got after the gap.
 fn late(course: &Course) -> (Result<(), Error>, ServoReport, Vec<f64>) {
     let (clock, controller, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");

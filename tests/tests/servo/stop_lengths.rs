@@ -1,4 +1,5 @@
-//! Time and angle of stops with default limits, as the pages state them: read from the requests that the controller receives.
+//! Time and angle of stops with default limits, as the pages state them: read from the requests that the controller
+//! receives.
 
 use std::time::Duration;
 

@@ -26,8 +26,9 @@ pub struct GuardTrip {
     pub is_before_start: bool,
     /// True if the arm was then seen at rest, by two answers of the controller that agree.
     pub is_at_rest: bool,
-    /// Lag of the arm behind its set-points, where it was longer than the reaction that a [`ForceLimit`](crate::ForceLimit) allows for: the
-    /// tool may have gone on for longer than the overtravel. Measured in streams and trajectories under such a limit.
+    /// Lag of the arm behind its set-points, where it was longer than the reaction that a
+    /// [`ForceLimit`](crate::ForceLimit) allows for: the tool may have gone on for longer than the overtravel. Measured
+    /// in streams and trajectories under such a limit.
     pub lag: Option<LagBeyondReaction>,
 }
 

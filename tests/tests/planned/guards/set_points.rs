@@ -220,7 +220,8 @@ fn trip(error: &Error) -> &GuardTrip {
     trip
 }
 
-/// The depth is what the plane has felt. An arm that lags is further behind the packets' forces than the limit allows for.
+/// The depth is what the plane has felt. An arm that lags is further behind the packets' forces than the limit allows
+/// for.
 #[test]
 fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
     let ms = Duration::from_millis;
