@@ -66,7 +66,7 @@ pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure
 impl Act {
     /// For what is sent without a question.
     pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
-        let under_way = UnderWay::begin()?;
+        let under_way = UnderWay::begin();
         Ok(Self { target: robot.target(&[])?, under_way })
     }
 

@@ -23,7 +23,7 @@ const SOON: Duration = Duration::from_millis(500);
 
 /// Calls `call` on the first Ctrl-C, and on the signals by which a system ends programs. It makes the program end with
 /// all that is left to write. A further one, or a minute, ends the program with success.
-pub(crate) fn on_interrupt(call: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+pub(crate) fn on_interrupt(call: impl FnOnce() + Send + 'static) {
     let mut call = Some(call);
     handle(move || match call.take() {
         Some(call) => {
@@ -34,26 +34,26 @@ pub(crate) fn on_interrupt(call: impl FnOnce() + Send + 'static) -> Result<(), F
             });
         }
         None => end(0),
-    })
+    });
 }
 
 /// Calls `call` on the first Ctrl-C; a further one ends the program at once.
-pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) -> Result<(), Failure> {
+pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) {
     let mut call = Some(call);
     handle(move || match call.take() {
         Some(call) => call(),
         None => end(exit::INTERRUPTED),
-    })
+    });
 }
 
 /// Ends the program with this code on Ctrl-C, but not in the middle of what it writes.
-pub(crate) fn end_on_interrupt(code: u8) -> Result<(), Failure> {
+pub(crate) fn end_on_interrupt(code: u8) {
     handle(move || {
         // Not here, since the reader of the output may never continue.
         thread::spawn(move || end_whole(code));
         thread::sleep(PATIENCE);
         end(code);
-    })
+    });
 }
 
 /// Ends the program with this code, but not in the middle of what it writes.
@@ -87,11 +87,11 @@ pub(crate) enum Stage {
 
 impl UnderWay {
     /// Handles Ctrl-C from now on.
-    pub(crate) fn begin() -> Result<Self, Failure> {
+    pub(crate) fn begin() -> Self {
         let under_way = Self::default();
         let handled = under_way.clone();
-        handle(move || handled.interrupt())?;
-        Ok(under_way)
+        handle(move || handled.interrupt());
+        under_way
     }
 
     /// It has come to here. If a stop is on its way, waits until it is said what has become of it.
@@ -167,17 +167,13 @@ fn stop_arm(stop: &RobotStop) {
 
 /// The handler of a command that runs in a test is called by the test.
 #[cfg(test)]
-#[expect(clippy::unnecessary_wraps, reason = "so has the other")]
-fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+fn handle(call: impl FnMut() + Send + 'static) {
     crate::tests::handle(call);
-    Ok(())
 }
 
 #[cfg(not(test))]
-#[expect(clippy::unnecessary_wraps, reason = "so has the other")]
-fn handle(call: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+fn handle(call: impl FnMut() + Send + 'static) {
     *handler() = Some(Box::new(call));
-    Ok(())
 }
 
 /// Handler of signals, once a command has set one.

@@ -217,7 +217,7 @@ impl Builder {
 
     /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the start.
     ///
-    /// What a pack adds is checked and answered by what it says: with its example, or else with zeros. To answer
+    /// Commands of a pack are checked and answered by what it says: with its example, or else with zeros. To answer
     /// something else, see [`Controller::set_reply`](crate::Controller::set_reply). A command that the simulated
     /// firmware does not have by the pack's `since` and `until` is unknown to the controller, as to a real one: choose
     /// a [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).

@@ -328,7 +328,7 @@ impl<S: 'static> Monitor<S> {
 
     /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
     ///
-    /// Those that [may be old](Snapshot::follows_silence) come, too, and say so.
+    /// Packets that [may be old](Snapshot::follows_silence) come, too, and say so.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
         let queue = Arc::new(Queue::new(&self.clock, Items::new(capacity)));
         let mut state = self.board.lock();

@@ -38,10 +38,10 @@ pub struct Errors {
     more: usize,
 }
 
-/// Number of errors that are kept.
-const MOST: usize = 100;
-
 impl Errors {
+    /// Number of errors that are kept.
+    pub const MOST: usize = 100;
+
     /// The errors, one by one: the first hundred that were found.
     pub fn iter(&self) -> std::slice::Iter<'_, Error> {
         self.first.iter()
@@ -54,7 +54,7 @@ impl Errors {
 
     /// Adds an error, or only counts it if a hundred are here.
     pub fn push(&mut self, error: impl FnOnce() -> Error) {
-        if self.first.len() == MOST {
+        if self.first.len() == Self::MOST {
             self.more += 1;
             return;
         }

@@ -51,7 +51,7 @@ impl Monitor {
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
         // If the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
-        on_interrupt(move || end.store(true, Ordering::Relaxed))?;
+        on_interrupt(move || end.store(true, Ordering::Relaxed));
         // This also makes a panic restore the terminal.
         let mut terminal = ratatui::try_init().map_err(no_terminal)?;
         let result = watch(&mut terminal, &mut feed, &mut view, &ended);

@@ -56,7 +56,7 @@ impl Probe {
         if !self.yes && !self.robot.is_simulated() {
             seat::obtain(target.title(), "nothing was probed")?;
         }
-        let progress = Progress::begin()?;
+        let progress = Progress::begin();
         let commands = queries::ask_all(&protocol.spec, &target, &progress)?;
         let status = status::take(&protocol.spec, &target, self.packets.get(), &progress);
         let findings = Findings::new(commands, status, &protocol.packs);

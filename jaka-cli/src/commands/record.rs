@@ -61,7 +61,7 @@ impl Record {
         let recorder = record::begin(&self.file)?;
         let (sender, ended) = mpsc::channel();
         let interrupted = sender.clone();
-        on_interrupt(move || drop(interrupted.send(Ok(()))))?;
+        on_interrupt(move || drop(interrupted.send(Ok(()))));
         let (target, queue) = match self.listen {
             Some(address) => {
                 let queue = RecordingQueue::start().map_err(|error| Failure::local("cannot start a thread", error))?;

@@ -61,7 +61,7 @@ impl Replay {
         }
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
-        on_interrupt(move || end.store(true, Ordering::Relaxed))?;
+        on_interrupt(move || end.store(true, Ordering::Relaxed));
         let builder = Controller::builder().replay(recording, self.mode).replay_timing(self.timing);
         match report(&self.listen.start(builder, |_| {})?, &ended)? {
             0 => Ok(()),

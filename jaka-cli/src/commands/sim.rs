@@ -104,7 +104,7 @@ impl Sim {
         if self.keys {
             keys::must_have_terminal()?;
         }
-        end_on_interrupt(0)?;
+        end_on_interrupt(0);
         let controller = self.listen.start(self.builder()?, |controller| {
             if self.powered {
                 controller.set_state(|state| (state.powered, state.enabled) = (true, true));

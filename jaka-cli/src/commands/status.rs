@@ -79,7 +79,7 @@ impl Status {
         let fields = Field::named(self.fields.as_deref())?;
         let until = self.until.as_deref().map(str::parse::<Condition>).transpose();
         let until = until.map_err(|error| Failure::Usage(format!("`--until`, {error}")))?;
-        end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 })?;
+        end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 });
         let limit = target.timeout().filter(|_| until.is_some());
         let stream = match limit {
             Some(limit) => target.status_stream_within(POLL.min(limit))?,

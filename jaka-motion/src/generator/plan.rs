@@ -150,10 +150,6 @@ impl Plan {
     /// rounding decides between ways of which one takes up to twice as long. The best of three greatest speeds that
     /// differ by a billionth is taken then.
     fn compute(&mut self) {
-        let mut best = self.calculate();
-        if best.is_some() {
-            std::mem::swap(&mut self.way, &mut self.other);
-        }
         let speeds: [f64; 6] = std::array::from_fn(|index| self.input.max_velocity[index]);
         let is_at_speed = |index: usize| {
             let (speed, acceleration) = (self.input.current_velocity[index], self.input.current_acceleration[index]);
@@ -162,18 +158,19 @@ impl Plan {
             (soon.abs() - speeds[index]).abs() <= AT_SPEED * speeds[index]
         };
         let at_speed: [bool; 6] = std::array::from_fn(is_at_speed);
-        if at_speed.contains(&true) {
-            for factor in [1.0 - NUDGE, 1.0 + NUDGE] {
-                for index in (0..6).filter(|index| at_speed[*index]) {
-                    self.input.max_velocity[index] = speeds[index] * factor;
-                }
-                let found = self.calculate();
-                if found.is_some_and(|found| best.is_none_or(|best| found < best)) {
-                    best = found;
-                    std::mem::swap(&mut self.way, &mut self.other);
-                }
+        let factors: &[f64] = if at_speed.contains(&true) { &[1.0, 1.0 - NUDGE, 1.0 + NUDGE] } else { &[1.0] };
+        let mut best = None;
+        for factor in factors {
+            for index in (0..6).filter(|index| at_speed[*index]) {
+                self.input.max_velocity[index] = speeds[index] * factor;
+            }
+            let found = self.calculate();
+            if found.is_some_and(|found| best.is_none_or(|best| found < best)) {
+                best = found;
+                std::mem::swap(&mut self.way, &mut self.other);
             }
         }
+        // The best one is kept beside the one that was computed last.
         std::mem::swap(&mut self.way, &mut self.other);
         self.elapsed = best.map(|_| 0.0);
     }

@@ -161,7 +161,7 @@ impl RobotStop {
     /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
     /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source says that `stop_program` alone
-    /// ends servo motion. The stop waits for that for 3 s at most, and for six periods after its last set-point at most.
+    /// ends servo motion. The stop waits for that for 3 s at most, and for six periods at most after the last set-point.
     /// From the session's own thread it cannot brake; from an observer of the monitor no packet is seen meanwhile.
     ///
     /// # Errors

@@ -24,7 +24,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         return output::write(format!("{}\n", request.text).as_bytes());
     }
     let motion = options.wait.then(|| wait::must_be_motion(request)).transpose()?;
-    let under_way = UnderWay::begin()?;
+    let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(&protocol.spec, request, options, target.title())?;
     let mut connection = Connection::open(&target, options)?;

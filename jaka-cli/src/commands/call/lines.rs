@@ -21,7 +21,7 @@ use crate::{motion, output, seat};
 /// # Errors
 /// The first failure.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Failure> {
-    let under_way = UnderWay::begin()?;
+    let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
     if !options.yes {
         seat::warn(&options.robot);

@@ -4,7 +4,6 @@ use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::failure::Failure;
 use crate::interrupt::on_first_interrupt;
 use crate::output;
 
@@ -17,11 +16,11 @@ pub(super) struct Progress {
 
 impl Progress {
     /// Handles Ctrl-C from now on: the next question is not asked. A second one ends the program at once.
-    pub(super) fn begin() -> Result<Self, Failure> {
+    pub(super) fn begin() -> Self {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
-        on_first_interrupt(move || flag.store(true, Ordering::Relaxed))?;
-        Ok(Self { interrupted, is_shown: stderr().is_terminal() && !output::is_quiet() })
+        on_first_interrupt(move || flag.store(true, Ordering::Relaxed));
+        Self { interrupted, is_shown: stderr().is_terminal() && !output::is_quiet() }
     }
 
     pub(super) fn is_interrupted(&self) -> bool {

@@ -40,9 +40,6 @@ impl Check {
     }
 }
 
-/// Number of errors that are printed.
-const MOST: usize = 100;
-
 /// Errors that were found, of which the first are printed.
 #[derive(Debug, Default)]
 struct Found {
@@ -52,7 +49,7 @@ struct Found {
 
 impl Found {
     fn tell(&mut self, error: impl FnOnce() -> Error) -> Result<(), Failure> {
-        if self.printed == MOST {
+        if self.printed == Errors::MOST {
             self.more += 1;
             return Ok(());
         }
@@ -66,11 +63,14 @@ impl Found {
         Ok(())
     }
 
+    /// Prints the number of errors that were not printed.
+    fn tell_more(&self) -> Result<(), Failure> {
+        if self.more > 0 { output::line(&format!("and {}", count(self.more, "more error"))) } else { Ok(()) }
+    }
+
     /// Fails if there is an error.
     fn finish(&self) -> Result<(), Failure> {
-        if self.more > 0 {
-            output::line(&format!("and {}", count(self.more, "more error")))?;
-        }
+        self.tell_more()?;
         match self.printed + self.more {
             0 => Ok(()),
             errors => Err(Failure::Usage(count(errors, "error"))),
@@ -106,7 +106,7 @@ fn whole(folder: &Path, found: &mut Found) -> Result<Spec, Failure> {
         Ok(spec) => spec,
         Err(errors) => {
             found.tell_all(&errors)?;
-            found.finish().ok();
+            found.tell_more()?;
             return Err(Failure::Usage(format!("the spec in {} has errors", folder.display())));
         }
     };

@@ -32,7 +32,8 @@ const BRAKING_S: f64 = 0.1;
 impl SetPointGuard {
     /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has allowed; under a limit of force also once
     /// packets have stayed away for too long for it.
-    /// `lag` is how the arm has followed its set-points.
+    ///
+    /// `lag` is that of the arm behind its set-points, which a trip tells where it is too long.
     pub(crate) fn check<S: MotionStatus>(
         &self,
         monitor: &Monitor<S>,
