@@ -160,14 +160,17 @@ fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
     let run = result(child);
     if run.code == Some(22) {
         let lines: Vec<_> = run.err.lines().collect();
-        assert_eq!(
-            lines[0],
-            "note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too"
-        );
+        // An interrupt right after the first set-point may come before `jaka` has the run's handle. The same test in
+        // simulated time is certain of its moment.
+        let has_stopped = match lines[0] {
+            "note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too" => false,
+            "note: interrupted: the controller has taken the stop (`stop_program`)" => true,
+            _ => panic!("{}", run.text()),
+        };
         assert!(lines[1].starts_with("error: the trajectory was stopped before its end ("), "{}", run.text());
         assert!(lines[1].ends_with(" s of 120.000 s), and the arm is at rest"), "{}", run.text());
         assert!(!controller.state().servo_mode);
-        assert!(!controller.requests().iter().any(|request| request.contains("stop_program")));
+        assert_eq!(controller.requests().iter().any(|request| request.contains("stop_program")), has_stopped);
     } else {
         assert_held_up(&run);
     }

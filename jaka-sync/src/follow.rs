@@ -33,7 +33,7 @@ use crate::{Error, Guard, MotionStatus, Robot};
 ///
 /// # How it ends
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
-/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses or that is too late, or joints that do not follow,
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
 ///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
 ///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`FollowEnd::has_left_curve`].
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.

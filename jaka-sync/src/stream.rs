@@ -82,8 +82,9 @@ impl StreamConfig {
 /// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
 ///
 /// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known,
-/// joints that do not follow their set-points, set-points that are too late. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
-/// is braked within the jerks, too. If this thread is held up, the stream goes on: a velocity ends after the time for which it was given.
+/// joints that do not follow their set-points. After a set-point that is three periods late at speed nothing brakes.
+/// What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm is braked within the jerks, too.
+/// If this thread is held up, the stream goes on: a velocity ends after the time for which it was given.
 ///
 /// ```no_run
 /// use std::time::Duration;

@@ -75,9 +75,9 @@ impl FollowConfig {
         self
     }
 
-    /// Sets how late a set-point may be while the arm is slow: 100 ms by default. Beyond that the run ends with
-    /// [`FollowOutcome::Underrun`](crate::FollowOutcome::Underrun). In the middle of a motion it ends so after three
-    /// periods ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from
+    /// Sets how late a cycle may begin: 100 ms by default. Beyond that the run ends with
+    /// [`FollowOutcome::Underrun`](crate::FollowOutcome::Underrun). At speed it also ends so after three periods, and
+    /// then nothing brakes ([`ServoSession`](crate::ServoSession), at "Late set-points"); a slow arm goes on from
     /// standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;

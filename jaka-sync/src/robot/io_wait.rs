@@ -27,7 +27,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if
-    /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, cannot be read, or their connection is lost,
+    /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, come again after a silence, cannot be read, or their connection is lost,
     /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), "wait_for_input", timeout)
@@ -64,6 +64,7 @@ impl<S: MotionStatus> Robot<S> {
         };
         match trip.reason {
             TripReason::NotShown(reason) => Err(attach(ErrorKind::NotShown { what, reason })),
+            TripReason::Holds if trip.packet.follows_silence => Err(blind(StatusProblem::Resuming)),
             TripReason::Holds | TripReason::Panicked => Ok(trip.packet),
         }
     }

@@ -6,11 +6,12 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
 
+use super::readiness::unknown;
 use super::status::told;
 use super::stops::Stops;
 use super::{Explanation, MotionStatus, Robot};
 use crate::clock::{Clock, Stopwatch};
-use crate::{Error, ErrorKind, monitor};
+use crate::{Error, ErrorKind, StatusProblem, monitor};
 
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
@@ -101,6 +102,8 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
+    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
+    ///   without this field passes: then only the controller refuses.
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
     ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
     /// - [`ErrorKind::StateTimeout`]: the state did not come in time; with what the last packet says.
@@ -194,14 +197,21 @@ impl<S: MotionStatus> Robot<S> {
         Ok(())
     }
 
-    /// Fails as soon as a packet says that the emergency stop is pressed; looks for such a packet for at most `time`.
+    /// Fails as soon as a packet says that the emergency stop is pressed, or shows it in a form that cannot be read;
+    /// looks for such a packet for at most `time`.
     fn check_emergency_stop(&mut self, time: Duration) -> Result<(), Error> {
-        let is_pressed = self.monitor.watch(time, |newest| {
-            let is_pressed = S::snapshot(newest?).status.emergency_stop == Some(true);
-            is_pressed.then_some(())
+        let found = self.monitor.watch(time, |newest| {
+            let packet = S::snapshot(newest?);
+            let unreadable = packet.unfit.iter().find(|error| error.is_in("emergency_stop"));
+            match (packet.status.emergency_stop, unreadable) {
+                (Some(true), _) => Some(Err(Explanation::EmergencyStop)),
+                (_, Some(source)) => Some(Ok(StatusProblem::Unreadable { source: source.clone() })),
+                (_, None) => None,
+            }
         });
-        match is_pressed? {
-            Some(()) => Err(self.not_ready(Explanation::EmergencyStop)),
+        match found? {
+            Some(Err(explanation)) => Err(self.not_ready(explanation)),
+            Some(Ok(problem)) => Err(self.client.link.attach(unknown(problem))),
             None => Ok(()),
         }
     }

@@ -7,6 +7,7 @@ use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
 use super::course::Course;
+use super::pace::Cycle;
 use super::rates::Rates;
 use super::set_point::{SetPoint, Step};
 use crate::robot::Rest;
@@ -170,8 +171,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let (late, due) = if let Some(due) = self.begun.take() {
             (self.robot.clock().elapsed(due), Some(due))
         } else {
-            let late = self.pace.wait();
-            (late, self.robot.clock().now().checked_sub(late))
+            let Cycle { due, late } = self.pace.wait();
+            (late, Some(due))
         };
         if late >= self.config.gap() {
             self.stand(late);

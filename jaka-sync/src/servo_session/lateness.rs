@@ -27,7 +27,7 @@ impl ServoConfig {
         pace.wait();
         let (since, mut lateness) = (clock.stopwatch(), Vec::new());
         loop {
-            lateness.push(pace.wait());
+            lateness.push(pace.wait().late);
             if since.passed() >= time {
                 return Ok(lateness);
             }

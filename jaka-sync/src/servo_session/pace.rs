@@ -7,6 +7,15 @@ use crate::clock::Clock;
 /// Length of a controller cycle (4.15).
 pub(super) const CYCLE: Duration = Duration::from_millis(8);
 
+/// Cycle that has begun.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cycle {
+    /// Time at which its set-point was due.
+    pub(super) due: Instant,
+    /// Lateness of its begin.
+    pub(super) late: Duration,
+}
+
 /// Waits for one cycle after the other.
 #[derive(Debug)]
 pub(super) struct Pace {
@@ -34,14 +43,14 @@ impl Pace {
         self.clock.elapsed(self.due)
     }
 
-    /// Waits for the next cycle, and returns how late it is. After one that is late by a period or more all later ones are delayed:
-    /// none is skipped, and none comes sooner to catch up.
-    pub(super) fn wait(&mut self) -> Duration {
+    /// Waits for the next cycle. After one that is late by a period or more all later ones are delayed: none is
+    /// skipped, and none comes sooner to catch up.
+    pub(super) fn wait(&mut self) -> Cycle {
         self.clock.sleep_until(self.due, self.busy_wait);
-        let late = self.late();
-        let delay = if late >= self.period { late } else { Duration::ZERO };
+        let cycle = Cycle { due: self.due, late: self.late() };
+        let delay = if cycle.late >= self.period { cycle.late } else { Duration::ZERO };
         self.due += self.period + delay;
         self.cycles = self.cycles.saturating_add(1);
-        late
+        cycle
     }
 }

@@ -12,7 +12,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
 
 use super::course::Course;
-use super::pace::Pace;
+use super::pace::{Cycle, Pace};
 #[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
 use super::set_point::{SetPoint, Step};
@@ -206,8 +206,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Waits for the next cycle, and returns its lateness. Fails after a gap in the middle of a motion.
     pub(super) fn wait_for_cycle(&mut self) -> Result<Duration, Error> {
-        let late = self.pace.wait();
-        self.begun = self.robot.clock().now().checked_sub(late);
+        let Cycle { due, late } = self.pace.wait();
+        self.begun = Some(due);
         if late < self.config.gap() {
             return Ok(late);
         }

@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use jaka_sim::{Fault, Firmware};
+use jaka_sim::{Fault, Firmware, StatusFault};
 use jaka_spec::Effect;
 use jaka_sync::jaka_motion::{Limits, Model, Region};
 use jaka_sync::{CheckItem, Preflight, Robot, Verdict};
@@ -100,4 +100,17 @@ fn a_robot_whose_connections_are_broken_is_checked_at_once() {
     let preflight = robot.preflight();
     assert_eq!(with(&preflight, Verdict::Wrong), [CheckItem::CommandPort, CheckItem::StatusPort], "{preflight}");
     assert_eq!(with(&preflight, Verdict::NothingFound), [], "{preflight}");
+}
+
+#[test]
+fn packets_that_stay_away_are_not_told_as_the_present() {
+    let controller = healthy(Firmware::default());
+    let mut robot = controller.robot();
+    controller.status_fault(StatusFault::Silent);
+    let preflight = robot.preflight();
+    assert_eq!(with(&preflight, Verdict::Wrong), [CheckItem::StatusPort], "{preflight}");
+    let not_checked = with(&preflight, Verdict::NotChecked);
+    for item in [CheckItem::StatusPackets, CheckItem::StatusRate, CheckItem::EmergencyStop, CheckItem::Event] {
+        assert!(not_checked.contains(&item), "{item:?}: {preflight}");
+    }
 }

@@ -165,3 +165,18 @@ fn a_wait_ends_when_the_status_is_no_longer_known() {
     assert!(matches!(error.kind(), ErrorKind::WaitEnded { problem: StatusProblem::Ended { .. }, .. }), "{error:?}");
     drop(commands);
 }
+
+#[test]
+fn a_packet_that_ends_a_silence_is_not_news() {
+    let (clock, stale_after) = (SimulatedClock::new(), Duration::from_millis(100));
+    let (mut controller, robot) = HandFed::by_clock(&clock, stale_after);
+    controller.packet_to(&robot, r#""din": [0]"#);
+    let resume = || {
+        // Before the wait looks at the age of the newest packet again.
+        clock.sleep(stale_after + Duration::from_micros(500));
+        controller.packet(r#""din": [1]"#);
+    };
+    let waited = beside(&clock, resume, || robot.wait_for_input(IO.cabinet(1).is_high(), LONG));
+    let error = waited.expect_err("the network may have held the packet back");
+    assert!(matches!(error.kind(), ErrorKind::WaitEnded { problem: StatusProblem::Resuming, .. }), "{error:?}");
+}

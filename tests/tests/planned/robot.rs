@@ -1,17 +1,18 @@
 //! Motions that are waited for, in simulated time: each outcome.
 
+use std::io::Write;
 use std::time::Duration;
 
 use jaka_proto::check::{Limits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo};
-use jaka_sim::{Delays, Fault, StatusFault};
+use jaka_sim::{Delays, Fault, SimulatedClock, StatusFault};
 use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{MoveMode, Pose};
-use jaka_sync::{ErrorKind, Explanation, Motion, MotionEnd, Outcome, Robot, RobotStop, Target};
+use jaka_sync::{ErrorKind, Explanation, Motion, MotionEnd, Outcome, Robot, RobotStop, StatusProblem, Target};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, CYCLE, LONG};
+use jaka_tests::{Arm, CYCLE, HandFed, LONG};
 
 /// When something befalls the long motion: it is at its full speed then.
 const MIDDLE: Duration = Duration::from_millis(200);
@@ -308,6 +309,24 @@ fn power_up_follows_the_state() {
     let requests = arm.requests();
     let changes: Vec<_> = requests.iter().filter(|request| !request.contains("get_robot_state")).collect();
     assert_eq!(changes, [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"enable_robot"}"#]);
+}
+
+#[test]
+fn power_up_sends_nothing_where_the_emergency_stop_cannot_be_read() {
+    let clock = SimulatedClock::new();
+    let (mut controller, mut robot) = HandFed::by_clock(&clock, LONG);
+    let packets = robot.monitor().subscribe(1);
+    let unreadable = br#"{"len": 100, "emergency_stop": "perhaps", "powered_on": 0, "enabled": false, "inpos": true}"#;
+    controller.status.write_all(unreadable).expect("the robot is connected");
+    packets.next_packet_within(LONG).expect("the packet comes");
+    let error = robot.power_up(LONG).expect_err("it may be pressed");
+    assert!(
+        matches!(error.kind(), ErrorKind::StatusUnknown { problem: StatusProblem::Unreadable { .. } }),
+        "{error:?}"
+    );
+    assert!(error.to_string().contains("emergency_stop"), "{error}");
+    drop(robot);
+    assert_eq!(controller.received(), "");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::finding::{CheckItem, Finding, Judgement};
 use super::ports;
 use crate::clock::Stopwatch;
 use crate::robot::{MotionStatus, trouble};
-use crate::{Error, Monitor, MonitorStatistics, Severity, Snapshot};
+use crate::{Error, Monitor, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 /// How long packets are counted.
 const WINDOW: Duration = Duration::from_secs(1);
@@ -17,6 +17,8 @@ const WINDOW: Duration = Duration::from_secs(1);
 const FEWEST: f64 = 8.0;
 
 const SLOW: &str = "check the network, and how often the controller sends (`get_port10000_delay_ms` on newer firmware)";
+
+const SILENT: &str = "check the network and the controller, and wait until packets come again";
 
 /// Packets being counted.
 #[derive(Debug)]
@@ -42,8 +44,14 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         let ended = self.monitor.watch(left, |_| None::<()>);
         let (elapsed, after) = (self.since.passed(), self.monitor.statistics());
         ended.map_err(|error| ports::of_status(&error, 0))?;
-        let newest = self.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
-        let newest = newest.ok_or_else(no_packet)?;
+        let newest = match self.monitor.fresh_packet() {
+            Ok(newest) => Some(newest),
+            Err(StatusProblem::Stale { age }) => {
+                return Err(Judgement::wrong(format!("the last status packet came {age:.1?} ago"), SILENT));
+            }
+            Err(_) => self.monitor.last_known_packet(),
+        };
+        let newest = newest.map(|newest| S::snapshot(&newest)).ok_or_else(no_packet)?;
         findings.extend([
             Judgement::nothing("packets come").at(CheckItem::StatusPort),
             rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
