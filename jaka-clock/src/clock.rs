@@ -254,8 +254,12 @@ impl PartialEq for SimulatedClock {
 
 impl Eq for SimulatedClock {}
 
+/// The time; with `{:#?}` also who is at work, and who waits for what.
 impl fmt::Debug for SimulatedClock {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if f.alternate() {
+            return f.debug_tuple("SimulatedClock").field(&*self.lock()).finish();
+        }
         f.debug_struct("SimulatedClock").field("elapsed", &self.elapsed()).finish_non_exhaustive()
     }
 }

@@ -33,7 +33,7 @@ impl Standstill {
                 last = now;
                 if seconds == PATIENCE {
                     // Not by a macro, whose output the test harness would keep.
-                    let _ = writeln!(stderr(), "{test}: deadlock: the simulated time stands still at {now:?}");
+                    let _ = writeln!(stderr(), "{test}: deadlock: the simulated time stands still: {clock:#?}");
                     process::exit(101);
                 }
             }

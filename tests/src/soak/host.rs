@@ -11,6 +11,7 @@ use serde_json::json;
 
 use super::faults;
 use super::time::Time;
+use crate::standstill::Standstill;
 
 /// How often status packets go out.
 const PERIOD: Duration = Duration::from_millis(20);
@@ -129,6 +130,8 @@ pub fn serve() -> io::Result<()> {
 #[derive(Debug, Default)]
 struct Controllers {
     all: Vec<Controller>,
+    /// Watches of their clocks, which end after the controllers.
+    standstills: Vec<Standstill>,
     are_simulated: bool,
 }
 
@@ -145,6 +148,7 @@ impl Controllers {
             "requests" => json!(self.all[number(1) as usize].requests()).to_string(),
             _ => {
                 self.all.clear();
+                self.standstills.clear();
                 String::new()
             }
         }
@@ -153,6 +157,7 @@ impl Controllers {
     fn begin(&mut self, seed: u64, round: u32, arms: u32) -> String {
         let clock = || self.are_simulated.then(SimulatedClock::new);
         self.all = (0..arms).map(|arm| controller(seed, round, arm, clock().as_ref())).collect();
+        self.standstills = self.all.iter().filter_map(Controller::clock).map(Standstill::end_test).collect();
         let ports = self.all.iter().map(|one| format!("{} {}", one.command_addr(), one.status_addr()));
         ports.collect::<Vec<_>>().join(" ")
     }
