@@ -11,6 +11,7 @@ mod events;
 mod fields;
 mod markdown;
 mod pages;
+mod type_phrase;
 mod types;
 mod wire_names;
 
@@ -44,7 +45,7 @@ fn index_by_topic(out: &mut String, spec: &Spec) {
             let first = first_sentence(&command.doc).0;
             let _ = writeln!(out, "- {}: {}", command_link(command), escape(first));
         }
-        let types: Vec<_> = spec.types_of(topic).map(|(_, def)| types::name_link(&def.name)).collect();
+        let types: Vec<_> = spec.types_of(topic).map(|(_, def)| type_phrase::name_link(&def.name)).collect();
         if !types.is_empty() {
             let _ = writeln!(out, "- Types: {}", types.join(", "));
         }

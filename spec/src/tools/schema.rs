@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use self::defs::{Defs, Form, reference};
+use self::defs::Defs;
+use self::parts::{Form, alternatives, reference};
 use crate::Spec;
 
 mod advice;
@@ -10,6 +11,7 @@ mod defs;
 mod describe;
 mod lenient;
 mod message;
+mod parts;
 mod scalar;
 
 /// A JSON Schema of all messages, in the draft 2020-12.
@@ -65,9 +67,4 @@ fn root(defs: &Map<String, Value>) -> Value {
         "oneOf": [reference("request"), reference("reply")],
         "$defs": defs,
     })
-}
-
-/// A schema that passes what one of the schemas passes; none passes nothing.
-fn alternatives(keyword: &str, schemas: &[Value]) -> Value {
-    if schemas.is_empty() { json!({ "not": {} }) } else { json!({ keyword: schemas }) }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::{Change, Impact};
-use crate::Spec;
+use crate::{Spec, Versions};
 
 /// What is said of an item that only the new spec has.
 pub(super) const ADDED: &str = "added";
@@ -73,6 +73,12 @@ impl<'s> Differ<'s> {
             (true, false) => self.note(place, goes.0, goes.1),
             _ => {}
         }
+    }
+
+    /// Notes that the range of firmware versions that have the item changed.
+    pub(super) fn versions(&mut self, place: &str, old: &Versions, new: &Versions) {
+        self.option(place, "`since`", (old.since.as_ref(), new.since.as_ref()), Impact::Patch);
+        self.option(place, "`until`", (old.until.as_ref(), new.until.as_ref()), Impact::Patch);
     }
 
     /// Notes that the generated item is `Copy` in one spec alone.

@@ -42,7 +42,7 @@ fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
 /// What stands in the docs, and what the simulator answers.
 fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.option(place, "section", (old.section.as_ref(), new.section.as_ref()), Impact::Patch);
-    versions(d, place, &old.versions, &new.versions);
+    d.versions(place, &old.versions, &new.versions);
     d.reworded(place, "doc", &old.doc, &new.doc);
     d.reworded(place, "errata", &old.errata, &new.errata);
     d.reworded(place, "Chinese title", &old.title_zh, &new.title_zh);
@@ -51,12 +51,6 @@ fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.reworded(place, "source of the requirement", &old.requires_source, &new.requires_source);
     d.reworded(place, "refusal", &old.refusal, &new.refusal);
     d.reworded(place, "examples", &old.examples, &new.examples);
-}
-
-/// Since and until which firmware there is an item.
-pub(super) fn versions(d: &mut Differ<'_>, place: &str, old: &crate::Versions, new: &crate::Versions) {
-    d.option(place, "`since`", (old.since.as_ref(), new.since.as_ref()), Impact::Patch);
-    d.option(place, "`until`", (old.until.as_ref(), new.until.as_ref()), Impact::Patch);
 }
 
 fn reply(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {

@@ -2,7 +2,6 @@
 
 use super::Impact;
 use super::collect::{Differ, pairs};
-use super::command::versions;
 use crate::words;
 use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
 
@@ -145,7 +144,7 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     d.flag(place, (old.or_raw, new.or_raw), or_raw, ("can no longer have another shape", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
     d.reworded(place, "disputed readings", &old.disputed, &new.disputed);
-    versions(d, place, &old.versions, &new.versions);
+    d.versions(place, &old.versions, &new.versions);
 }
 
 /// Compares the types of a field or a wrapper.

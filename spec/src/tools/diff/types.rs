@@ -4,7 +4,6 @@ use std::fmt::Display;
 
 use super::Impact;
 use super::collect::{Differ, pairs};
-use super::command::versions;
 use super::field::{Checks, Holder, field_type, fields, unit};
 use crate::{EnumValue, Spec, Type, TypeDef, TypeKind, Variant};
 
@@ -61,7 +60,7 @@ fn values<T: PartialEq + Clone + Display>(
         };
         d.value(&place, "name", &old.name, &new.name, Impact::Major);
         d.reworded(&place, "doc", &old.doc, &new.doc);
-        versions(d, &place, &old.versions, &new.versions);
+        d.versions(&place, &old.versions, &new.versions);
         let newer = ("only newer firmware takes it", checks.impact(Impact::Major));
         let every = ("every firmware takes it", checks.impact(Impact::Minor));
         d.flag(&place, (old.advisory, new.advisory), newer, every);

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::markdown::{code, escape};
-use super::{command_heading, fields};
+use super::{command_heading, fields, type_phrase};
 use crate::words;
 use crate::{Command, Reply, Request, Spec};
 
@@ -79,7 +79,7 @@ fn reply(out: &mut String, spec: &Spec, command: &Command) {
         }
         Reply::Fields(fields) => fields,
         Reply::Object(id) => {
-            let name = super::types::name_link(&spec[*id].name);
+            let name = type_phrase::name_link(&spec[*id].name);
             let _ =
                 writeln!(out, "**Reply**, in addition to `errorCode`, `errorMsg` and `cmdName`: the keys of {name}.\n");
             return;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::markdown::{Table, code, escape};
-use super::types;
+use super::type_phrase;
 use crate::words::{self, first_sentence};
 use crate::{Choice, Field, Spec};
 
@@ -60,7 +60,7 @@ fn label(field: &Field) -> String {
 }
 
 fn field_type(spec: &Spec, field: &Field) -> String {
-    let ty = types::words(spec, &field.ty);
+    let ty = type_phrase::words(spec, &field.ty);
     let ascii = if field.ascii { ", printable ASCII only" } else { "" };
     let or_raw = if field.or_raw { ", or another shape" } else { "" };
     format!("{ty}{ascii}{or_raw}")

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::defs::number;
+use super::parts::{number, with};
 use crate::{Advice, Field, Shape, Spec, Type};
 
 /// A schema of the whole object for each row that is advised of one of its fields.
@@ -37,7 +37,7 @@ fn bound(spec: &Spec, ty: &Type, unit: Option<&str>, (advice, max): (&Advice, f6
     match spec.shape(ty) {
         Shape::Scalar(scalar) if scalar.is_number() && (advice.unit.is_none() || unit == advice.unit.as_deref()) => {
             let bound = json!({ "minimum": number(-max), "maximum": number(max) });
-            if advice.nonzero { super::defs::with(bound, "not", json!({ "const": 0 })) } else { bound }
+            if advice.nonzero { with(bound, "not", json!({ "const": 0 })) } else { bound }
         }
         Shape::List(element, _) => json!({ "items": bound(spec, element, unit, (advice, max)) }),
         Shape::Tuple { fields, .. } => json!({ "prefixItems": fields.iter().map(inner).collect::<Vec<_>>() }),

@@ -4,17 +4,9 @@ use std::fmt::Display;
 
 use serde_json::{Map, Value, json};
 
-use super::{advice, alternatives, describe, lenient, scalar};
+use super::parts::{Form, alternatives, number, reference, with};
+use super::{advice, describe, lenient, scalar};
 use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeId, TypeKind};
-
-/// How a value is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
-    /// In the one form in which the client sends it.
-    Sent,
-    /// In any form in which the client reads it.
-    Received,
-}
 
 /// The definitions made so far.
 pub(super) struct Defs<'s> {
@@ -136,25 +128,6 @@ impl<'s> Defs<'s> {
     }
 }
 
-/// A reference to a definition. In its JSON pointer, everything but letters and digits is escaped.
-pub(super) fn reference(name: &str) -> Value {
-    let escape = |byte: u8| match byte {
-        b'~' => "~0".to_owned(),
-        b'/' => "~1".to_owned(),
-        b'-' | b'.' | b'_' => char::from(byte).to_string(),
-        byte if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
-        byte => format!("%{byte:02X}"),
-    };
-    let name: String = name.bytes().map(escape).collect();
-    json!({ "$ref": format!("#/$defs/{name}") })
-}
-
-/// The schema with one more keyword.
-pub(super) fn with(mut schema: Value, keyword: &str, value: impl Into<Value>) -> Value {
-    schema[keyword] = value.into();
-    schema
-}
-
 /// Adds the field's limits to the number or text at the heart of the schema.
 fn limit(schema: &mut Value, field: &Field) {
     if schema.get("items").is_some_and(Value::is_object) {
@@ -169,12 +142,6 @@ fn limit(schema: &mut Value, field: &Field) {
     if field.ascii {
         schema["pattern"] = json!("^[ -~]*$");
     }
-}
-
-/// The number, without a fraction where it has none.
-pub(super) fn number(value: f64) -> Value {
-    let text = value.to_string();
-    text.parse::<i64>().map_or_else(|_| json!(value), |whole| json!(whole))
 }
 
 /// The schema of an enum, and what its description adds.

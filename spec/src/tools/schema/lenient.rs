@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::defs::reference;
+use super::parts::reference;
 use crate::Variant;
 
 const NUMBER: &str = "lenient.float";

@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::defs::{Defs, Form, reference, with};
+use super::defs::Defs;
+use super::parts::{Form, reference, with};
 use super::{describe, lenient};
 use crate::envelope::{COMMAND_NAME as NAME, ERROR_CODE as CODE, ERROR_MESSAGE as MESSAGE};
 use crate::{Command, Field, Request};

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::defs::Form;
 use super::lenient;
+use super::parts::Form;
 use crate::Scalar;
 
 /// A scalar as it is sent, or in any form in which it is read.
