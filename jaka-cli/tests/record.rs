@@ -360,9 +360,10 @@ fn a_recording_of_nothing_is_not_kept() {
     let proxy = jaka(["record", file, "--sim", "--listen", "127.0.0.1", "--listen-commands", &port]);
     assert_eq!((proxy.code, path.exists()), (Some(6), false), "{}", proxy.err);
     assert!(proxy.err.starts_with(&format!("error: cannot listen at 127.0.0.1, port {port}: ")), "{}", proxy.err);
-    drop(taken);
-    let nobody = jaka(["call", "get_version", "-r", "127.0.0.1", "--command-port", &port, "--record", file]);
-    assert_eq!((nobody.code, path.exists()), (Some(3), false), "{}", nobody.err);
+    let nobody = ReservedPort::any();
+    let port = nobody.address().port().to_string();
+    let refused = jaka(["call", "get_version", "-r", "127.0.0.1", "--command-port", &port, "--record", file]);
+    assert_eq!((refused.code, path.exists()), (Some(3), false), "{}", refused.err);
     let idle = ["--listen", "127.0.0.1", "--listen-commands", "0", "--listen-status", "0", "--seconds", "0.05"];
     let idle = jaka(["record", file, "--sim"].iter().chain(&idle));
     assert!(idle.out.ends_with("nothing was recorded\n") && !path.exists(), "{}", idle.text());

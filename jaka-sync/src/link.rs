@@ -67,6 +67,9 @@ pub(crate) struct Link {
     stops: AtomicUsize,
 }
 
+/// Target of log records of the wire.
+const WIRE: &str = "jaka_sync::wire";
+
 /// What changes the frames to which poses refer.
 const FRAME_COMMANDS: [&str; 5] = [
     SetToolId::INFO.name,

@@ -183,6 +183,8 @@ impl<'o> Way<'o> {
 
     /// The next set-point by which the arm is braked, where it is not at rest.
     fn brake(&mut self) -> Option<SetPoint> {
+        // The one before was sent.
+        self.tell();
         let joints = match &mut self.approach {
             Some(approach) if approach.is_at_rest() => return None,
             Some(approach) => approach.brake(),
@@ -192,7 +194,6 @@ impl<'o> Way<'o> {
                 self.follower.advance()
             }
         };
-        self.tell();
         Some(SetPoint::Joints(joints))
     }
 

@@ -68,8 +68,9 @@ impl Orders {
         (load(&self.time_s), load(&self.rate))
     }
 
+    /// Ends the run: no trajectory time passes any more. The first reason counts.
     pub(super) fn end(&self, because: String) {
-        // The first one counts.
+        self.rate.store(0.0_f64.to_bits(), Ordering::SeqCst);
         let _ = self.ended.set(because);
     }
 

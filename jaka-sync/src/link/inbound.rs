@@ -9,8 +9,8 @@ use jaka_proto::framing::{self, Framer};
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{Envelope, read_envelope};
 
-use super::Link;
 use super::state::{Mode, State};
+use super::{Link, WIRE};
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::socket::Socket;
@@ -65,7 +65,7 @@ impl Inbound {
 /// Attributes a reply, also where a logger, or what reads the reply for its waiter, panics: whose it is has nothing to do with them.
 fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> Result<Option<Panic>, Disconnect> {
     let read = panic::catch_unwind(AssertUnwindSafe(|| {
-        log::trace!(target: "jaka_sync::wire", "<- {text}");
+        log::trace!(target: WIRE, "<- {text}");
         waiter.read(text)
     }));
     match read {
@@ -94,7 +94,7 @@ fn deliver(
         return Ok(None);
     }
     let command = &received.command;
-    let log = || log::debug!(target: "jaka_sync::wire", "late reply to `{command}` dropped");
+    let log = || log::debug!(target: WIRE, "late reply to `{command}` dropped");
     Ok(panic::catch_unwind(AssertUnwindSafe(log)).err())
 }
 

@@ -11,7 +11,7 @@ use super::failure::Progress;
 use super::outgoing::{Outgoing, Right};
 use super::state::{Mode, State};
 use super::turn::Passing;
-use super::{FRAME_COMMANDS, Link};
+use super::{FRAME_COMMANDS, Link, WIRE};
 use crate::socket::Socket;
 use crate::{Disconnect, Error};
 
@@ -58,6 +58,18 @@ impl Timeout {
     }
 }
 
+/// Abandons a request when it is dropped.
+struct Unawaited<'l> {
+    link: &'l Link,
+    request: RequestId,
+}
+
+impl Drop for Unawaited<'_> {
+    fn drop(&mut self) {
+        self.link.state.lock().exchange.abandon(self.request);
+    }
+}
+
 /// What went out.
 #[derive(Debug)]
 pub(crate) struct Dispatched {
@@ -73,22 +85,42 @@ impl Link {
     /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with an index; of long
     /// ones, not all go out at once.
     ///
-    /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: so the exchange has the order of the
-    /// wire, and nothing goes out after a stop that the gate knows of.
+    /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: the exchange has
+    /// the order of the wire, and nothing goes out after a stop that the gate knows of. Between the gate and the write no
+    /// code of the program's own runs; the logger gets its lines afterwards, when others can send again.
     pub(super) fn transmit(
         &self,
         outgoing: &Outgoing<'_>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, Error> {
+        let mut lines = log::log_enabled!(target: WIRE, log::Level::Trace).then(Vec::new);
+        let dispatched = self.dispatch(outgoing, count, write, lines.as_mut())?;
+        if let Some(lines) = lines {
+            // After a panic of the logger no thread waits for the reply.
+            let unawaited = (!outgoing.is_posted).then(|| Unawaited { link: self, request: dispatched.last });
+            lines.iter().for_each(|line| log::trace!(target: WIRE, "-> {line}"));
+            std::mem::forget(unawaited);
+        }
+        Ok(dispatched)
+    }
+
+    /// Sends without logging; `lines` gets what was sent.
+    fn dispatch(
+        &self,
+        outgoing: &Outgoing<'_>,
+        count: usize,
+        write: &mut dyn FnMut(usize, &mut Writer),
+        lines: Option<&mut Vec<String>>,
+    ) -> Result<Dispatched, Error> {
         let _passing = (outgoing.right == Right::Stop).then(|| Passing::new(self));
         let (mut turn, mut state) = self.take_turn(outgoing)?;
-        outgoing.gate.map_or(Ok(()), |gate| gate())?;
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()));
         };
-        // After a panic in code that writes or logs, nothing that was not sent is left.
+        // After a panic in code that writes, nothing that was not sent is left.
         outbound.compose(count, write);
+        outgoing.gate.map_or(Ok(()), |gate| gate())?;
         self.enter(&mut state, outbound, outgoing);
         drop(state);
         let written = self.write(outbound, &stream, outgoing);
@@ -96,6 +128,9 @@ impl Link {
         drop(stream);
         let mut state = self.state.lock();
         let sent = self.written(&mut state, outbound, outgoing, written);
+        if let Some(lines) = lines {
+            lines.extend(outbound.texts().map(str::to_owned));
+        }
         state.outbound = turn.outbound.take();
         self.state.wake();
         drop(state);
@@ -104,16 +139,15 @@ impl Link {
 
     /// Enters what is to go out into the exchange.
     fn enter(&self, state: &mut State, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
-        let (mut start, now) = (0, outgoing.is_posted.then(|| self.clock.now()));
-        for (end, request) in &mut outbound.requests {
-            self.tap.sent(&outbound.out.as_str()[start..*end]);
+        outbound.texts().for_each(|text| self.tap.sent(text));
+        let now = outgoing.is_posted.then(|| self.clock.now());
+        for (_, request) in &mut outbound.requests {
             *request = match (now, &outgoing.name) {
                 (Some(now), Cow::Borrowed(command)) => state.exchange.post(command, now),
                 (_, name) => state.exchange.send(name.clone()),
             };
             state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*outgoing.name));
             state.stops += u64::from(outgoing.right != Right::Usual);
-            start = *end;
         }
     }
 
@@ -185,17 +219,20 @@ impl Outbound {
     fn compose(&mut self, count: usize, write: &mut dyn FnMut(usize, &mut Writer)) {
         self.out.clear();
         self.requests.clear();
-        let mut start = 0;
         for index in 0..count {
             write(index, &mut self.out);
-            let text = self.out.as_str();
-            log::trace!(target: "jaka_sync::wire", "-> {}", &text[start..]);
-            start = text.len();
-            self.requests.push((start, RequestId::default()));
-            if start >= PIECE {
+            let end = self.out.as_str().len();
+            self.requests.push((end, RequestId::default()));
+            if end >= PIECE {
                 break;
             }
         }
+    }
+
+    /// Text of each request.
+    fn texts(&self) -> impl Iterator<Item = &str> {
+        let starts = std::iter::once(0).chain(self.requests.iter().map(|(end, _)| *end));
+        starts.zip(&self.requests).map(|(start, (end, _))| &self.out.as_str()[start..*end])
     }
 }
 

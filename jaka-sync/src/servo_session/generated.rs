@@ -145,10 +145,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 set_points.paused();
             }
             supervision.guard.map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.lag()))?;
+            // Before the end: a motion that has no set-point when one is due does not end as commanded.
+            let late = cycle?;
             if set_points.is_done() {
                 return Ok(());
             }
-            let late = cycle?;
             if late > supervision.max_gap {
                 return Err(ErrorKind::SetPointLate { late }.into());
             }
@@ -156,9 +157,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 supervision.take(&packet)?;
             }
             let joints = set_points.next();
-            let sent = self.send_checked(SetPoint::Joints(joints), Some(joints));
+            let sent = self.send_checked(SetPoint::Joints(joints), Some(joints), supervision.max_gap);
             sent.inspect_err(|_| set_points.take_back())?;
-            self.went_out(late);
             supervision.sent(|| self.robot.clock().now(), joints);
             set_points.sent();
         }

@@ -7,7 +7,6 @@ use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
 use super::course::Course;
-use super::pace::Cycle;
 use super::rates::Rates;
 use super::set_point::{SetPoint, Step};
 use crate::robot::Rest;
@@ -87,7 +86,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
     fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
-        let late = self.begun.map_or_else(|| self.pace.late(), |due| self.robot.clock().elapsed(due));
+        let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.robot.clock().elapsed(cycle.due));
         if late >= self.config.gap() {
             self.stand(late);
             return Ok(());
@@ -168,12 +167,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         refused: u64,
     ) -> Result<bool, Error> {
         // What was computed since takes its time, too.
-        let (late, due) = if let Some(due) = self.begun.take() {
-            (self.robot.clock().elapsed(due), Some(due))
-        } else {
-            let Cycle { due, late } = self.pace.wait();
-            (late, Some(due))
-        };
+        let cycle = self.begun.take().unwrap_or_else(|| self.pace.wait());
+        let late = self.robot.clock().elapsed(cycle.due);
         if late >= self.config.gap() {
             self.stand(late);
             return Ok(false);
@@ -184,8 +179,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Err(refusal);
         }
         self.check_unanswered()?;
-        let punctual = self.punctual(due);
-        if let Err(error) = self.post(&set_point, &|| gate().and_then(|()| punctual())) {
+        self.begun = Some(cycle);
+        if let Err(error) = self.post(&set_point, gate, Duration::MAX) {
+            self.begun = None;
             let ErrorKind::SetPointLate { late } = *error.kind() else { return Err(error) };
             self.stand(late);
             return Ok(false);

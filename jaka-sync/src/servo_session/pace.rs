@@ -53,4 +53,11 @@ impl Pace {
         self.cycles = self.cycles.saturating_add(1);
         cycle
     }
+
+    /// Delays the next cycle after one whose set-point went out this late: by a period or more.
+    pub(super) fn went_out(&mut self, cycle: Cycle, late: Duration) {
+        if late >= self.period {
+            self.due = self.due.max(cycle.due + late + self.period);
+        }
+    }
 }

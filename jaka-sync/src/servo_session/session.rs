@@ -1,9 +1,10 @@
 //! A session in servo mode.
 
+use std::cell::Cell;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
@@ -17,7 +18,7 @@ use super::pace::{Cycle, Pace};
 use super::realtime::RealtimePriority;
 use super::set_point::{SetPoint, Step};
 use super::{ServoConfig, ServoReport};
-use crate::link::Answers;
+use crate::link::{Answers, Gate};
 use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
@@ -84,8 +85,8 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) course: Course,
     pub(crate) report: ServoReport,
     pub(super) refusal: Option<Error>,
-    /// When the cycle was due that has begun, if its set-point has not gone out.
-    pub(super) begun: Option<Instant>,
+    /// Cycle that has begun, while its set-point has not gone out.
+    pub(super) begun: Option<Cycle>,
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
     /// Why no more set-points go out, if so.
@@ -178,18 +179,19 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if let Some(because) = self.ended.clone() {
             return Err(ErrorKind::SessionEnded { because }.into());
         }
-        let sent = self.wait_for_cycle().and_then(|late| {
+        let sent = self.wait_for_cycle().and_then(|_| {
             let joints = self.check(&set_point)?;
-            self.send_checked(set_point, joints).map(|()| late)
+            self.send_checked(set_point, joints, Duration::MAX)
         });
-        let late = sent.map_err(|error| self.end(error))?;
-        self.went_out(late);
-        Ok(())
+        sent.map_err(|error| self.end(error))
     }
 
-    /// Counts a set-point that went out so late.
-    pub(super) fn went_out(&mut self, late: Duration) {
+    /// Counts a set-point that went out so late, and the gap before it unless its cycle has begun after one.
+    fn went_out(&mut self, late: Duration, begun: Option<Cycle>) {
         let period = self.config.period();
+        if late >= self.config.gap() && begun.is_none_or(|cycle| cycle.late < self.config.gap()) {
+            self.count_gap(late);
+        }
         self.report.late(late, period);
         if late >= period && late < self.config.gap() {
             let text = || format!("a set-point is {late:.1?} late");
@@ -206,8 +208,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Waits for the next cycle, and returns its lateness. Fails after a gap in the middle of a motion.
     pub(super) fn wait_for_cycle(&mut self) -> Result<Duration, Error> {
-        let Cycle { due, late } = self.pace.wait();
-        self.begun = Some(due);
+        let cycle = self.pace.wait();
+        let late = cycle.late;
+        self.begun = Some(cycle);
         if late < self.config.gap() {
             return Ok(late);
         }
@@ -227,17 +230,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let rates = &self.config.rates;
         let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
         !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
-    }
-
-    /// Lets a set-point pass that was due then and is not too late for a moving arm: the thread may be held up until
-    /// the moment in which it is written.
-    pub(super) fn punctual(&self, due: Option<Instant>) -> impl Fn() -> Result<(), Error> + use<S> {
-        let due = due.filter(|_| !self.stands_within_a_period());
-        let (clock, gap) = (self.robot.clock().clone(), self.config.gap());
-        move || match due.map(|due| clock.elapsed(due)) {
-            Some(late) if late >= gap => Err(ErrorKind::SetPointLate { late }.into()),
-            _ => Ok(()),
-        }
     }
 
     /// Where the joints are at the set-point, if that is known.
@@ -262,7 +254,13 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    pub(super) fn send_checked(&mut self, set_point: SetPoint, joints: Option<JointPosition>) -> Result<(), Error> {
+    /// Sends a set-point that has been checked, unless it is later than `most`, or too late for a moving arm.
+    pub(super) fn send_checked(
+        &mut self,
+        set_point: SetPoint,
+        joints: Option<JointPosition>,
+        most: Duration,
+    ) -> Result<(), Error> {
         // After the wait: a stop may have come meanwhile.
         self.take_answers(ServoJ::INFO.name)?;
         if let Some(refusal) = self.refusal.take() {
@@ -270,26 +268,45 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
         self.robot.latch.check()?;
         self.check_unanswered()?;
-        let (gate, punctual) = (self.robot.gate(), self.punctual(self.begun));
-        self.post(&set_point, &|| gate().and_then(|()| punctual()))?;
+        let (gate, begun) = (self.robot.gate(), self.begun);
+        let late = self.post(&set_point, &gate, most)?;
         self.course.sent(set_point, joints);
+        self.went_out(late, begun);
         self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
         Ok(())
     }
 
-    /// Sends a set-point of any kind.
-    pub(super) fn post(&mut self, set_point: &SetPoint, gate: &dyn Fn() -> Result<(), Error>) -> Result<(), Error> {
-        let steps = self.config.step_count.into();
-        let (client, gate) = (self.robot.client(), Some(gate));
+    /// Sends the set-point of the cycle that has begun, and returns its lateness: that at the gate, since the thread may
+    /// be held up until the moment of the write. Fails for one later than `most`, and for one that follows a gap in the
+    /// middle of a motion.
+    pub(super) fn post(
+        &mut self,
+        set_point: &SetPoint,
+        gate: &dyn Fn() -> Result<(), Error>,
+        most: Duration,
+    ) -> Result<Duration, Error> {
+        let (steps, clock) = (self.config.step_count.into(), self.robot.clock().clone());
+        let gap = if self.stands_within_a_period() { Duration::MAX } else { self.config.gap() };
+        let (client, begun, lateness) = (self.robot.client(), self.begun, Cell::new(Duration::ZERO));
+        let gate = || {
+            gate()?;
+            let late = begun.map_or(Duration::ZERO, |cycle| clock.elapsed(cycle.due));
+            lateness.set(late);
+            if late > most || late >= gap { Err(ErrorKind::SetPointLate { late }.into()) } else { Ok(()) }
+        };
+        let gate: Gate<'_> = Some(&gate);
         let outstanding = match *set_point {
             SetPoint::Joints(target) => client.post(gate, &[ServoJ::absolute(target).step_count(steps)]),
             SetPoint::JointOffset(offset) => client.post(gate, &[ServoJ::relative(offset).step_count(steps)]),
             SetPoint::Pose(target) => client.post(gate, &[ServoP::absolute(target).step_count(steps)]),
             SetPoint::PoseOffset(offset) => client.post(gate, &[ServoP::relative(offset).step_count(steps)]),
         }?;
-        self.begun = None;
+        let late = lateness.get();
+        if let Some(cycle) = self.begun.take() {
+            self.pace.went_out(cycle, late);
+        }
         self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
-        Ok(())
+        Ok(late)
     }
 
     /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.

@@ -1,7 +1,8 @@
 //! Threads of set-points that are held up. By simulated clocks they are late only where something takes their time:
-//! here, a type of status packets of the program's own, which such a thread asks what a packet means.
+//! here, a type of status packets of the program's own, which such a thread asks what a packet means, and a logger.
 
-use std::sync::{Mutex, PoisonError};
+use std::cell::RefCell;
+use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -12,9 +13,10 @@ use jaka_sync::status::RobotStatus;
 use jaka_sync::{
     Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig,
 };
-use jaka_tests::simulated::beside;
+use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, LONG};
+use log::{LevelFilter, Log, Metadata, Record};
 
 use crate::follow::{self, to_and_fro};
 use crate::received::positions;
@@ -26,8 +28,45 @@ const SERVO_PERIOD: Duration = Duration::from_millis(32);
 /// Packets of the test with this number.
 struct Slow<const TEST: usize>(RobotStatus);
 
-/// Next hold-up of each test's thread of set-points, with its clock.
-static HOLD_UPS: [Mutex<Option<(SimulatedClock, Duration)>>; 5] = [const { Mutex::new(None) }; 5];
+/// Where a thread of set-points is held up.
+#[derive(Clone, Copy)]
+enum Place {
+    /// While it asks what a packet means, the last time in the gate of the link.
+    Status,
+    /// In the logger of the wire.
+    Logger,
+}
+
+struct HoldUp {
+    place: Place,
+    clock: SimulatedClock,
+    time: Duration,
+}
+
+/// Next hold-up of each test's thread of set-points.
+static HOLD_UPS: [Mutex<Option<HoldUp>>; 8] = [const { Mutex::new(None) }; 8];
+
+thread_local! {
+    /// Next hold-up of this thread by the logger.
+    static BY_LOGGER: RefCell<Option<HoldUp>> = const { RefCell::new(None) };
+}
+
+struct SlowLogger;
+
+impl Log for SlowLogger {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        metadata.target() == "jaka_sync::wire" && BY_LOGGER.with_borrow(Option::is_some)
+    }
+
+    fn log(&self, record: &Record<'_>) {
+        if self.enabled(record.metadata()) && record.args().to_string().starts_with("-> ") {
+            let hold_up = BY_LOGGER.take().expect("it is enabled");
+            hold_up.clock.sleep(hold_up.time);
+        }
+    }
+
+    fn flush(&self) {}
+}
 
 impl<const TEST: usize> Decode for Slow<TEST> {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -39,8 +78,10 @@ impl<const TEST: usize> MotionStatus for Slow<TEST> {
     fn robot_status(&self) -> RobotStatus {
         if matches!(thread::current().name(), Some("jaka stream" | "jaka follow")) {
             let hold_up = HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner).take();
-            if let Some((clock, time)) = hold_up {
-                clock.sleep(time);
+            match hold_up {
+                Some(hold_up @ HoldUp { place: Place::Logger, .. }) => BY_LOGGER.set(Some(hold_up)),
+                Some(HoldUp { clock, time, .. }) => clock.sleep(time),
+                None => {}
             }
         }
         self.0.clone()
@@ -55,10 +96,19 @@ fn ready<const TEST: usize>() -> (Arm, Robot<Slow<TEST>>) {
     (arm, robot.expect("it is this arm"))
 }
 
-/// Holds the thread of set-points up in its next cycle, which is in time, so that the one after it is late by a period
-/// less.
+/// Holds the thread of set-points up in its next cycle, which is in time.
 fn hold_up<const TEST: usize>(arm: &Arm, time: Duration) {
-    *HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner) = Some((arm.clock().clone(), time));
+    hold_up_at::<TEST>(Place::Status, arm, time);
+}
+
+fn hold_up_at<const TEST: usize>(place: Place, arm: &Arm, time: Duration) {
+    static LOGGER: Once = Once::new();
+    LOGGER.call_once(|| {
+        log::set_logger(&SlowLogger).expect("it is the only one");
+        log::set_max_level(LevelFilter::Trace);
+    });
+    let hold_up = HoldUp { place, clock: arm.clock().clone(), time };
+    *HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner) = Some(hold_up);
 }
 
 fn servo() -> ServoConfig {
@@ -91,7 +141,7 @@ fn a_stream_at_speed_without_a_set_point_for_three_periods_ends_and_is_held() {
 
 #[test]
 fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill() {
-    for (held_up, goes_on) in [(SERVO_PERIOD * 4, true), (SERVO_PERIOD * 5, false)] {
+    for (held_up, goes_on) in [(SERVO_PERIOD * 3, true), (SERVO_PERIOD * 4, false)] {
         let (arm, mut robot) = ready::<4>();
         let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
         // An acceleration of 72 deg/s² times a period of 32 ms is 2.3 deg/s.
@@ -118,26 +168,30 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
     }
 }
 
-/// A run whose thread is held up on its way.
-fn followed<const TEST: usize>(time: Duration) -> (Vec<[f64; 6]>, FollowEnd) {
-    let (arm, mut robot) = ready::<TEST>();
+/// A run whose thread is held up on its way, with what a proxy has seen of its set-points.
+fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, FollowEnd, SetPointsSeen) {
+    let arm = stream::arm().start();
+    let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
+    let client = arm.config().connect_client(proxy.address()).expect("it listens");
+    let mut robot = Robot::with_monitor(client, arm.monitor::<Slow<TEST>>());
+    robot = robot.with_limits(follow::limits()).expect("it is this arm");
     let trajectory =
         follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
     follow::wait_for(&arm, &run, 0.5);
-    hold_up::<TEST>(&arm, time);
+    hold_up_at::<TEST>(place, &arm, time);
     let handle = run.handle();
     let end = run.wait();
     assert_eq!((handle.progress().time, handle.progress().rate.to_bits()), (end.reached, 0.0_f64.to_bits()));
     let (set_points, _) = positions(&arm, CYCLES);
     to_and_fro().has(&set_points).unwrap_or_else(|what| panic!("{what}: {end:?}"));
-    (set_points, end)
+    (set_points, end, proxy.seen())
 }
 
 #[test]
 fn a_set_point_that_is_too_late_is_an_underrun() {
     let late_by = Duration::from_millis(118);
-    let (set_points, end) = followed::<1>(late_by);
+    let (set_points, end, _) = followed::<1>(Place::Status, late_by);
     assert_eq!((end.outcome, end.has_left_curve, end.is_at_rest()), (FollowOutcome::Underrun, false, true), "{end:?}");
     assert_eq!((end.report.gaps, end.report.longest_gap), (1, late_by));
     let error = end.error.as_ref().expect("it says so");
@@ -148,10 +202,37 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
 
 #[test]
 fn a_run_whose_set_point_is_late_by_less_goes_on() {
-    let (set_points, end) = followed::<2>((SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1)));
+    let late_by = (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1));
+    let (set_points, end, seen) = followed::<2>(Place::Status, late_by);
     assert_eq!((end.outcome, end.has_left_curve, end.report.gaps), (FollowOutcome::Completed, false, 0), "{end:?}");
+    // The report has the lateness on the wire, and the next one is no sooner for it.
+    assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(SERVO_PERIOD + late_by)), "{seen:?}");
+    assert!((end.report.lateness(1.0).as_secs_f64() / late_by.as_secs_f64() - 1.0).abs() < 0.03, "{:?}", end.report);
     assert!(apart(set_points.last().expect("there are some"), &to_and_fro().at(3.0)) < 1e-9);
     assert_eq!(follow::jump(follow::START, &set_points), None);
+}
+
+#[test]
+fn a_logger_makes_no_set_point_late_but_the_next_one() {
+    let held_up = SERVO_PERIOD * 3;
+    let (_, end, seen) = followed::<5>(Place::Logger, held_up);
+    assert_eq!((end.outcome, end.report.gaps, end.report.late_cycles), (FollowOutcome::Completed, 0, 1), "{end:?}");
+    assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(held_up)), "{seen:?}");
+}
+
+#[test]
+fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
+    let (arm, mut robot) = ready::<6>();
+    let trajectory =
+        follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
+    let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
+    follow::wait_for(&arm, &run, 0.5);
+    run.handle().stop().expect("it runs");
+    hold_up_at::<6>(Place::Logger, &arm, SERVO_PERIOD * 5);
+    let end = run.wait();
+    let error = end.error.as_ref().unwrap_or_else(|| panic!("it had no set-points at speed: {end:?}"));
+    assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 4), "{error:?}");
+    assert_eq!((end.outcome, end.report.gaps), (FollowOutcome::Underrun, 1), "{end:?}");
 }
 
 /// Its braking set-points go on, and the stop that waits for them does not overtake them.
