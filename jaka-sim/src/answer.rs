@@ -99,7 +99,9 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         refuse_unknown(spec_index, out);
         return Sequel::Nothing;
     };
-    if request.is_err() && !entry.packed {
+    // Also where a pack allows it: what cannot be read cannot be carried out.
+    let is_of_pack = entry.packed && matches!(request, Err(RequestError::Unknown { .. }));
+    if request.is_err() && !is_of_pack {
         refuse(command, &usual_refusal(command), out);
         return Sequel::Nothing;
     }
@@ -134,7 +136,7 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-/// Carries out a command; `request` is missing where only a pack has it, or allows it.
+/// Carries out a command; `request` is missing where only a pack has it.
 fn carry_out(
     text: &str,
     request: Option<&Request>,
@@ -160,7 +162,11 @@ fn carry_out(
         None => Outcome::Unhandled,
     };
     match outcome {
-        Outcome::Replied if *packed => pack::complete(&spec_index.spec, command, out),
+        Outcome::Replied if *packed => {
+            if !pack::complete(&spec_index.spec, command, out) {
+                refuse(&command.wire, &usual_refusal(&command.wire), out);
+            }
+        }
         Outcome::Replied | Outcome::Accepted => {}
         Outcome::Refused => refuse(&command.wire, &usual_refusal(&command.wire), out),
         Outcome::Unhandled => out.raw(&entry.sample),

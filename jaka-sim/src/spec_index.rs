@@ -140,6 +140,13 @@ impl CommandEntry {
 fn check_followed(built_in: &SpecIndex, spec: &Spec, changed: &BTreeSet<String>) -> Result<(), String> {
     for name in changed {
         let (Some(entry), Some(command)) = (built_in.entry(name), spec.command(name)) else { continue };
+        let is_kept = |field: &Field| command.request.fields().any(|other| other.wire == field.wire);
+        if let Some(field) = entry.command.request.fields().find(|field| !is_kept(field)) {
+            return Err(format!(
+                "the simulator cannot follow it: it changes `{}` in the request `{name}`, which the simulated arm reads by that name",
+                field.wire
+            ));
+        }
         let sample: Value = serde_json::from_str(&entry.typed_sample).map_err(|error| error.to_string())?;
         let before = built_in.spec.reply_fields(&entry.command);
         let value = |field: &Field| sample.get(&field.wire).cloned();

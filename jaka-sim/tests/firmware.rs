@@ -156,14 +156,39 @@ fn a_pack_that_changes_keys_is_refused_since_the_state_has_no_value_for_them() {
     let renamed = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
     let retyped = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
     let status = "[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\n";
+    let request = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\nwire = 'rate'\n";
     for (name, text, what) in [
         ("renamed", renamed, "it changes `joint_pos` in the reply to `get_joint_pos`"),
         ("retyped", retyped, "it changes `joint_pos` in the reply to `get_joint_pos`"),
         ("of_status", status, "it changes `rapidrate` in status packets"),
+        ("request", request, "it changes `rate_value` in the request `rapid_rate`"),
     ] {
         let error = at_rest().pack(pack(name, text)).start().expect_err("it cannot be followed");
         assert_eq!(error.kind(), io::ErrorKind::Unsupported);
         assert!(error.to_string().contains(what), "{error}");
+    }
+}
+
+#[test]
+fn a_request_that_a_pack_types_otherwise_is_refused_and_not_taken_for_carried_out() {
+    let text = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\ntype = 'text'\n";
+    let controller = at_rest().pack(pack("typed_otherwise", text)).start().expect("the pack is correct");
+    let mut peer = Peer::commands(&controller);
+    let reply = peer.ask("{\"cmdName\":\"rapid_rate\",\"rate_value\":\"slow\"}");
+    assert_ne!(reply["errorCode"], *"0", "{reply}");
+    assert!((controller.state().rapid_rate - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_value_that_a_pack_does_not_allow_in_a_reply_is_not_replaced_by_another() {
+    let text = "[[override]]\ntarget = 'get_payload'\nreply = 'mass'\ntype = 'int'\n";
+    let controller = at_rest().pack(pack("narrower", text)).start().expect("the pack is correct");
+    let mut peer = Peer::commands(&controller);
+    for (mass, code) in [("2", "0"), ("2.5", "2")] {
+        peer.ask(&format!("{{\"cmdName\":\"set_payload\",\"mass\":{mass},\"centroid\":[0,0,0]}}"));
+        let reply = peer.call("get_payload");
+        assert_eq!(reply["errorCode"], *code, "{mass}: {reply}");
+        assert_eq!(reply.get("mass").is_some(), code == "0", "{mass}: {reply}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode};
-use jaka_spec::{Command, Spec};
+use jaka_spec::{Command, Field, Spec};
 use serde_json::{Map, Value};
 
 /// True if the spec allows the request.
@@ -11,14 +11,21 @@ pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
-/// Gives a reply the shape that the pack describes, which the handlers do not know.
-pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) {
-    let Some(mut reply) = accepted(out.as_str()) else { return };
+/// Gives a reply the shape that the pack describes, which the handlers do not know. False where the state has a value
+/// that the pack does not allow: then nothing is left of the reply.
+pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) -> bool {
+    let Some(mut reply) = accepted(out.as_str()) else { return true };
+    let fits = |field: &Field| reply.get(&field.wire).is_none_or(|value| jaka_dynamic::is_readable(spec, field, value));
+    if !spec.reply_fields(command).iter().all(fits) {
+        out.clear();
+        return false;
+    }
     let before = reply.clone();
     jaka_dynamic::complete_reply(spec, command, &mut reply);
     if reply != before {
         rewrite(&reply, out);
     }
+    true
 }
 
 /// Writes the user's fields into the reply to an accepted command.

@@ -92,7 +92,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what helps.
     ///
     /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than the
-    /// refusal. Only packets show whether the robot is stopped. Refused motions of the robot itself are explained in their error:
+    /// refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of the robot itself are explained in their error:
     /// [`ErrorKind::Refused`].
     pub fn explain(&mut self, error: &Error) -> Option<Explanation> {
         self.explain_within(error, PATIENCE.min(self.client.reply_timeout()))
@@ -103,7 +103,7 @@ impl<S: MotionStatus> Robot<S> {
         if refusal.code == ErrorCode::PERMISSION_DENIED {
             return Some(Explanation::NoRemoteControl);
         }
-        let newest = self.monitor.last_known_packet();
+        let newest = self.monitor.fresh_packet().ok();
         let mut status = newest.and_then(|newest| told(&newest.status).ok()).unwrap_or_default();
         let state = self.client.call_within(&GetRobotState::new(), PATIENCE.min(timeout));
         (status.powered_on, status.enabled) = match &state {

@@ -481,6 +481,18 @@ fn refusals_are_explained_by_the_state_of_now() {
 }
 
 #[test]
+fn packets_that_are_stale_explain_no_refusal() {
+    let (arm, mut robot) = arm().with_robot();
+    arm.set_state(|state| state.protective_stop = true);
+    robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
+    arm.link(Port::Status).to_client().hold();
+    arm.clock().sleep(Duration::from_secs(1));
+    arm.set_state(|state| (state.protective_stop, state.enabled) = (false, false));
+    let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm is not enabled");
+    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotEnabled));
+}
+
+#[test]
 fn joint_positions_are_compared_joint_by_joint() {
     // The target of another joint is not that of this one.
     let (arm, mut robot) = ready();
