@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
-/// What is wrong with a text that says what the simulator does, such as that of a [`FaultPlan`], a [`Trip`](crate::Trip) or a
-/// [`Habit`](crate::Habit), and where.
+/// Error in a text that says what the simulator does, such as that of a [`FaultPlan`](crate::FaultPlan), a
+/// [`Trip`](crate::Trip) or a [`Habit`](crate::Habit), and its place.
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -32,7 +32,7 @@ impl ScriptError {
         Self { line: None, ..self }
     }
 
-    /// The number of the line of a [`FaultPlan`], from 1.
+    /// The number of the line of a [`FaultPlan`](crate::FaultPlan), from 1.
     pub fn line(&self) -> Option<usize> {
         self.line
     }
