@@ -7,7 +7,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-pub use self::participant::{Participant, Work};
+pub use self::participant::Participant;
 use crate::seat::Seat;
 use crate::state::{MovesTime, Reason, State};
 
@@ -221,6 +221,27 @@ impl SimulatedClock {
     /// Every change is made whole before the lock is left.
     pub(crate) fn lock(&self) -> MutexGuard<'_, State> {
         self.0.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Keeps the time of a clock from going on until it is dropped, from [`SimulatedClock::work`]: handed to a thread that was
+/// [outside](SimulatedClock::outside), it loses no time.
+#[derive(Debug)]
+#[must_use = "dropped, it keeps nothing"]
+pub struct Work {
+    clock: SimulatedClock,
+}
+
+impl Work {
+    /// Of work that has begun.
+    pub(crate) fn new(clock: &SimulatedClock) -> Self {
+        Self { clock: clock.clone() }
+    }
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        self.clock.lock().end_work();
     }
 }
 

@@ -7,7 +7,6 @@ mod leg;
 mod line;
 mod plan;
 mod reserve;
-mod spline;
 mod through;
 mod timed;
 mod timing;

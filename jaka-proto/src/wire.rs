@@ -15,8 +15,7 @@ mod typed;
 mod value;
 mod writer;
 
-pub use decode::Decode;
-pub use encode::Encode;
+use decode::not_an_array_of;
 pub use error::DecodeError;
 pub use reader::{Keys, Reader};
 pub(crate) use reader::{lossy_text, read_message, trimmed};
@@ -27,6 +26,54 @@ pub use writer::Writer;
 
 /// Any JSON, where the spec knows no type.
 pub use serde_json::Value;
+
+/// A value with a JSON form on the wire.
+pub trait Encode {
+    /// Writes the value.
+    fn encode(&self, out: &mut Writer);
+}
+
+/// A value that can be read from the wire, in any of the forms that controllers use.
+pub trait Decode: Sized {
+    /// Reads the value.
+    ///
+    /// # Errors
+    /// The text is not JSON, or the value does not fit.
+    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+
+    /// Reads the value over another one, whose memory is used again. After an error, what is there means nothing.
+    ///
+    /// # Errors
+    /// As [`decode`](Self::decode).
+    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        *self = Self::decode(reader)?;
+        Ok(())
+    }
+
+    /// Reads an array over a list, whose memory is used again.
+    #[doc(hidden)]
+    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
+        let mut len = 0;
+        reader.begin_array()?;
+        while reader.next_element()? {
+            let decoded = match list.get_mut(len) {
+                Some(value) => value.decode_into(reader),
+                None => Self::decode(reader).map(|value| list.push(value)),
+            };
+            decoded.map_err(|error| error.in_element(len))?;
+            len += 1;
+        }
+        list.truncate(len);
+        Ok(())
+    }
+
+    /// Reads an array of exactly `N` values. Types that need no allocation for it have a way of their own.
+    #[doc(hidden)]
+    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
+        let start = reader.mark();
+        Vec::decode(reader)?.try_into().map_err(|_| not_an_array_of(N, reader, start))
+    }
+}
 
 /// A struct or choice whose fields stand directly in a JSON object: a request, a reply, or a type inside one.
 pub trait Fields: Sized {

@@ -9,6 +9,109 @@ mod queue;
 mod state;
 mod wire;
 
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, Weak};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
 pub(crate) use self::inbound::{Inbound, Received};
-pub(crate) use self::state::Links;
+use self::state::LinkStates;
 pub(crate) use self::wire::Wire;
+use crate::fault::{LinkEvent, LinkFault};
+use crate::link_selector::LinkSelector;
+use crate::lock::lock;
+use crate::time::{Signal, Time};
+
+/// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
+const MOST_SENDERS: usize = 512;
+
+/// The links of a controller.
+///
+/// Locks are taken in this order: `state`, a wire's queue.
+#[derive(Debug)]
+pub(crate) struct Links {
+    /// Whether any link has ever had a fault.
+    used: AtomicBool,
+    state: Mutex<LinkStates>,
+    changed: Signal,
+    time: Time,
+    senders: Mutex<VecDeque<Sender>>,
+}
+
+/// A thread that sends what has waited, and the connection on which it does.
+type Sender = (Weak<Wire>, JoinHandle<()>);
+
+impl Links {
+    /// The links of a controller that starts now.
+    pub(crate) fn new(events: &[LinkEvent], time: &Time) -> Self {
+        Self {
+            used: AtomicBool::new(!events.is_empty()),
+            state: Mutex::new(LinkStates::new(events, time.now())),
+            changed: Signal::new(time),
+            time: time.clone(),
+            senders: Mutex::default(),
+        }
+    }
+
+    /// Sets what is wrong with these links from now on, and forgets what was to follow.
+    pub(crate) fn set(&self, selector: LinkSelector, fault: LinkFault) {
+        let mut state = lock(&self.state);
+        if fault != LinkFault::None {
+            self.used.store(true, Ordering::SeqCst);
+        }
+        state.set(selector, fault);
+        drop(state);
+        self.changed.notify_all();
+    }
+
+    /// The time in which they wait.
+    pub(crate) fn time(&self) -> &Time {
+        &self.time
+    }
+
+    /// Whether any link has ever had a fault.
+    fn are_used(&self) -> bool {
+        self.used.load(Ordering::SeqCst)
+    }
+
+    fn state(&self) -> MutexGuard<'_, LinkStates> {
+        lock(&self.state)
+    }
+
+    /// Waits for a change, or so long.
+    fn wait<'l>(&'l self, state: MutexGuard<'l, LinkStates>, time: Option<Duration>) -> MutexGuard<'l, LinkStates> {
+        let mut waited = false;
+        let time = time.unwrap_or(Duration::MAX);
+        self.changed.wait_on(&self.state, state, time, |_| std::mem::replace(&mut waited, true))
+    }
+
+    /// Has all threads that wait check their link again.
+    fn notify(&self) {
+        drop(self.state());
+        self.changed.notify_all();
+    }
+
+    fn add_sender(&self, sender: Sender) {
+        let mut senders = lock(&self.senders);
+        senders.retain(|(_, thread)| !thread.is_finished());
+        senders.push_back(sender);
+        let oldest = if senders.len() > MOST_SENDERS { senders.pop_front() } else { None };
+        drop(senders);
+        if let Some((wire, _)) = oldest {
+            wire.upgrade().inspect(|wire| wire.abort());
+        }
+    }
+
+    /// Ends all connections on which something waits, and waits for their threads.
+    pub(crate) fn abort(&self) {
+        let senders = std::mem::take(&mut *lock(&self.senders));
+        for (wire, _) in &senders {
+            wire.upgrade().inspect(|wire| wire.abort());
+        }
+        for (_, thread) in senders {
+            // A panic there has been reported, and concerns one connection.
+            drop(thread.join());
+        }
+    }
+}

@@ -18,13 +18,12 @@ use std::time::Duration;
 use jaka_motion::Model;
 
 use self::blend::Leaving;
-pub(crate) use self::blend::Zone;
 pub(crate) use self::drives::Drives;
 pub(crate) use self::jog::{Jogging, Reference, small};
 pub(crate) use self::path::{Joints, Path};
 pub(crate) use self::profile::Profile;
-pub(crate) use self::running::Planned;
 use self::running::Running;
+pub(crate) use self::running::{Planned, Zone};
 pub(crate) use self::servo::{Servo, ServoOptions, SetPoint, Space, can_follow};
 use self::vector::plus;
 use crate::clock::CYCLE;

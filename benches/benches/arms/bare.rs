@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::canned::SET_POINT;
 use jaka_benches::system::child::Addresses;
 
+use super::Tally;
 use super::session::PERIOD;
-use super::worker::Tally;
 
 const SERVO_ON: &[u8] = br#"{"cmdName":"servo_move","relFlag":1}"#;
 const SERVO_OFF: &[u8] = br#"{"cmdName":"servo_move","relFlag":0}"#;

@@ -19,6 +19,31 @@ type Failure = Box<dyn Error>;
 /// The status period of the simulated controllers, in milliseconds.
 const STATUS: &str = "20";
 
+/// What one arm did.
+#[derive(Debug, Default, Clone, Copy)]
+struct Tally {
+    /// Set-points sent.
+    cycles: u64,
+    /// Set-points that were never sent since the next one was due.
+    lost: u64,
+    /// Set-points sent more than half a period late.
+    late: u64,
+    /// Set-points that were answered.
+    answered: u64,
+    /// Status packets read.
+    packets: u64,
+}
+
+impl Tally {
+    fn add(&mut self, other: Self) {
+        self.cycles += other.cycles;
+        self.lost += other.lost;
+        self.late += other.late;
+        self.answered += other.answered;
+        self.packets += other.packets;
+    }
+}
+
 fn main() -> Result<(), Failure> {
     if let Some(role) = options::text("--role") {
         return worker::run(&role);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::child::Addresses;
 use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
 
-use super::worker::Tally;
+use super::Tally;
 
 /// Between two set-points.
 pub(crate) const PERIOD: Duration = Duration::from_millis(8);

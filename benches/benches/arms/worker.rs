@@ -9,22 +9,7 @@ use std::time::Duration;
 use jaka_benches::system::child::Addresses;
 use jaka_benches::system::{options, process};
 
-use super::{Failure, bare, session};
-
-/// What one arm did.
-#[derive(Debug, Default, Clone, Copy)]
-pub(crate) struct Tally {
-    /// Set-points sent.
-    pub(crate) cycles: u64,
-    /// Set-points that were never sent since the next one was due.
-    pub(crate) lost: u64,
-    /// Set-points sent more than half a period late.
-    pub(crate) late: u64,
-    /// Set-points that were answered.
-    pub(crate) answered: u64,
-    /// Status packets read.
-    pub(crate) packets: u64,
-}
+use super::{Failure, Tally, bare, session};
 
 /// What all arms of some turns did together, and what it took.
 #[derive(Debug, Default)]
@@ -94,16 +79,6 @@ pub(crate) fn start(role: &str, robots: &[Addresses], seconds: u32) -> Result<Fi
         resident,
         threads,
     })
-}
-
-impl Tally {
-    fn add(&mut self, other: Self) {
-        self.cycles += other.cycles;
-        self.lost += other.lost;
-        self.late += other.late;
-        self.answered += other.answered;
-        self.packets += other.packets;
-    }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "figures to read")]

@@ -13,6 +13,7 @@ use std::time::Duration;
 use clap::Args;
 use itertools::Itertools as _;
 use jaka_sim::{ArmEvent, Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
+use ratatui::crossterm::event::KeyEvent;
 
 use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
@@ -85,6 +86,13 @@ pub(crate) struct Sim {
     /// Print each message received and sent
     #[arg(long)]
     log: bool,
+}
+
+/// What somebody types: a line, or a key.
+#[derive(Debug)]
+enum Typed {
+    Event(ArmEvent),
+    Key(KeyEvent),
 }
 
 /// Both were seen.

@@ -6,7 +6,9 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use jaka_sync::Severity;
 use jaka_sync::proto::text::visible;
 use jaka_sync::status::RobotStatus;
+use ratatui::text::{Line, Span};
 
+use super::style;
 use crate::event;
 use crate::flags::{Flags, Tone};
 
@@ -50,6 +52,16 @@ impl Alarms {
     /// The newest first.
     pub(super) fn entries(&self) -> impl Iterator<Item = &Alarm> {
         self.entries.iter()
+    }
+
+    /// A line for each, the newest first.
+    pub(super) fn lines(&self) -> Vec<Line<'static>> {
+        let lines = self.entries().map(|alarm| {
+            let time = Span::styled(format!(" {} ", alarm.clock()), style::faint());
+            Line::from(vec![time, Span::styled(alarm.text.clone(), style::of_tone(alarm.tone))])
+        });
+        let lines: Vec<_> = lines.collect();
+        if lines.is_empty() { vec![Line::styled(" none since the start", style::faint())] } else { lines }
     }
 
     /// Adds one.

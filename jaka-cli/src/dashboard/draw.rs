@@ -36,7 +36,11 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     let unknown = jaka_sync::status::RobotStatus::default();
     let status = view.status.as_ref().unwrap_or(&unknown);
     let most = match view.page {
-        Page::Overview => return overview::draw(frame, area, view),
+        Page::Overview if overview::fits(area) => {
+            overview::draw(frame, area, view, status);
+            return 0;
+        }
+        Page::Overview => return scrolled(frame, area, overview::lines(view, status, area.width), view.scroll),
         Page::Io => scrolled(frame, area, io::lines(status, area.width), view.scroll),
         Page::Measurements => {
             let lines = measurements::lines(status, &view.packed, area.width);
@@ -44,7 +48,7 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
         }
         Page::Alarms => {
             let title = style::rule("Alarms (UTC), the newest first", area.width);
-            let lines = std::iter::once(title).chain(alarm_lines(view)).collect();
+            let lines = std::iter::once(title).chain(view.alarms.lines()).collect();
             return scrolled(frame, area, lines, view.scroll);
         }
     };
@@ -55,7 +59,7 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
 }
 
 /// Draws lines from the scroll position on, and returns the greatest position: the last line stays visible.
-pub(super) fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) -> u16 {
+fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) -> u16 {
     let most = lines.len().saturating_sub(usize::from(area.height));
     let most = u16::try_from(most).unwrap_or(u16::MAX);
     frame.render_widget(Paragraph::new(lines).scroll((scroll.min(most), 0)), area);
@@ -115,16 +119,6 @@ fn link_line(link: &Link) -> Line<'static> {
         spans.extend([Span::styled(format!(" {name} "), style::faint()), Span::styled(count.to_string(), look)]);
     }
     Line::from(spans)
-}
-
-/// What happened, the newest first.
-pub(super) fn alarm_lines(view: &View) -> Vec<Line<'static>> {
-    let lines = view.alarms.entries().map(|alarm| {
-        let time = Span::styled(format!(" {} ", alarm.clock()), style::faint());
-        Line::from(vec![time, Span::styled(alarm.text.clone(), style::of_tone(alarm.tone))])
-    });
-    let lines: Vec<_> = lines.collect();
-    if lines.is_empty() { vec![Line::styled(" none since the start", style::faint())] } else { lines }
 }
 
 fn footer_line(view: &View, width: u16) -> Line<'static> {

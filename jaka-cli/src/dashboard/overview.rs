@@ -5,7 +5,6 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Text};
 
-use super::draw::alarm_lines;
 use super::{View, io, joints, robot_state, style};
 use crate::output::ABSENT;
 
@@ -19,13 +18,13 @@ const JOINTS: u16 = 8;
 /// The least number of lines for alarms, with their rule.
 const ALARMS: u16 = 4;
 
-/// Draws the page, and returns how far it can be scrolled.
-pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
-    let unknown = RobotStatus::default();
-    let status = view.status.as_ref().unwrap_or(&unknown);
-    if area.width < FULL.0 || area.height < FULL.1 {
-        return super::draw::scrolled(frame, area, small(view, status, area.width), view.scroll);
-    }
+/// Whether everything fits into an area.
+pub(super) fn fits(area: Rect) -> bool {
+    area.width >= FULL.0 && area.height >= FULL.1
+}
+
+/// Draws the page where everything fits.
+pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View, status: &RobotStatus) {
     let left = area.height - STATE - JOINTS - ALARMS;
     let pins = pins(status, area.width, usize::from(left));
     let pins_height = u16::try_from(pins.len()).unwrap_or(u16::MAX);
@@ -37,13 +36,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     part(frame, joints_area, "Joints", joints::lines(status, joints_area.width));
     part(frame, tcp, &tcp_title(status), joints::tcp_lines(status));
     frame.render_widget(Text::from(pins), io_area);
-    part(frame, alarms, "Alarms (UTC)", alarm_lines(view));
+    part(frame, alarms, "Alarms (UTC)", view.alarms.lines());
     if !view.is_fresh() {
         for area in [state, arm, io_area] {
             frame.buffer_mut().set_style(area, style::old());
         }
     }
-    0
 }
 
 /// All inputs and outputs, or as many of them as fit.
@@ -57,7 +55,7 @@ fn pins(status: &RobotStatus, width: u16, height: usize) -> Vec<Line<'static>> {
 }
 
 /// All parts in one column, the most important first.
-fn small(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
+pub(super) fn lines(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let mut values = robot_state::lines(status, width);
     values.extend(joints::short_lines(status));
     values.extend(joints::short_tcp_lines(status));
@@ -66,7 +64,7 @@ fn small(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
         values.iter_mut().flat_map(|line| &mut line.spans).for_each(|span| span.style = style::old());
     }
     values.push(style::rule("Alarms (UTC)", width));
-    values.extend(alarm_lines(view));
+    values.extend(view.alarms.lines());
     values
 }
 

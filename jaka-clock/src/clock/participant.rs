@@ -1,6 +1,6 @@
-//! What keeps time from going on: threads that take part, and promises.
+//! Places for threads that will take part.
 
-use super::{SimulatedClock, presence};
+use super::{SimulatedClock, Work, presence};
 use crate::state::MovesTime;
 
 /// A place in the time of a clock for a thread that will be started, from [`SimulatedClock::participant`]. Time stands still until it is used or dropped.
@@ -36,26 +36,5 @@ struct Leaves(SimulatedClock);
 impl Drop for Leaves {
     fn drop(&mut self) {
         presence::leave(&self.0);
-    }
-}
-
-/// Keeps the time of a clock from going on until it is dropped, from [`SimulatedClock::work`]: handed to a thread that was
-/// [outside](SimulatedClock::outside), it loses no time.
-#[derive(Debug)]
-#[must_use = "dropped, it keeps nothing"]
-pub struct Work {
-    pub(super) clock: SimulatedClock,
-}
-
-impl Work {
-    /// Of work that has begun.
-    pub(crate) fn new(clock: &SimulatedClock) -> Self {
-        Self { clock: clock.clone() }
-    }
-}
-
-impl Drop for Work {
-    fn drop(&mut self) {
-        self.clock.lock().end_work();
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
 
-use super::tool_way::{Course, Direction, OFF_WAY, in_steps, least_share, together};
+use super::tool_way::{Course, Direction, OFF_WAY, in_steps, is_off_at_most, least_share, together};
 use crate::checker::{Checker, Solved};
 use crate::piece::{Piece, Sample};
 
@@ -150,11 +150,4 @@ impl Line {
         *sample = next_sample;
         Some(next)
     }
-}
-
-/// Whether joints bring the tool to a place, within mm and degrees.
-pub(super) fn is_off_at_most(checker: &Checker, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
-    let found = checker.tcp(joints);
-    let moved = (tool.translation.vector - found.translation.vector).norm();
-    moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }

@@ -1,8 +1,10 @@
 //! Trajectories through points with times.
 
+mod spline;
+
 use jaka_proto::messages::types::JointPosition;
 
-use super::spline::with_spline_velocities;
+use self::spline::with_spline_velocities;
 use super::way_point::{Passing, WayPoint};
 use super::{Trajectory, TrajectoryError};
 use crate::checker::Checker;

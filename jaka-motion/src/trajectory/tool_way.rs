@@ -2,7 +2,6 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
-use super::line::is_off_at_most;
 use crate::checker::{Checker, Led};
 use crate::piece::{Piece, Sample};
 
@@ -101,6 +100,13 @@ impl ToolWay {
             })
         })
     }
+}
+
+/// Whether joints bring the tool to a place, within mm and degrees.
+pub(super) fn is_off_at_most(checker: &Checker, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
+    let found = checker.tcp(joints);
+    let moved = (tool.translation.vector - found.translation.vector).norm();
+    moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }
 
 /// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it takes not even the least.

@@ -1,50 +1,8 @@
 //! How JSON becomes values: leniently, since controllers write the same value in many forms.
 
-use super::error::DecodeError;
 use super::number::{Scalar, whole};
 use super::reader::{Mark, Reader};
-
-/// A value that can be read from the wire, in any of the forms that controllers use.
-pub trait Decode: Sized {
-    /// Reads the value.
-    ///
-    /// # Errors
-    /// The text is not JSON, or the value does not fit.
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
-
-    /// Reads the value over another one, whose memory is used again. After an error, what is there means nothing.
-    ///
-    /// # Errors
-    /// As [`decode`](Self::decode).
-    fn decode_into(&mut self, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        *self = Self::decode(reader)?;
-        Ok(())
-    }
-
-    /// Reads an array over a list, whose memory is used again.
-    #[doc(hidden)]
-    fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
-        let mut len = 0;
-        reader.begin_array()?;
-        while reader.next_element()? {
-            let decoded = match list.get_mut(len) {
-                Some(value) => value.decode_into(reader),
-                None => Self::decode(reader).map(|value| list.push(value)),
-            };
-            decoded.map_err(|error| error.in_element(len))?;
-            len += 1;
-        }
-        list.truncate(len);
-        Ok(())
-    }
-
-    /// Reads an array of exactly `N` values. Types that need no allocation for it have a way of their own.
-    #[doc(hidden)]
-    fn decode_array<const N: usize>(reader: &mut Reader<'_>) -> Result<[Self; N], DecodeError> {
-        let start = reader.mark();
-        Vec::decode(reader)?.try_into().map_err(|_| not_an_array_of(N, reader, start))
-    }
-}
+use super::{Decode, DecodeError};
 
 /// Implements [`Decode`] for a scalar, which is read in its usual form at once, and lists of it in one go.
 macro_rules! scalar {
@@ -183,8 +141,9 @@ fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T
     if len == N { Ok(values) } else { Err(not_an_array_of(N, reader, start)) }
 }
 
+/// Error for the array at which `reader` stood, which has another number of values.
 #[cold]
-fn not_an_array_of(len: usize, reader: &mut Reader<'_>, start: Mark) -> DecodeError {
+pub(super) fn not_an_array_of(len: usize, reader: &mut Reader<'_>, start: Mark) -> DecodeError {
     unfit(reader, start, &format!("an array of {len}"))
 }
 

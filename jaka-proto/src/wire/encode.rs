@@ -1,12 +1,6 @@
 //! How values become JSON.
 
-use super::Writer;
-
-/// A value with a JSON form on the wire.
-pub trait Encode {
-    /// Writes the value.
-    fn encode(&self, out: &mut Writer);
-}
+use super::{Encode, Writer};
 
 impl Encode for f64 {
     #[inline]

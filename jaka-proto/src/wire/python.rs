@@ -9,7 +9,7 @@ use std::fmt::{self, Write};
 
 use serde_json::Value;
 
-use super::{DecodeError, Reader};
+use super::{Decode, DecodeError, Reader, Writer};
 
 /// The most brackets that may be open at once.
 const MAX_DEPTH: usize = 64;
@@ -54,6 +54,32 @@ pub fn from_json(json: &str) -> Result<String, DecodeError> {
     write_value(&mut reader, MAX_DEPTH, &mut out)?;
     reader.end()?;
     Ok(out)
+}
+
+impl Writer {
+    /// Writes what `write` writes as JSON, but as a Python literal inside a string.
+    pub fn python(&mut self, write: impl FnOnce(&mut Self)) {
+        let mut inner = Self::new();
+        write(&mut inner);
+        // What a writer wrote is JSON; if it were not, the text itself is the best that can be sent.
+        let literal = from_json(inner.as_str()).unwrap_or_else(|_| inner.into_string());
+        self.text(&literal);
+    }
+}
+
+impl Reader<'_> {
+    /// Reads a value that is written as a Python literal inside a string.
+    ///
+    /// # Errors
+    /// As [`field`](Self::field).
+    pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
+        self.field_with(name, slot, |reader| {
+            let literal = reader.text()?;
+            let json = to_json(&literal)
+                .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
+            T::decode(&mut Reader::new(&json))
+        })
+    }
 }
 
 /// Writes a value in which so many brackets may be open at once.

@@ -131,13 +131,4 @@ impl Writer {
         }
         self.text.push(']');
     }
-
-    /// Writes what `write` writes as JSON, but as a Python literal inside a string.
-    pub fn python(&mut self, write: impl FnOnce(&mut Self)) {
-        let mut inner = Self::new();
-        write(&mut inner);
-        // What a writer wrote is JSON; if it were not, the text itself is the best that can be sent.
-        let literal = crate::wire::python::from_json(inner.as_str()).unwrap_or(inner.text);
-        self.text(&literal);
-    }
 }

@@ -4,7 +4,8 @@ use std::fmt;
 use std::time::Duration;
 
 use super::kinds::kinds;
-use crate::link_selector::LinkSelector;
+use super::{ScriptError, TokenReader};
+use crate::link_selector::{BOTH, LinkSelector};
 use crate::{Direction, Port};
 
 /// Whether bytes pass on a link.
@@ -129,6 +130,27 @@ impl LinkEvent {
     pub fn lasting(self, time: Duration) -> Self {
         Self { lasting: Some(time), ..self }
     }
+
+    /// Reads a link, its fault, and when it is so, as `status to-client hold after 10s for 5s`.
+    pub(super) fn read(tokens: &mut TokenReader<'_, '_>) -> Result<Self, ScriptError> {
+        let port = one_of(tokens, Port::ALL, "`command`, `status` or `both`")?;
+        let direction = one_of(tokens, Direction::ALL, "`to-controller`, `to-client` or `both`")?;
+        let mut event = Self { selector: LinkSelector { port, direction }, ..Self::new(LinkFault::read(tokens)?) };
+        if tokens.is_next("after") {
+            event = event.after(tokens.skip().time()?);
+        }
+        if tokens.is_next("for") {
+            event = event.lasting(tokens.skip().time()?);
+        }
+        Ok(event)
+    }
+}
+
+/// Reads one of these by its name; `None` for both.
+fn one_of<T: ToString>(tokens: &mut TokenReader<'_, '_>, items: [T; 2], what: &str) -> Result<Option<T>, ScriptError> {
+    let word = tokens.word(what)?;
+    let found = items.into_iter().find(|item| item.to_string() == word.text);
+    if found.is_some() || word.text == BOTH { Ok(found) } else { Err(word.error(format!("expected {what}"))) }
 }
 
 impl From<LinkFault> for LinkEvent {

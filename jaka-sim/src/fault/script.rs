@@ -1,67 +1,11 @@
 //! Fault plans as a text.
 
-use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
 use super::token_reader::TokenReader;
 use super::tokens::{self, Name, Token};
-use super::{Fault, FaultPlan, LinkEvent, SplitMix64, StatusFault};
-
-/// What is wrong with a text that says what the simulator does, such as that of a [`FaultPlan`], a [`Trip`](crate::Trip) or a
-/// [`Habit`](crate::Habit), and where.
-///
-/// ```
-/// # use jaka_sim::FaultPlan;
-/// let error = "drop\ndely 200ms".parse::<FaultPlan>().unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: `dely`: unknown fault");
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ScriptError {
-    line: Option<usize>,
-    word: String,
-    reason: String,
-}
-
-impl ScriptError {
-    pub(super) fn new(line: usize, word: &str, reason: impl Into<String>) -> Self {
-        Self { line: Some(line), word: word.to_owned(), reason: reason.into() }
-    }
-
-    /// An error of a text that is one thing alone.
-    pub(crate) fn of_text(text: &str, reason: impl Into<String>) -> Self {
-        Self { line: None, word: text.trim().to_owned(), reason: reason.into() }
-    }
-
-    pub(super) fn without_line(self) -> Self {
-        Self { line: None, ..self }
-    }
-
-    /// The number of the line of a [`FaultPlan`], from 1.
-    pub fn line(&self) -> Option<usize> {
-        self.line
-    }
-
-    /// The word that does not fit, or the last one where something is missing.
-    pub fn word(&self) -> &str {
-        &self.word
-    }
-}
-
-impl fmt::Display for ScriptError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.line.map_or(Ok(()), |line| write!(f, "line {line}: "))?;
-        write!(f, "`{}`: {}", self.word, self.reason)
-    }
-}
-
-impl Error for ScriptError {}
-
-/// Texts as errors list them.
-pub(crate) fn quoted(texts: &[impl fmt::Display]) -> String {
-    let texts: Vec<_> = texts.iter().map(|text| format!("`{text}`")).collect();
-    texts.join(", ")
-}
+use super::{Fault, FaultPlan, LinkEvent, ScriptError, SplitMix64, StatusFault};
 
 impl FromStr for FaultPlan {
     type Err = ScriptError;
@@ -94,7 +38,7 @@ impl FaultPlan {
                 *self = std::mem::take(self).one_in(one_in, faults(args)?);
             }
             Some("always") => self.inject_always(args.skip().last_item(Fault::read)?),
-            Some("link") => self.links.push(args.skip().last_item(TokenReader::link_event)?),
+            Some("link") => self.links.push(args.skip().last_item(LinkEvent::read)?),
             Some("status") => self.status = args.skip().last_item(StatusFault::read)?,
             _ => self.script.extend(faults(args)?),
         }

@@ -3,10 +3,8 @@
 use std::str::FromStr;
 use std::time::Duration;
 
+use super::ScriptError;
 use super::tokens::{self, Token};
-use super::{LinkEvent, LinkFault, ScriptError};
-use crate::link_selector::{BOTH, LinkSelector};
-use crate::{Direction, Port};
 
 /// The units of time, and how many of them are a second.
 const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 1e9), ("s", 1.0)];
@@ -44,29 +42,8 @@ impl<'w, 's> TokenReader<'w, 's> {
         self.rest.first().map_or(Ok(item), |token| Err(token.error("expected the end of the line")))
     }
 
-    /// A link, its fault, and when it is so, as `status to-client hold after 10s for 5s`.
-    pub(super) fn link_event(&mut self) -> Result<LinkEvent, ScriptError> {
-        let port = self.one_of(Port::ALL, "`command`, `status` or `both`")?;
-        let direction = self.one_of(Direction::ALL, "`to-controller`, `to-client` or `both`")?;
-        let mut event =
-            LinkEvent { selector: LinkSelector { port, direction }, ..LinkEvent::new(LinkFault::read(self)?) };
-        if self.is_next("after") {
-            event = event.after(self.skip().time()?);
-        }
-        if self.is_next("for") {
-            event = event.lasting(self.skip().time()?);
-        }
-        Ok(event)
-    }
-
-    /// One of these by its name; `None` for both.
-    fn one_of<T: ToString>(&mut self, items: [T; 2], what: &str) -> Result<Option<T>, ScriptError> {
-        let word = self.word(what)?;
-        let found = items.into_iter().find(|item| item.to_string() == word.text);
-        if found.is_some() || word.text == BOTH { Ok(found) } else { Err(word.error(format!("expected {what}"))) }
-    }
-
-    fn is_next(&self, text: &str) -> bool {
+    /// Whether this is the next word.
+    pub(super) fn is_next(&self, text: &str) -> bool {
         self.rest.first().is_some_and(|word| word.text == text)
     }
 

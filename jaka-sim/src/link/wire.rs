@@ -8,8 +8,9 @@ use std::time::Duration;
 
 use socket2::SockRef;
 
+use super::Links;
 use super::queue::{End, Queue, SendStep};
-use super::state::{LinkStates, Links, shorter};
+use super::state::{LinkStates, shorter};
 use crate::fault::LinkFault;
 use crate::lock::lock;
 use crate::socket::Socket;

@@ -1,20 +1,10 @@
 //! The way around a corner, from one motion into the next.
 
-use jaka_motion::{Model, Transform};
+use jaka_motion::Model;
 
 use super::path::Joints;
 use super::running::Running;
 use super::vector::minus;
-
-/// Where a motion may go over into the next one.
-#[derive(Debug, Clone)]
-pub(crate) struct Zone {
-    /// The tool on the flange.
-    tool: Transform,
-    /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
-    end: Transform,
-    radius: f64,
-}
 
 /// A motion that goes on to its end while the next has begun.
 ///
@@ -25,16 +15,6 @@ pub(super) struct Leaving {
     running: Running,
     at: Joints,
     ended: bool,
-}
-
-impl Zone {
-    pub(crate) fn new(tool: Transform, end: Transform, radius: f64) -> Option<Self> {
-        (radius > 0.0).then_some(Self { tool, end, radius })
-    }
-
-    pub(super) fn contains(&self, joints: Joints, model: &Model) -> bool {
-        (model.forward(joints) * self.tool).distance_mm(&self.end) < self.radius
-    }
 }
 
 impl Leaving {

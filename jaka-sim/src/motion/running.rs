@@ -1,8 +1,7 @@
 //! A planned motion, and the one that runs.
 
-use jaka_motion::Model;
+use jaka_motion::{Model, Transform};
 
-use super::blend::Zone;
 use super::path::{Joints, Path};
 use super::profile::{Along, Brake, Profile};
 use crate::clock::CYCLE;
@@ -18,6 +17,16 @@ pub(crate) struct Planned {
     pub(crate) zone: Option<Zone>,
 }
 
+/// Where a motion may go over into the next one.
+#[derive(Debug, Clone)]
+pub(crate) struct Zone {
+    /// The tool on the flange.
+    tool: Transform,
+    /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
+    end: Transform,
+    radius: f64,
+}
+
 /// The motion that runs.
 #[derive(Debug, Clone)]
 pub(super) struct Running {
@@ -26,6 +35,16 @@ pub(super) struct Running {
     /// Time on the profile, or on the brake: it stands still in a pause, and goes slowly at a low rate.
     time: f64,
     pub(super) brake: Option<Brake>,
+}
+
+impl Zone {
+    pub(crate) fn new(tool: Transform, end: Transform, radius: f64) -> Option<Self> {
+        (radius > 0.0).then_some(Self { tool, end, radius })
+    }
+
+    pub(super) fn contains(&self, joints: Joints, model: &Model) -> bool {
+        (model.forward(joints) * self.tool).distance_mm(&self.end) < self.radius
+    }
 }
 
 impl Running {

@@ -7,7 +7,7 @@ use std::thread;
 use jaka_sim::{ArmFault, State};
 use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-use super::schedule::Typed;
+use super::Typed;
 use crate::failure::Failure;
 use crate::output;
 use crate::raw::{self, Raw};

@@ -6,8 +6,8 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_sim::{ArmEvent, Controller};
-use ratatui::crossterm::event::KeyEvent;
 
+use super::Typed;
 use super::keys::{self, Effect};
 use crate::failure::Failure;
 use crate::interrupt::end_whole;
@@ -15,13 +15,6 @@ use crate::output;
 
 /// How often it is checked whether something is due.
 const TICK: Duration = Duration::from_millis(10);
-
-/// What somebody types: a line, or a key.
-#[derive(Debug)]
-pub(super) enum Typed {
-    Event(ArmEvent),
-    Key(KeyEvent),
-}
 
 /// Has happen all that is scheduled, and what is typed, and says when; until there is nothing more to come.
 pub(super) fn run(controller: &Controller, scheduled: Vec<ArmEvent>, typed: &Receiver<Typed>) -> Result<(), Failure> {

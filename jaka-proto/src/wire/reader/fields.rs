@@ -176,20 +176,7 @@ impl Reader<'_> {
         self.field_with(name, slot, |reader| reader.word(off, on))
     }
 
-    /// Reads a value that is written as a Python literal inside a string.
-    ///
-    /// # Errors
-    /// As [`field`](Self::field).
-    pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
-        self.field_with(name, slot, |reader| {
-            let literal = reader.text()?;
-            let json = crate::wire::python::to_json(&literal)
-                .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
-            T::decode(&mut Reader::new(&json))
-        })
-    }
-
-    fn field_with<T>(
+    pub(in crate::wire) fn field_with<T>(
         &mut self,
         name: &'static str,
         slot: &mut Option<T>,

@@ -1,6 +1,6 @@
 //! The velocities at which pieces of the third degree join without a step of acceleration.
 
-use super::timed::TimedPoint;
+use super::TimedPoint;
 use crate::piece::Sample;
 
 /// Points with these velocities, and rest at both ends.

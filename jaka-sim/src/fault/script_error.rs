@@ -1,0 +1,59 @@
+//! Errors of texts that say what the simulator does.
+
+use std::error::Error;
+use std::fmt;
+
+/// Error in a text that says what the simulator does, such as that of a [`FaultPlan`](crate::FaultPlan), a
+/// [`Trip`](crate::Trip) or a [`Habit`](crate::Habit), and its place.
+///
+/// ```
+/// # use jaka_sim::FaultPlan;
+/// let error = "drop\ndely 200ms".parse::<FaultPlan>().unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: `dely`: unknown fault");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScriptError {
+    line: Option<usize>,
+    word: String,
+    reason: String,
+}
+
+impl ScriptError {
+    pub(super) fn new(line: usize, word: &str, reason: impl Into<String>) -> Self {
+        Self { line: Some(line), word: word.to_owned(), reason: reason.into() }
+    }
+
+    /// An error of a text that is one thing alone.
+    pub(crate) fn of_text(text: &str, reason: impl Into<String>) -> Self {
+        Self { line: None, word: text.trim().to_owned(), reason: reason.into() }
+    }
+
+    pub(super) fn without_line(self) -> Self {
+        Self { line: None, ..self }
+    }
+
+    /// The number of the line of a [`FaultPlan`](crate::FaultPlan), from 1.
+    pub fn line(&self) -> Option<usize> {
+        self.line
+    }
+
+    /// The word that does not fit, or the last one where something is missing.
+    pub fn word(&self) -> &str {
+        &self.word
+    }
+}
+
+impl fmt::Display for ScriptError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.line.map_or(Ok(()), |line| write!(f, "line {line}: "))?;
+        write!(f, "`{}`: {}", self.word, self.reason)
+    }
+}
+
+impl Error for ScriptError {}
+
+/// Texts as errors list them.
+pub(crate) fn quoted(texts: &[impl fmt::Display]) -> String {
+    let texts: Vec<_> = texts.iter().map(|text| format!("`{text}`")).collect();
+    texts.join(", ")
+}
