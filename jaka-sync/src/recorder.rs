@@ -1,6 +1,5 @@
 //! Recording sessions to a file.
 
-mod exchanges;
 mod queue;
 mod sampling;
 mod tap;
@@ -18,7 +17,6 @@ use std::time::{Instant, SystemTime};
 use jaka_proto::recording::Header;
 use jaka_proto::wire::Writer;
 
-pub(crate) use self::exchanges::show;
 use self::queue::Queue;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;

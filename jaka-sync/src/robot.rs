@@ -56,7 +56,6 @@ use self::position::Query;
 pub use self::power::PowerStep;
 #[cfg(feature = "preflight")]
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
-pub use self::readiness::StatusProblem;
 pub(crate) use self::rest::Rest;
 pub use self::status::MotionStatus;
 pub use self::stops::RobotStop;

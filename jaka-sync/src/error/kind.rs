@@ -10,9 +10,9 @@ use jaka_proto::recording::Port;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
-use super::{Disconnect, Error};
+use super::Error;
 use crate::worded::worded;
-use crate::{Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
+use crate::{Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
 
 worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
