@@ -2,6 +2,7 @@
 
 mod address;
 mod call;
+mod cause;
 mod client;
 mod clock;
 mod config;
@@ -36,6 +37,9 @@ mod sync;
 mod worded;
 
 pub use call::Call;
+#[cfg(feature = "motion")]
+pub use cause::Unchecked;
+pub use cause::{Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Outcome, TripReason};
 pub use client::Client;
 pub use config::Config;
 pub use disconnect::Disconnect;
@@ -68,15 +72,14 @@ pub use monitor::{Monitor, MonitorStatistics, Subscription};
 pub use pipeline::Pipeline;
 pub use reconnect::Reconnect;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
+#[cfg(feature = "motion")]
+pub use robot::LimitPolicy;
 pub use robot::{
-    AnalogCondition, AnalogInput, Explanation, ForceComponent, ForceLimit, Guard, GuardTrip, Input, InputCondition,
-    LagBeyondReaction, Motion, MotionEnd, MotionStatus, NotGuarded, NotReached, NotShown, Numbering, Outcome, Path,
-    PowerStep, Robot, RobotStop, Target, TcpBox, TripReason,
+    AnalogCondition, AnalogInput, ForceComponent, ForceLimit, Guard, Input, InputCondition, Motion, MotionEnd,
+    MotionStatus, NotReached, Numbering, Path, PowerStep, Robot, RobotStop, Target, TcpBox,
 };
 #[cfg(feature = "preflight")]
 pub use robot::{CheckItem, Finding, Preflight, Verdict};
-#[cfg(feature = "motion")]
-pub use robot::{LimitPolicy, Unchecked};
 #[cfg(feature = "stream")]
 pub use servo_session::FollowLag;
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};

@@ -1,6 +1,7 @@
 //! A client and a monitor together: motions that are waited for.
 
 mod batch;
+mod end;
 mod explain;
 mod guard;
 mod inputs;
@@ -9,8 +10,6 @@ mod latch;
 #[cfg_attr(not(feature = "motion"), path = "robot/no_limits.rs")]
 mod limits;
 mod motion;
-mod not_shown;
-mod outcome;
 mod position;
 mod power;
 #[cfg(feature = "preflight")]
@@ -35,23 +34,17 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::MotionStep;
 
 use self::batch::{Batch, Begin, Frames};
-pub use self::explain::Explanation;
+pub use self::end::{MotionEnd, NotReached};
 pub(crate) use self::guard::Armed;
 #[cfg(feature = "stream")]
 pub(crate) use self::guard::SetPointGuard;
-pub use self::guard::{
-    ForceComponent, ForceLimit, Guard, GuardTrip, LagBeyondReaction, NotGuarded, TcpBox, TripReason,
-};
+pub use self::guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;
 use self::limits::Checks;
 #[cfg(feature = "motion")]
-pub use self::limits::{LimitPolicy, Unchecked};
+pub use self::limits::LimitPolicy;
 pub use self::motion::{Motion, Path};
-pub use self::not_shown::NotShown;
-#[cfg(feature = "stream")]
-pub(crate) use self::not_shown::shown_joints;
-pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::power::PowerStep;
 #[cfg(feature = "preflight")]
@@ -65,7 +58,7 @@ use self::wait::{Grace, Wait};
 #[cfg(doc)]
 use crate::ErrorKind;
 use crate::clock::Clock;
-use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
+use crate::{Client, Config, Error, Monitor, Outcome};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -335,14 +328,6 @@ impl<S: MotionStatus> Robot<S> {
         if matches!(end.outcome, Outcome::Stopped) {
             self.latch.report_stops();
         }
-    }
-
-    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
-    ///
-    /// # Errors
-    /// As [`ServoSession`] says at "Entering".
-    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
-        ServoSession::enter(self, config, |_| Ok(()))
     }
 
     /// The same robot for another thread, which this one outlives: on the same connections, with what keeps motions back.

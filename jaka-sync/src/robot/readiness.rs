@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Explanation, MotionStatus, Outcome, Robot, trouble};
-use crate::{Error, ErrorKind, Monitor, Snapshot, StatusProblem};
+use super::{MotionStatus, Robot, trouble};
+use crate::{Error, ErrorKind, Explanation, Monitor, Outcome, Snapshot, StatusProblem};
 
 impl<S: MotionStatus> Robot<S> {
     /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
