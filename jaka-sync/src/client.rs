@@ -51,11 +51,15 @@ impl Client {
     /// # Errors
     /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_client(address)
+        Self::connect_with(&Config::new(), address)
     }
 
-    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = connection::connect(address, Port::Command, config)?;
+    /// Connects to a controller by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let (stream, tap) = connection::connect(&address.to_string(), Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
         Ok(Self { link, config: config.clone(), firmware: None, reply: String::new(), owns_link: true })
     }

@@ -120,17 +120,22 @@ impl Monitor<RobotStatus> {
     /// # Errors
     /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_monitor(address)
+        Self::connect_with(&Config::new(), address)
     }
 }
 
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
-    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let packets = Packets::connect(address, config)?;
+    /// Connects to a controller's status port by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Monitor::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let address = address.to_string();
+        let packets = Packets::connect(&address, config)?;
         let source_address = packets.tap.address();
         let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
         let board = Arc::new(Board::new(&config.clock, state));
-        let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
+        let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let place = config.clock.servant();
         let thread = builder.spawn(move || place.run(|| worker.run(packets)));

@@ -55,10 +55,8 @@ pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
-#[cfg(doc)]
-use crate::ErrorKind;
 use crate::clock::Clock;
-use crate::{Client, Config, Error, Monitor, Outcome};
+use crate::{Client, Config, Error, ErrorKind, Monitor, Outcome, address};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -117,9 +115,44 @@ impl Robot<RobotStatus> {
     ///
     /// # Errors
     /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which can be only one of
-    /// the two. [`Config::connect_robot_at`] takes two addresses.
+    /// the two. [`connect_at`](Self::connect_at) takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_robot(address)
+        Self::connect_with(&Config::new(), address)
+    }
+
+    /// Connects to a controller at the protocol's ports, 10001 and 10000, by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let address = address.to_string();
+        if address::names_a_port(&address) {
+            return Err(ErrorKind::PortInAddress { address }.into());
+        }
+        Self::connect_at(config, &address, &address)
+    }
+
+    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    /// use jaka_sync::{Config, Robot};
+    ///
+    /// let controller = Controller::start()?;
+    /// let robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
+    /// # drop(robot);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Client::connect`] and [`Monitor::connect`].
+    pub fn connect_at(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+    ) -> Result<Self, Error> {
+        let monitor = Monitor::connect_with(config, status_address)?;
+        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor))
     }
 
     /// A robot of two connections to the same controller.

@@ -18,28 +18,7 @@ const CRATES: &[(&str, &[&str])] = &[
 ];
 
 /// What stands in a circle nevertheless.
-const CIRCLES: &[(&str, &[&str])] = &[
-    // A configuration makes what is made of it, and an error says what became of a robot's motion.
-    (
-        "jaka-sync",
-        &[
-            "client",
-            "config",
-            "connection",
-            "error",
-            "link",
-            "monitor",
-            "packets",
-            "pipeline",
-            "receive",
-            "recorder",
-            "robot",
-            "servo_session",
-            "status_stream",
-            "stop",
-        ],
-    ),
-];
+const CIRCLES: &[(&str, &[&str])] = &[];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
