@@ -56,7 +56,7 @@ use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
 use crate::clock::Clock;
-use crate::{Client, Config, Error, ErrorKind, Monitor, Outcome, address};
+use crate::{Call, Client, Command, Config, Error, ErrorKind, Monitor, Outcome, address};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -417,5 +417,12 @@ impl<S: MotionStatus> Robot<S> {
             stops: Arc::clone(&self.latch.stops),
             waker: self.monitor.waker(),
         }
+    }
+}
+
+/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
+impl<S: MotionStatus> Call for Robot<S> {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        self.client().call(command)
     }
 }

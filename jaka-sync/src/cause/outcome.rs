@@ -17,9 +17,11 @@ worded! {
     pub enum Outcome {
         /// The arm is at its target, by the controller's own answer to a query after the motion.
         Reached => "the motion has reached its target",
-        /// The arm is at rest, and it is not known whether it is at its target: the request does not determine it (a relative motion in a
-        /// queue or with a rotation), a frame changed meanwhile, the motion may blend into the next one within its tolerance, or the
-        /// position query failed ([`MotionEnd::not_answered`](crate::MotionEnd::not_answered)): then only packets show that the arm is at rest, and these may be old.
+        /// The arm is at rest, and it is not known whether it is at its target: the request does not determine it (a
+        /// relative motion in a queue or with a rotation), a frame changed meanwhile, the motion may blend into the
+        /// next one within its tolerance, or the position query failed
+        /// ([`MotionEnd::not_answered`](crate::MotionEnd::not_answered)): then only packets show that the arm is at
+        /// rest, and these may be old.
         AtRest => "the arm is at rest, but it is not known whether it is at its target",
         /// There is nothing to wait for: this robot has no motion that was accepted and not waited for. Motions that were sent
         /// through [`Robot::client`](crate::Robot::client) are not waited for.
