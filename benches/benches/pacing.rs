@@ -87,7 +87,7 @@ impl Way {
     }
 
     fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
-        let monitor: Monitor = Config::new().connect_monitor(robot.status)?;
+        let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
         let mut robot = Robot::new(Client::connect(robot.commands)?, monitor).allow_motion_without_status();
         let mut session =
             robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;

@@ -52,7 +52,7 @@ fn a_pipeline_allocates_nothing_once_its_window_has_been_full() {
 
 #[test]
 fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
-    let monitor: Monitor = Config::new().connect_monitor(status()).expect("the server listens");
+    let monitor: Monitor = Monitor::connect_with(&Config::new(), status()).expect("the server listens");
     let mut robot =
         Robot::new(Client::connect(commands()).expect("the server listens"), monitor).allow_motion_without_status();
     // Room for answers that a busy machine lets wait.

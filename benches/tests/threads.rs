@@ -40,7 +40,7 @@ fn a_client_has_no_thread_and_a_monitor_has_one() {
     }
     let client = Client::connect(silence()).expect("the server listens");
     assert_eq!(ours(), Some(0));
-    let monitor: Monitor = Config::new().connect_monitor(silence()).expect("the server listens");
+    let monitor: Monitor = Monitor::connect_with(&Config::new(), silence()).expect("the server listens");
     // A thread has its name once it runs.
     let since = Instant::now();
     while ours() != Some(1) {

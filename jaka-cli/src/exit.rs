@@ -167,8 +167,8 @@ mod tests {
     use std::time::Duration;
 
     use jaka_sim::Fault;
-    use jaka_sync::Client;
     use jaka_sync::motion::JointMove;
+    use jaka_sync::{Client, StatusStream};
     use jaka_tests::{Arm, ReservedPort};
 
     use super::*;
@@ -203,7 +203,7 @@ mod tests {
         let nobody = ReservedPort::any();
         assert_eq!(code(Client::connect(nobody.address())), NO_CONNECTION);
         let controller = Arm::simulated().no_packets().start();
-        let mut status = controller.config().connect_status(controller.status_addr()).unwrap();
+        let mut status = StatusStream::connect_with(&controller.config(), controller.status_addr()).unwrap();
         status.next_packet().unwrap();
         assert_eq!(code(status.next_packet()), LOST);
     }

@@ -211,12 +211,12 @@ impl Target {
 
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
-        Ok(self.config.connect_client(&self.address.commands)?)
+        Ok(Client::connect_with(&self.config, &self.address.commands)?)
     }
 
     /// Connects to both ports, and waits for the first status packet.
     pub(crate) fn robot(&self) -> Result<Robot, Failure> {
-        let robot = self.config.connect_robot_at(&self.address.commands, &self.address.status)?;
+        let robot = Robot::connect_at(&self.config, &self.address.commands, &self.address.status)?;
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }
@@ -234,14 +234,16 @@ impl Target {
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.
     pub(crate) fn preflight(&self, limits: Option<&Limits>) -> Preflight {
         match limits {
-            Some(limits) => self.config.preflight_with_limits(&self.address.commands, &self.address.status, limits),
-            None => self.config.preflight_at(&self.address.commands, &self.address.status),
+            Some(limits) => {
+                Preflight::read_with_limits(&self.config, &self.address.commands, &self.address.status, limits)
+            }
+            None => Preflight::read_at(&self.config, &self.address.commands, &self.address.status),
         }
     }
 
     /// Connects to the status port, which serves any number of readers.
     pub(crate) fn status_stream(&self) -> Result<StatusStream, Failure> {
-        Ok(self.config.connect_status(&self.address.status)?)
+        Ok(StatusStream::connect_with(&self.config, &self.address.status)?)
     }
 
     /// Where the joints are, by the status port alone; none where the packet does not say.
@@ -251,7 +253,7 @@ impl Target {
 
     /// Connects to the status port, where a packet is awaited for this long.
     pub(crate) fn status_stream_within(&self, timeout: Duration) -> Result<StatusStream, Failure> {
-        Ok(self.config.clone().reply_timeout(timeout).connect_status(&self.address.status)?)
+        Ok(StatusStream::connect_with(&self.config.clone().reply_timeout(timeout), &self.address.status)?)
     }
 
     /// The same, with a thread that reads and reconnects.
@@ -259,6 +261,6 @@ impl Target {
         &self,
         reconnect: Reconnect,
     ) -> Result<Monitor<S>, Failure> {
-        Ok(self.config.clone().reconnect(reconnect).connect_monitor(&self.address.status)?)
+        Ok(Monitor::connect_with(&self.config.clone().reconnect(reconnect), &self.address.status)?)
     }
 }

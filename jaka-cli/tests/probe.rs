@@ -32,7 +32,8 @@ fn unwritten(name: &str) -> PathBuf {
 #[test]
 fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     let controller = arm();
-    let mut stream = controller.config().connect_status(controller.status_addr()).expect("the port is open");
+    let mut stream = jaka_sync::StatusStream::connect_with(&controller.config(), controller.status_addr())
+        .expect("the port is open");
     stream.next_packet().expect("a packet comes");
     let mut packet: Value = serde_json::from_str(stream.packet_text().expect("it is kept")).expect("packets are JSON");
     packet["brakeState"] = json!(1);

@@ -14,7 +14,7 @@ use std::time::Duration;
 use expect_test::expect;
 use jaka_sim::{Controller, Replay};
 use jaka_sync::recording::{Ending, Event, Message, Port, Recording};
-use jaka_sync::{Config, Error, Recorder, StatusStream};
+use jaka_sync::{Client, Config, Error, Recorder, StatusStream};
 use jaka_tests::{Arm, LONG, ReservedPort};
 use socket2::SockRef;
 
@@ -103,8 +103,8 @@ fn is_reset(stream: &TcpStream) -> bool {
 
 /// A session with replies, a refusal and status packets; the packets that were read.
 fn session(config: &Config, commands: SocketAddr, status: SocketAddr) -> Result<Vec<String>, Error> {
-    let mut packets = config.connect_status(status)?;
-    let mut client = config.connect_client(commands)?;
+    let mut packets = StatusStream::connect_with(config, status)?;
+    let mut client = Client::connect_with(config, commands)?;
     client.get_version()?;
     assert!(client.enable_robot().is_err_and(|error| error.is_refused()));
     client.power_on()?;
@@ -242,7 +242,8 @@ fn status_readers_are_served_side_by_side_and_packets_thinned_in_the_recording_a
     let controller = Arm::real_time().without_power().start();
     let options = [&address_of(&controller)[..], &["--status-every", "1000"].map(str::to_owned)].concat();
     let proxy = Proxy::start("readers.jsonl", &options);
-    let mut readers: Vec<_> = (0..3).map(|_| controller.config().connect_status(proxy.status).unwrap()).collect();
+    let mut readers: Vec<_> =
+        (0..3).map(|_| StatusStream::connect_with(&controller.config(), proxy.status).unwrap()).collect();
     for reader in &mut readers {
         reader.next_packet().unwrap();
     }

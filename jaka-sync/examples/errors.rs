@@ -37,7 +37,7 @@ fn run() -> Result<(), Box<dyn StdError>> {
     println!("\nAfter all of this the connection is fine: {:?}", robot.get_robot_state()?);
 
     println!("\nNobody at the address:");
-    let nobody = Config::new().connect_timeout(Duration::from_millis(500)).connect_client("127.0.0.1:1");
+    let nobody = Client::connect_with(&Config::new().connect_timeout(Duration::from_millis(500)), "127.0.0.1:1");
     report(&nobody.map(drop));
 
     println!("\nThe session has ended:");

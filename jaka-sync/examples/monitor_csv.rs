@@ -26,7 +26,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     let seconds = args().nth(2).map_or(Ok(if target.is_simulated { 3 } else { 10 }), |seconds| seconds.parse())?;
-    let monitor: Monitor = Config::new().connect_monitor(&target.status)?;
+    let monitor: Monitor = Monitor::connect_with(&Config::new(), &target.status)?;
     // Only a simulated arm is moved. It goes on when its client is gone.
     let _client = target.is_simulated.then(|| set_going(&target.commands)).transpose()?;
     match write_csv(&monitor, Duration::from_secs(seconds), &mut stdout().lock()) {

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, SimulatedClock};
-use jaka_sync::{Config, ServoConfig};
+use jaka_sync::{Config, Robot, ServoConfig};
 
 fn main() -> ExitCode {
     common::end(run())
@@ -22,7 +22,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let clock = SimulatedClock::new();
     let controller = Controller::builder().clock(&clock).start()?;
     let config = Config::new().clock(&clock);
-    let mut robot = config.connect_robot_at(controller.command_addr(), controller.status_addr())?;
+    let mut robot = Robot::connect_at(&config, controller.command_addr(), controller.status_addr())?;
     robot.power_up(Duration::from_secs(60))?;
     println!("powered up after {:?}", clock.elapsed());
 

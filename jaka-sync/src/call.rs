@@ -1,8 +1,8 @@
 //! What can send commands.
 
-use crate::{Client, Command, Error, MotionStatus, Robot};
+use crate::{Client, Command, Error};
 
-/// What can send commands: a [`Client`], a [`Robot`], or a type of your own that forwards them.
+/// What can send commands: a [`Client`], a [`Robot`](crate::Robot), or a type of your own that forwards them.
 ///
 /// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
 ///
@@ -25,13 +25,6 @@ pub trait Call {
 impl Call for Client {
     fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
         Client::call(self, command)
-    }
-}
-
-/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
-impl<S: MotionStatus> Call for Robot<S> {
-    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
-        self.client().call(command)
     }
 }
 

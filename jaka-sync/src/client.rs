@@ -16,7 +16,7 @@ use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
 use crate::link::{Dispatched, Gate, Link, Outgoing, unexpected};
-use crate::{Config, Disconnect, Error, ErrorKind, Pipeline, StopHandle, connection};
+use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 
 /// A connection to a controller's command port.
 ///
@@ -51,11 +51,15 @@ impl Client {
     /// # Errors
     /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_client(address)
+        Self::connect_with(&Config::new(), address)
     }
 
-    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (stream, tap) = connection::connect(address, Port::Command, config)?;
+    /// Connects to a controller by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let (stream, tap) = connection::connect(&address.to_string(), Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
         Ok(Self { link, config: config.clone(), firmware: None, reply: String::new(), owns_link: true })
     }
@@ -168,12 +172,6 @@ impl Client {
     /// Checks commands against the spec and the firmware.
     pub(crate) fn check<C: Command>(&self, commands: &[C]) -> Result<(), Error> {
         Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
-    }
-
-    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is limited to the
-    /// range from 1 to 256.
-    pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
-        Pipeline::new(self, window)
     }
 
     /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware does not have,

@@ -1,28 +1,30 @@
-//! How connections behave, and what connects them.
+//! Configuration of connections.
 
-use std::fmt::Display;
 use std::time::Duration;
 
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
-use jaka_proto::wire::Decode;
 
 use crate::clock::Clock;
-use crate::{Client, Error, ErrorKind, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream, address};
+use crate::{Reconnect, Recorder, StatusSampling};
 
-/// How connections behave: timeouts, keepalive, frame size and checks; and what connects them.
+/// Configuration of connections: timeouts, keepalive, frame size and checks.
 ///
-/// Each setting has a getter whose name begins with `get_`. Addresses are not settings: each `connect_` method takes its own. An
-/// address without a port, such as `10.5.5.100` or `robot.local`, means the protocol's port for what is connected; one with a port,
-/// such as `10.5.5.100:10001` or a socket address, means that port. Since a robot has two ports, [`connect_robot`](Self::connect_robot)
-/// takes an address without a port, and [`connect_robot_at`](Self::connect_robot_at) two addresses.
+/// Each setting has a getter whose name begins with `get_`. [`Client::connect_with`](crate::Client::connect_with) and
+/// its neighbours of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and [`Robot`](crate::Robot)
+/// connect by a configuration.
+///
+/// Addresses are not settings: each connection takes its own. An address without a port, such as `10.5.5.100` or
+/// `robot.local`, means the protocol's port for what is connected; one with a port, such as `10.5.5.100:10001` or a
+/// socket address, means that port. Since a robot has two ports, [`Robot::connect_with`](crate::Robot::connect_with)
+/// takes an address without a port, and [`Robot::connect_at`](crate::Robot::connect_at) two addresses.
 ///
 /// ```no_run
 /// use std::time::Duration;
-/// use jaka_sync::Config;
+/// use jaka_sync::{Client, Config};
 ///
 /// let config = Config::new().reply_timeout(Duration::from_secs(2));
-/// let mut robot = config.connect_client("10.5.5.100")?;
+/// let mut robot = Client::connect_with(&config, "10.5.5.100")?;
 /// assert_eq!(config.get_reply_timeout(), Duration::from_secs(2));
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
@@ -130,7 +132,8 @@ impl Config {
         self.advisory_ranges
     }
 
-    /// Sets after how long without a packet a [`Monitor`]'s status is stale. 0.5 s by default, which is several periods of any firmware.
+    /// Sets after how long without a packet a [`Monitor`](crate::Monitor)'s status is stale. 0.5 s by default, which is
+    /// several periods of any firmware.
     pub fn stale_after(mut self, age: Duration) -> Self {
         self.stale_after = age;
         self
@@ -141,7 +144,7 @@ impl Config {
         self.stale_after
     }
 
-    /// Sets when a [`Monitor`] connects again after its connection has ended. Never, by default.
+    /// Sets when a [`Monitor`](crate::Monitor) connects again after its connection has ended. Never, by default.
     pub fn reconnect(mut self, policy: Reconnect) -> Self {
         self.reconnect = policy;
         self
@@ -188,63 +191,5 @@ impl Config {
     #[cfg(feature = "simulated-clock")]
     pub fn get_clock(&self) -> Option<&crate::SimulatedClock> {
         self.clock.as_simulated()
-    }
-
-    /// Connects a [`Client`] to a controller's command port.
-    ///
-    /// # Errors
-    /// As [`Client::connect`].
-    pub fn connect_client(&self, address: impl Display) -> Result<Client, Error> {
-        Client::with_config(&address.to_string(), self)
-    }
-
-    /// Connects a [`Monitor`] to a controller's status port.
-    ///
-    /// # Errors
-    /// As [`Monitor::connect`].
-    pub fn connect_monitor<S: Decode + Send + Sync + 'static>(
-        &self,
-        address: impl Display,
-    ) -> Result<Monitor<S>, Error> {
-        Monitor::with_config(&address.to_string(), self)
-    }
-
-    /// Connects a [`StatusStream`] to a controller's status port.
-    ///
-    /// # Errors
-    /// As [`StatusStream::connect`].
-    pub fn connect_status(&self, address: impl Display) -> Result<StatusStream, Error> {
-        StatusStream::with_config(&address.to_string(), self)
-    }
-
-    /// Connects a [`Robot`] to a controller at the protocol's ports, 10001 and 10000.
-    ///
-    /// # Errors
-    /// As [`Robot::connect`].
-    pub fn connect_robot(&self, address: impl Display) -> Result<Robot, Error> {
-        let address = address.to_string();
-        if address::names_a_port(&address) {
-            return Err(ErrorKind::PortInAddress { address }.into());
-        }
-        self.connect_robot_at(&address, &address)
-    }
-
-    /// Connects a [`Robot`] to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
-    ///
-    /// ```
-    /// use jaka_sim::Controller;
-    /// use jaka_sync::Config;
-    ///
-    /// let controller = Controller::start()?;
-    /// let robot = Config::new().connect_robot_at(controller.command_addr(), controller.status_addr())?;
-    /// # drop(robot);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`connect_client`](Self::connect_client) and [`connect_monitor`](Self::connect_monitor).
-    pub fn connect_robot_at(&self, commands: impl Display, status: impl Display) -> Result<Robot, Error> {
-        let monitor: Monitor = self.connect_monitor(status)?;
-        Ok(Robot::new(self.connect_client(commands)?, monitor))
     }
 }

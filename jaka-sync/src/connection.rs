@@ -23,7 +23,7 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Soc
         Port::Status => (STATUS_PORT, "status packets"),
     };
     let place = with_port(address, number);
-    let tap = Tap::new(&place, port, config);
+    let tap = Tap::new(&place, port, config.recorder.as_ref(), config.status_sampling, &config.clock);
     match connect_to(address, number, config) {
         Ok(stream) => {
             log::debug!(target: "jaka_sync", "connected to {place} (port for {what})");

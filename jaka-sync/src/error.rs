@@ -1,6 +1,6 @@
 //! Why a call failed: what each kind of error is, what it means for the command, and the messages that led to it.
 
-mod disconnect;
+mod exchanges;
 mod kind;
 
 use std::error::Error as StdError;
@@ -10,11 +10,8 @@ use jaka_proto::check::{InvalidArgument, NotSent};
 use jaka_proto::recording::Entry;
 use jaka_proto::{NotInFirmware, Refusal};
 
-pub use self::disconnect::Disconnect;
-pub(crate) use self::disconnect::is_text_line;
 pub use self::kind::ErrorKind;
 use self::kind::Group;
-use crate::recorder;
 
 /// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -128,7 +125,7 @@ impl fmt::Debug for Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
-        if f.alternate() { recorder::show(self.exchanges(), f) } else { Ok(()) }
+        if f.alternate() { exchanges::show(self.exchanges(), f) } else { Ok(()) }
     }
 }
 
@@ -171,6 +168,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::Disconnect;
 
     #[test]
     fn a_result_is_as_wide_as_a_pointer() {

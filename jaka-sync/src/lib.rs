@@ -2,10 +2,12 @@
 
 mod address;
 mod call;
+mod cause;
 mod client;
 mod clock;
 mod config;
 mod connection;
+mod disconnect;
 mod error;
 #[cfg(feature = "stream")]
 mod follow;
@@ -17,12 +19,15 @@ mod packets;
 mod pipeline;
 mod ports;
 mod receive;
+mod reconnect;
 mod recorder;
 mod robot;
 mod servo_session;
 #[cfg(feature = "stream")]
 mod servo_thread;
+mod snapshot;
 mod socket;
+mod status_problem;
 mod status_stream;
 mod status_subset;
 mod stop;
@@ -32,9 +37,13 @@ mod sync;
 mod worded;
 
 pub use call::Call;
+#[cfg(feature = "motion")]
+pub use cause::Unchecked;
+pub use cause::{Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Outcome, TripReason};
 pub use client::Client;
 pub use config::Config;
-pub use error::{Disconnect, Error, ErrorKind};
+pub use disconnect::Disconnect;
+pub use error::{Error, ErrorKind};
 #[cfg(feature = "stream")]
 pub use follow::{FollowConfig, FollowEnd, FollowHandle, FollowOutcome, FollowProgress, FollowRun, NotCompleted};
 /// A simulated clock, for tests. Needs the feature `simulated-clock`.
@@ -59,21 +68,23 @@ pub use jaka_proto::{
     wire::{DecodeError, Typed},
 };
 pub use methods::*;
-pub use monitor::{Monitor, MonitorStatistics, Reconnect, Snapshot, Subscription};
+pub use monitor::{Monitor, MonitorStatistics, Subscription};
 pub use pipeline::Pipeline;
+pub use reconnect::Reconnect;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
+#[cfg(feature = "motion")]
+pub use robot::LimitPolicy;
 pub use robot::{
-    AnalogCondition, AnalogInput, Explanation, ForceComponent, ForceLimit, Guard, GuardTrip, Input, InputCondition,
-    LagBeyondReaction, Motion, MotionEnd, MotionStatus, NotGuarded, NotReached, NotShown, Numbering, Outcome, Path,
-    PowerStep, Robot, RobotStop, StatusProblem, Target, TcpBox, TripReason,
+    AnalogCondition, AnalogInput, ForceComponent, ForceLimit, Guard, Input, InputCondition, Motion, MotionEnd,
+    MotionStatus, NotReached, Numbering, Path, PowerStep, Robot, RobotStop, Target, TcpBox,
 };
 #[cfg(feature = "preflight")]
 pub use robot::{CheckItem, Finding, Preflight, Verdict};
-#[cfg(feature = "motion")]
-pub use robot::{LimitPolicy, Unchecked};
 #[cfg(feature = "stream")]
 pub use servo_session::FollowLag;
 pub use servo_session::{ServoConfig, ServoReport, ServoSession};
+pub use snapshot::Snapshot;
+pub use status_problem::StatusProblem;
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
 #[cfg(feature = "stream")]

@@ -5,6 +5,7 @@
 //! while the socket may keep it waiting.
 
 mod failure;
+mod halves;
 mod inbound;
 mod outbound;
 mod outgoing;
@@ -31,7 +32,7 @@ use jaka_proto::{Command, CommandInfo};
 
 use self::failure::Progress;
 pub(crate) use self::failure::unexpected;
-use self::inbound::Inbound;
+use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
 pub(crate) use self::outgoing::{Gate, Outgoing, Right};
 pub(crate) use self::posted::{Answers, MOST_OUTSTANDING};

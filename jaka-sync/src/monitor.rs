@@ -1,7 +1,6 @@
 //! A thread that keeps the newest status packet.
 
 mod observer;
-mod reconnect;
 mod statistics;
 mod subscription;
 mod thread;
@@ -14,14 +13,13 @@ use std::fmt::{self, Display};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
-pub use self::reconnect::Reconnect;
 use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 pub use self::subscription::Subscription;
@@ -31,7 +29,7 @@ use crate::packets::Packets;
 use crate::recorder::Tap;
 use crate::socket::Socket;
 use crate::sync::{MutexGuard, Watched};
-use crate::{Config, Disconnect, Error, ErrorKind, StatusProblem};
+use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
 /// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
 ///
@@ -63,52 +61,6 @@ pub struct Monitor<S = RobotStatus> {
 
 /// Time after a silence in which packets may be old ones that the network had held back.
 const SETTLING: Duration = Duration::from_millis(100);
-
-/// Status packet, and when it came.
-///
-/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age)
-/// ago. A link that delays all packets alike cannot be told from one that does not. Only a reply on the command port is
-/// certain to be later than the command before it.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Snapshot<S = RobotStatus> {
-    /// What the packet says.
-    pub status: S,
-    /// When it came.
-    pub received: Instant,
-    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
-    pub number: u64,
-    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
-    /// [`status`](Self::status). Usually none.
-    pub unfit: Vec<DecodeError>,
-    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`]: a network that
-    /// stalled delivers what it had held back, so the controller may have written the packet at any time of the
-    /// silence.
-    ///
-    /// [`Monitor::wait_until`] and [`Monitor::next_packet`] pass over such packets, and no motion goes out by them.
-    pub follows_silence: bool,
-    pub(crate) clock: Clock,
-}
-
-impl<S> Snapshot<S> {
-    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
-    ///
-    /// ```no_run
-    /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;
-    /// let now = monitor.next_packet()?;
-    /// let is_stopped = now.status.protective_stop == Some(true) || now.is_unfit("protective_stop");
-    /// # Ok::<(), jaka_sync::Error>(())
-    /// ```
-    pub fn is_unfit(&self, field: &str) -> bool {
-        self.unfit.iter().any(|error| error.is_in(field))
-    }
-
-    /// Time since the packet came. The controller wrote it at least so long ago; after a silence it may be far older
-    /// ([`follows_silence`](Self::follows_silence)).
-    pub fn age(&self) -> Duration {
-        self.clock.elapsed(self.received)
-    }
-}
 
 /// What the thread and the monitor share.
 ///
@@ -168,17 +120,22 @@ impl Monitor<RobotStatus> {
     /// # Errors
     /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_monitor(address)
+        Self::connect_with(&Config::new(), address)
     }
 }
 
 impl<S: Decode + Send + Sync + 'static> Monitor<S> {
-    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let packets = Packets::connect(address, config)?;
+    /// Connects to a controller's status port by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Monitor::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let address = address.to_string();
+        let packets = Packets::connect(&address, config)?;
         let source_address = packets.tap.address();
         let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
         let board = Arc::new(Board::new(&config.clock, state));
-        let worker = thread::Worker::new(Arc::clone(&board), address.to_owned(), config.clone());
+        let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
         let place = config.clock.servant();
         let thread = builder.spawn(move || place.run(|| worker.run(packets)));

@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::recording::Port;
 
-use crate::error::is_text_line;
+use crate::disconnect::is_text_line;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::socket::Socket;

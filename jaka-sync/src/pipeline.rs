@@ -49,8 +49,16 @@ pub struct Pipeline<'c> {
     failed: VecDeque<Error>,
 }
 
+impl Client {
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is limited to the
+    /// range from 1 to 256.
+    pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
+        Pipeline::new(self, window)
+    }
+}
+
 impl<'c> Pipeline<'c> {
-    pub(crate) fn new(client: &'c mut Client, window: usize) -> Self {
+    fn new(client: &'c mut Client, window: usize) -> Self {
         Self {
             client,
             window: window.clamp(1, MOST_OUTSTANDING),

@@ -1,6 +1,5 @@
 //! Recording sessions to a file.
 
-mod exchanges;
 mod queue;
 mod sampling;
 mod tap;
@@ -18,7 +17,6 @@ use std::time::{Instant, SystemTime};
 use jaka_proto::recording::Header;
 use jaka_proto::wire::Writer;
 
-pub(crate) use self::exchanges::show;
 use self::queue::Queue;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
@@ -45,11 +43,11 @@ const BLOCK: usize = 64 << 10;
 /// ```
 /// use jaka_sim::{Controller, Replay};
 /// use jaka_sync::recording::Recording;
-/// use jaka_sync::{Config, Error, Recorder};
+/// use jaka_sync::{Client, Config, Error, Recorder};
 ///
 /// /// The program under test.
 /// fn program(config: &Config, address: impl std::fmt::Display) -> Result<(), Error> {
-///     let mut robot = config.connect_client(address)?;
+///     let mut robot = Client::connect_with(config, address)?;
 ///     robot.get_version()?;
 ///     robot.enable_robot()?; // without power
 ///     Ok(())

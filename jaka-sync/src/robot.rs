@@ -1,6 +1,7 @@
 //! A client and a monitor together: motions that are waited for.
 
 mod batch;
+mod end;
 mod explain;
 mod guard;
 mod inputs;
@@ -9,8 +10,6 @@ mod latch;
 #[cfg_attr(not(feature = "motion"), path = "robot/no_limits.rs")]
 mod limits;
 mod motion;
-mod not_shown;
-mod outcome;
 mod position;
 mod power;
 #[cfg(feature = "preflight")]
@@ -35,38 +34,29 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::MotionStep;
 
 use self::batch::{Batch, Begin, Frames};
-pub use self::explain::Explanation;
+pub use self::end::{MotionEnd, NotReached};
 pub(crate) use self::guard::Armed;
 #[cfg(feature = "stream")]
 pub(crate) use self::guard::SetPointGuard;
-pub use self::guard::{
-    ForceComponent, ForceLimit, Guard, GuardTrip, LagBeyondReaction, NotGuarded, TcpBox, TripReason,
-};
+pub use self::guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;
 use self::limits::Checks;
 #[cfg(feature = "motion")]
-pub use self::limits::{LimitPolicy, Unchecked};
+pub use self::limits::LimitPolicy;
 pub use self::motion::{Motion, Path};
-pub use self::not_shown::NotShown;
-#[cfg(feature = "stream")]
-pub(crate) use self::not_shown::shown_joints;
-pub use self::outcome::{MotionEnd, NotReached, Outcome};
 use self::position::Query;
 pub use self::power::PowerStep;
 #[cfg(feature = "preflight")]
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
-pub use self::readiness::StatusProblem;
 pub(crate) use self::rest::Rest;
 pub use self::status::MotionStatus;
 pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
-#[cfg(doc)]
-use crate::ErrorKind;
 use crate::clock::Clock;
-use crate::{Client, Config, Error, Monitor, ServoConfig, ServoSession};
+use crate::{Call, Client, Command, Config, Error, ErrorKind, Monitor, Outcome, address};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -125,9 +115,44 @@ impl Robot<RobotStatus> {
     ///
     /// # Errors
     /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which can be only one of
-    /// the two. [`Config::connect_robot_at`] takes two addresses.
+    /// the two. [`connect_at`](Self::connect_at) takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_robot(address)
+        Self::connect_with(&Config::new(), address)
+    }
+
+    /// Connects to a controller at the protocol's ports, 10001 and 10000, by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let address = address.to_string();
+        if address::names_a_port(&address) {
+            return Err(ErrorKind::PortInAddress { address }.into());
+        }
+        Self::connect_at(config, &address, &address)
+    }
+
+    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    /// use jaka_sync::{Config, Robot};
+    ///
+    /// let controller = Controller::start()?;
+    /// let robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
+    /// # drop(robot);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Client::connect`] and [`Monitor::connect`].
+    pub fn connect_at(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+    ) -> Result<Self, Error> {
+        let monitor = Monitor::connect_with(config, status_address)?;
+        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor))
     }
 
     /// A robot of two connections to the same controller.
@@ -338,14 +363,6 @@ impl<S: MotionStatus> Robot<S> {
         }
     }
 
-    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
-    ///
-    /// # Errors
-    /// As [`ServoSession`] says at "Entering".
-    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
-        ServoSession::enter(self, config, |_| Ok(()))
-    }
-
     /// The same robot for another thread, which this one outlives: on the same connections, with what keeps motions back.
     #[cfg(feature = "stream")]
     pub(crate) fn lent(&mut self) -> Self {
@@ -400,5 +417,12 @@ impl<S: MotionStatus> Robot<S> {
             stops: Arc::clone(&self.latch.stops),
             waker: self.monitor.waker(),
         }
+    }
+}
+
+/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
+impl<S: MotionStatus> Call for Robot<S> {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        self.client().call(command)
     }
 }

@@ -45,11 +45,15 @@ impl StatusStream {
     /// # Errors
     /// [`ErrorKind::Connect`] if no controller answers there within the connect timeout.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Config::new().connect_status(address)
+        Self::connect_with(&Config::new(), address)
     }
 
-    pub(crate) fn with_config(address: &str, config: &Config) -> Result<Self, Error> {
-        let (packets, clock) = (Packets::connect(address, config)?, config.clock.clone());
+    /// Connects to a controller's status port by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let (packets, clock) = (Packets::connect(&address.to_string(), config)?, config.clock.clone());
         Ok(Self { packets, timeout: config.reply_timeout, clock, unfit: Vec::new(), broken: None })
     }
 

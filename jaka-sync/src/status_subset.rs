@@ -16,7 +16,7 @@
 ///
 /// let mut status = StatusStream::connect("10.5.5.100")?;
 /// let Joints { joint_actual_position, in_position } = status.newest_packet_as()?;
-/// let monitor: Monitor<Joints> = Config::new().connect_monitor("10.5.5.100")?;
+/// let monitor: Monitor<Joints> = Monitor::connect_with(&Config::new(), "10.5.5.100")?;
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///

@@ -82,7 +82,7 @@ impl Arm {
     /// # Panics
     /// The controller does not listen.
     pub fn client(&self) -> Client {
-        let client = self.config.connect_client(self.command_addr()).expect("the controller listens");
+        let client = Client::connect_with(&self.config, self.command_addr()).expect("the controller listens");
         self.wait_until_accepted();
         client
     }
@@ -92,7 +92,8 @@ impl Arm {
     /// # Panics
     /// The controller does not listen, or sends no packet.
     pub fn monitor<S: Decode + Send + Sync + 'static>(&self) -> Monitor<S> {
-        let monitor: Monitor<S> = self.config.connect_monitor(self.status_addr()).expect("the controller listens");
+        let monitor: Monitor<S> =
+            Monitor::connect_with(&self.config, self.status_addr()).expect("the controller listens");
         monitor.wait_until(|_| true, LONG).expect("a packet comes on connecting");
         monitor
     }
@@ -102,7 +103,7 @@ impl Arm {
     /// # Panics
     /// The controller does not listen.
     pub fn stream(&self) -> StatusStream {
-        let stream = self.config.connect_status(self.status_addr()).expect("the controller listens");
+        let stream = StatusStream::connect_with(&self.config, self.status_addr()).expect("the controller listens");
         self.wait_until_accepted();
         stream
     }

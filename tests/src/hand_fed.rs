@@ -6,7 +6,7 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::time::Duration;
 
 use jaka_sync::jaka_clock::{SimulatedClock, Stream};
-use jaka_sync::{Config, Monitor, Robot};
+use jaka_sync::{Client, Config, Monitor, Robot};
 use serde_json::{Deserializer, Value};
 
 use crate::LONG;
@@ -44,8 +44,8 @@ impl HandFed {
     /// Loopback has no free ports.
     pub fn new(stale_after: Duration) -> (Self, Robot) {
         let config = Config::new().stale_after(stale_after).reply_timeout(LONG).connect_timeout(LONG);
-        let (status, monitor) = accepted(|address| config.connect_monitor(address));
-        let (commands, client) = accepted(|address| config.connect_client(address));
+        let (status, monitor) = accepted(|address| Monitor::connect_with(&config, address));
+        let (commands, client) = accepted(|address| Client::connect_with(&config, address));
         (Self { commands, status }, Robot::new(client, monitor))
     }
 }
@@ -58,8 +58,9 @@ impl HandFed<ClockedSocket> {
     /// Loopback has no free ports.
     pub fn by_clock(clock: &SimulatedClock, stale_after: Duration) -> (Self, Robot) {
         let config = Config::new().clock(clock).stale_after(stale_after).reply_timeout(LONG).connect_timeout(LONG);
-        let (status, monitor): (_, Monitor) = ClockedSocket::accepted(clock, |address| config.connect_monitor(address));
-        let (commands, client) = ClockedSocket::accepted(clock, |address| config.connect_client(address));
+        let (status, monitor): (_, Monitor) =
+            ClockedSocket::accepted(clock, |address| Monitor::connect_with(&config, address));
+        let (commands, client) = ClockedSocket::accepted(clock, |address| Client::connect_with(&config, address));
         (Self { commands, status }, Robot::new(client, monitor))
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn run(robot: Addresses, offset: Duration, time: Duration, stages: &[
 }
 
 fn connect(robot: Addresses) -> Result<Robot, jaka_sync::Error> {
-    let monitor: Monitor = Config::new().connect_monitor(robot.status)?;
+    let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
     Ok(Robot::new(Client::connect(robot.commands)?, monitor))
 }
 

@@ -137,7 +137,7 @@ mod tests {
         let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
         let controller =
             Arm::simulated().without_power().no_packets().config(|config| config.reconnect(policy)).start();
-        let monitor = controller.config().connect_monitor(controller.status_addr()).unwrap();
+        let monitor = Monitor::connect_with(&controller.config(), controller.status_addr()).unwrap();
         let (mut feed, mut view) = (Feed::new(monitor), View::default());
         // The first may have come before the queue was there.
         controller.publish();

@@ -8,7 +8,7 @@ use std::io::{BufRead, stdin};
 use std::process::ExitCode;
 
 use jaka_sim::{Controller, Delays};
-use jaka_sync::{Config, Monitor, Robot};
+use jaka_sync::{Client, Config, Monitor, Robot};
 
 /// Tells an error as text, with its causes: what `main` returns would be printed in its `Debug` form.
 pub(crate) fn end(result: Result<(), Box<dyn Error>>) -> ExitCode {
@@ -40,8 +40,8 @@ impl Target {
     /// Connects for commands and for status.
     pub(crate) fn robot(&self) -> Result<Robot, jaka_sync::Error> {
         let config = Config::new();
-        let monitor: Monitor = config.connect_monitor(&self.status)?;
-        Ok(Robot::new(config.connect_client(&self.commands)?, monitor))
+        let monitor: Monitor = Monitor::connect_with(&config, &self.status)?;
+        Ok(Robot::new(Client::connect_with(&config, &self.commands)?, monitor))
     }
 
     /// Asks before a robot does something; a simulated one just does it.

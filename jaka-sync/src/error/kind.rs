@@ -10,9 +10,9 @@ use jaka_proto::recording::Port;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
-use super::{Disconnect, Error};
+use super::Error;
 use crate::worded::worded;
-use crate::{Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
+use crate::{Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
 
 worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
@@ -37,13 +37,13 @@ worded! {
             source: io::Error,
         } => (cannot_connect(address, *port, source)),
         /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
-        /// port, or both addresses to [`Config::connect_robot_at`](crate::Config::connect_robot_at). Nothing was connected to.
+        /// port, or both addresses to [`Robot::connect_at`](crate::Robot::connect_at). Nothing was connected to.
         PortInAddress {
             /// The address given.
             address: String,
         } =>
             "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
-             `Config::connect_robot_at`",
+             `Robot::connect_at`",
         /// The controller refused the command, which did not run. The connection is fine.
         Refused {
             /// The controller's own words.

@@ -1,62 +1,19 @@
-//! The sending half of a connection.
+//! Writing of requests by the sending half.
 
 use std::borrow::Cow;
 use std::io;
-use std::time::Duration;
 
 use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
 
 use super::failure::Progress;
+use super::halves::Outbound;
 use super::outgoing::{Outgoing, Right};
 use super::state::{Mode, State};
 use super::turn::Passing;
 use super::{FRAME_COMMANDS, Link, WIRE};
 use crate::socket::Socket;
 use crate::{Disconnect, Error};
-
-/// About how much goes out in one write: after it a stop can go out.
-const PIECE: usize = 4096;
-
-/// How long a write blocks at most: then it looks at its deadline, and at the connection.
-const SLICE: Duration = Duration::from_millis(50);
-
-/// The shortest timeout of a write.
-const SHORTEST: Duration = Duration::from_millis(1);
-
-/// The sending half: the thread whose turn it is takes it out of the state.
-#[derive(Debug, Default)]
-pub(super) struct Outbound {
-    out: Writer,
-    /// Where each request ends, and what it is in the exchange.
-    requests: Vec<(usize, RequestId)>,
-    timeout: Timeout,
-}
-
-/// The write timeout that the socket has, so that it is set only where it must change.
-#[derive(Debug, Default)]
-struct Timeout(Duration);
-
-impl Timeout {
-    /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end writes a few times more.
-    fn set(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
-        if !self.0.is_zero() && self.0 <= left.max(SHORTEST) {
-            return Ok(());
-        }
-        self.change(stream, (left / 8 * 7).clamp(SHORTEST, SLICE))
-    }
-
-    /// Sets a longer one after a write that had to wait, where there is time for it.
-    fn lengthen(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
-        if self.0 < SLICE && left >= SLICE { self.change(stream, SLICE) } else { Ok(()) }
-    }
-
-    fn change(&mut self, stream: &Socket, timeout: Duration) -> io::Result<()> {
-        stream.set_write_timeout(timeout)?;
-        self.0 = timeout;
-        Ok(())
-    }
-}
 
 /// Abandons a request when it is dropped.
 struct Unawaited<'l> {
@@ -211,28 +168,6 @@ impl Link {
             Err(source) => Disconnect::Write(source),
         };
         Err(self.disconnected(outgoing.command, Progress::Sent, self.break_off(state, cause)))
-    }
-}
-
-impl Outbound {
-    /// Writes requests, up to a piece of them.
-    fn compose(&mut self, count: usize, write: &mut dyn FnMut(usize, &mut Writer)) {
-        self.out.clear();
-        self.requests.clear();
-        for index in 0..count {
-            write(index, &mut self.out);
-            let end = self.out.as_str().len();
-            self.requests.push((end, RequestId::default()));
-            if end >= PIECE {
-                break;
-            }
-        }
-    }
-
-    /// Text of each request.
-    fn texts(&self) -> impl Iterator<Item = &str> {
-        let starts = std::iter::once(0).chain(self.requests.iter().map(|(end, _)| *end));
-        starts.zip(&self.requests).map(|(start, (end, _))| &self.out.as_str()[start..*end])
     }
 }
 

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use jaka_proto::Request;
 use jaka_proto::exchange::Exchange;
 
-use super::inbound::Inbound;
-use super::outbound::Outbound;
+use super::halves::{Inbound, Outbound};
 use crate::Disconnect;
 use crate::socket::Socket;
 

@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 
 use super::Link;
 use super::failure::Progress;
-use super::outbound::Outbound;
+use super::halves::Outbound;
 use super::outgoing::{Outgoing, Right};
 use super::state::State;
 use crate::Error;

@@ -11,10 +11,10 @@ use std::time::{Duration, Instant};
 use shuttle::thread;
 
 use super::thread::Worker;
-use super::{Board, Monitor, Snapshot, State};
+use super::{Board, Monitor, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
-use crate::{Config, Disconnect, Reconnect};
+use crate::{Config, Disconnect, Reconnect, Snapshot};
 
 /// How many schedules are tried of each test: at random, and such that a few switches of threads are put anywhere.
 const SCHEDULES: usize = 5000;

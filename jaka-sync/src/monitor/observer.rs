@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use super::Snapshot;
+use crate::Snapshot;
 
 pub(super) type Call<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
 

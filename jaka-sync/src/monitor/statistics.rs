@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 pub struct MonitorStatistics {
     /// Packets that could be read, including those with fields that do not fit.
     pub packets: u64,
-    /// Packets with at least one field that does not fit ([`Snapshot::unfit`](super::Snapshot::unfit)), which
+    /// Packets with at least one field that does not fit ([`Snapshot::unfit`](crate::Snapshot::unfit)), which
     /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: those that are not a JSON object, or that a
     /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::Snapshot;
+use crate::Snapshot;
 use crate::sync::Watched;
 
 /// Packets in the order in which they came, from [`Monitor::subscribe`](super::Monitor::subscribe).

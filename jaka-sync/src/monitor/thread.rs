@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::{Board, SETTLING, Snapshot};
+use super::{Board, SETTLING};
 use crate::clock::{Clock, Stopwatch};
 use crate::packets::{Between, Packets};
 use crate::receive::Chunk;
-use crate::{Config, Disconnect, ErrorKind};
+use crate::{Config, Disconnect, ErrorKind, Snapshot};
 
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);

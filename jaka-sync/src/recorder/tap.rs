@@ -7,11 +7,15 @@ use std::time::Duration;
 
 use jaka_proto::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
-use super::exchanges::KEPT;
 use super::track::Track;
+use super::{Recorder, StatusSampling};
+use crate::clock::Clock;
 use crate::socket::Socket;
 use crate::sync::lock;
-use crate::{Config, Disconnect, Error};
+use crate::{Disconnect, Error};
+
+/// Number of messages that an error keeps.
+const KEPT: usize = 8;
 
 /// A connection's address, for errors, and what it reports to its recorder; nothing where there is none.
 #[derive(Debug, Clone, Default)]
@@ -36,10 +40,16 @@ struct State {
 }
 
 impl Tap {
-    /// What a connection to this address reports to the recorder of the configuration, if there is one.
-    pub(crate) fn new(address: &str, port: Port, config: &Config) -> Self {
-        let connection = config.recorder.as_ref().map(|recorder| {
-            let track = recorder.track_by(&config.clock, port, config.status_sampling);
+    /// Reports of a connection to this address; none without a recorder.
+    pub(crate) fn new(
+        address: &str,
+        port: Port,
+        recorder: Option<&Recorder>,
+        sampling: StatusSampling,
+        clock: &Clock,
+    ) -> Self {
+        let connection = recorder.map(|recorder| {
+            let track = recorder.track_by(clock, port, sampling);
             Arc::new(Connection { track, state: Mutex::default() })
         });
         Self { address: address.into(), connection }

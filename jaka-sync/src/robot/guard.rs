@@ -3,12 +3,10 @@
 mod armed;
 mod condition;
 mod force;
-mod not_guarded;
 mod packet_period;
 #[cfg(feature = "stream")]
 mod set_points;
 mod tcp_box;
-mod trip;
 
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -20,15 +18,14 @@ use jaka_proto::messages::status::RobotStatus;
 pub(crate) use self::armed::Armed;
 pub(super) use self::condition::Condition;
 pub use self::force::{ForceComponent, ForceLimit};
-pub use self::not_guarded::NotGuarded;
 pub(super) use self::packet_period::longest_silence;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_points::SetPointGuard;
 pub use self::tcp_box::TcpBox;
-pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};
 use super::inputs::{AnalogCondition, InputCondition};
 #[cfg(doc)]
 use crate::Robot;
+use crate::{Error, ErrorKind, GuardTrip};
 
 /// What ends a motion before its end: conditions, each of which is judged once for each status packet. The first that holds trips the guard.
 ///
@@ -109,6 +106,24 @@ impl From<AnalogCondition> for Guard {
     }
 }
 
+impl From<ForceLimit> for Guard {
+    fn from(limit: ForceLimit) -> Self {
+        Self::of(Condition::Force(limit))
+    }
+}
+
+impl TcpBox {
+    /// While the tool centre point is outside.
+    pub fn is_left(self) -> Guard {
+        Guard::of(Condition::Outside(self))
+    }
+
+    /// While the tool centre point is inside.
+    pub fn is_entered(self) -> Guard {
+        Guard::of(Condition::Inside(self))
+    }
+}
+
 /// When one of the conditions holds, in words.
 impl fmt::Display for Guard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -117,6 +132,13 @@ impl fmt::Display for Guard {
             write!(f, "{joint}{condition}")?;
         }
         Ok(())
+    }
+}
+
+impl GuardTrip {
+    /// Error for a call that the guard has ended.
+    fn into_error(self) -> Error {
+        ErrorKind::GuardTripped { trip: Arc::new(self) }.into()
     }
 }
 

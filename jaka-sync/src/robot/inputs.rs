@@ -6,8 +6,8 @@ use jaka_proto::check::InvalidArgument;
 #[cfg(doc)]
 use jaka_proto::messages::status::RobotStatus;
 
-use super::not_shown::{Field, NotShown};
-use crate::Snapshot;
+use crate::cause::Field;
+use crate::{NotShown, Snapshot};
 
 /// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
 ///

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::guard::{Guard, TripReason};
+use super::guard::Guard;
 use super::inputs::{AnalogCondition, InputCondition};
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Robot};
-use crate::{Error, ErrorKind, Snapshot, StatusProblem};
+use crate::{Error, ErrorKind, Snapshot, StatusProblem, TripReason};
 
 impl<S: MotionStatus> Robot<S> {
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.

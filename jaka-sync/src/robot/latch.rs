@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
 use super::stops::Stops;
-use super::{MotionStatus, Outcome, trouble};
+use super::{MotionStatus, trouble};
 use crate::clock::Clock;
 use crate::sync::lock;
-use crate::{Error, ErrorKind, Monitor};
+use crate::{Error, ErrorKind, Monitor, Outcome};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, a packet that tells
 /// nothing because its own type has panicked, and stops of handles that no [`MotionEnd`](super::MotionEnd) has reported.

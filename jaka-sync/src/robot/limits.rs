@@ -2,7 +2,6 @@
 
 mod motion;
 mod set_points;
-mod unchecked;
 
 use std::time::Duration;
 
@@ -11,9 +10,8 @@ use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-pub use self::unchecked::Unchecked;
 use super::{MotionStatus, Robot};
-use crate::{Error, ErrorKind, Explanation};
+use crate::{Error, ErrorKind, Explanation, Unchecked};
 
 /// What happens to a motion or a set-point that is beyond a limit, or that cannot be checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

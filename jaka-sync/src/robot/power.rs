@@ -9,9 +9,9 @@ use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetR
 use super::readiness::unknown;
 use super::status::told;
 use super::stops::Stops;
-use super::{Explanation, MotionStatus, Robot};
+use super::{MotionStatus, Robot};
 use crate::clock::{Clock, Stopwatch};
-use crate::{Error, ErrorKind, StatusProblem, monitor};
+use crate::{Error, ErrorKind, Explanation, StatusProblem, monitor};
 
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);

@@ -20,7 +20,7 @@ use self::packets::Count;
 use super::{MotionStatus, Robot};
 use crate::{Client, Config, Error, Monitor};
 
-/// What was found on a robot before it is used: see [`Robot::preflight`] and [`Config::preflight_at`].
+/// What was found on a robot before it is used: see [`Robot::preflight`] and [`read_at`](Self::read_at).
 ///
 /// Displayed as a table, with what to look at [at the pendant](Self::AT_THE_PENDANT) and what the verdicts do not mean.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,6 +41,32 @@ impl Preflight {
     /// What the verdicts do not mean.
     pub const NOTE: &str = "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the \
                             cell, the people in it, the tool, and where the arm will move.";
+
+    /// Connects to a controller's two ports, and does what [`Robot::preflight`] does: for a new robot, since a port that cannot be
+    /// connected to is a finding.
+    ///
+    /// The command port serves one client: another program that is connected there may be disconnected.
+    pub fn read_at(config: &Config, commands_address: impl Display, status_address: impl Display) -> Self {
+        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &Expected::default())
+    }
+
+    /// The same for an arm that should be the model of these limits, and within them.
+    #[cfg(feature = "motion")]
+    pub fn read_with_limits(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+        limits: &jaka_motion::Limits,
+    ) -> Self {
+        let expected = Expected(Some(limits.clone()));
+        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &expected)
+    }
+
+    fn connect(config: &Config, commands_address: &str, status_address: &str, expected: &Expected) -> Self {
+        let monitor = Monitor::<RobotStatus>::connect_with(config, status_address);
+        let mut client = Client::connect_with(config, commands_address);
+        Self::read(client.as_mut().map_err(|error| &*error), monitor.as_ref(), expected)
+    }
 
     /// One finding for each [`CheckItem`], in its order.
     pub fn findings(&self) -> &[Finding] {
@@ -105,10 +131,10 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// ```
     /// use jaka_sim::Controller;
-    /// use jaka_sync::{CheckItem, Config, Verdict};
+    /// use jaka_sync::{CheckItem, Config, Robot, Verdict};
     ///
     /// let controller = Controller::start()?;
-    /// let mut robot = Config::new().connect_robot_at(controller.command_addr(), controller.status_addr())?;
+    /// let mut robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
     /// let preflight = robot.preflight();
     /// let power = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Power).expect("each item has one");
     /// assert_eq!((power.verdict(), power.seen()), (Verdict::Look, "the arm has no power"));
@@ -119,32 +145,5 @@ impl<S: MotionStatus> Robot<S> {
     pub fn preflight(&mut self) -> Preflight {
         let expected = self.expected();
         Preflight::read(Ok(&mut self.client), Ok(&self.monitor), &expected)
-    }
-}
-
-impl Config {
-    /// Connects to a controller's two ports, and does what [`Robot::preflight`] does: for a new robot, since a port that cannot be
-    /// connected to is a finding.
-    ///
-    /// The command port serves one client: another program that is connected there may be disconnected.
-    pub fn preflight_at(&self, commands: impl Display, status: impl Display) -> Preflight {
-        self.preflight_expecting(&commands.to_string(), &status.to_string(), &Expected::default())
-    }
-
-    /// The same for an arm that should be the model of these limits, and within them.
-    #[cfg(feature = "motion")]
-    pub fn preflight_with_limits(
-        &self,
-        commands: impl Display,
-        status: impl Display,
-        limits: &jaka_motion::Limits,
-    ) -> Preflight {
-        self.preflight_expecting(&commands.to_string(), &status.to_string(), &Expected(Some(limits.clone())))
-    }
-
-    fn preflight_expecting(&self, commands: &str, status: &str, expected: &Expected) -> Preflight {
-        let monitor = self.connect_monitor::<RobotStatus>(status);
-        let mut client = self.connect_client(commands);
-        Preflight::read(client.as_mut().map_err(|error| &*error), monitor.as_ref(), expected)
     }
 }

@@ -6,13 +6,13 @@ use std::time::Duration;
 
 use jaka_proto::CommandInfo;
 
-use super::guard::{Guard, NotGuarded, TripReason, longest_silence};
+use super::guard::{Guard, longest_silence};
 use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
-use super::{GuardTrip, Motion, MotionEnd, MotionStatus, Outcome, Path, Robot};
+use super::{Motion, MotionEnd, MotionStatus, Path, Robot};
 use crate::sync::Watched;
-use crate::{Error, ErrorKind};
+use crate::{Error, ErrorKind, GuardTrip, NotGuarded, Outcome, TripReason};
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);

@@ -9,12 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use super::guard::{Armed, GuardTrip};
+use super::guard::Armed;
 use super::stops::Sent;
 use super::vigil::{self, Vigil};
-use super::{MotionStatus, Outcome, Robot, RobotStop};
+use super::{MotionStatus, Robot, RobotStop};
 use crate::monitor::Waker;
-use crate::{Error, Monitor, StatusProblem};
+use crate::{Error, GuardTrip, Monitor, Outcome, StatusProblem};
 
 /// Stops the arm where the guard trips, or the status is no longer known.
 #[derive(Debug)]

@@ -17,11 +17,11 @@ use crate::Snapshot;
 ///
 /// ```no_run
 /// use jaka_sync::status::RobotStatus;
-/// use jaka_sync::{Config, MotionStatus, Robot};
+/// use jaka_sync::{Client, Config, Monitor, MotionStatus, Robot};
 ///
 /// fn connect<S: MotionStatus>(address: &str) -> Result<Robot<S>, jaka_sync::Error> {
 ///     let config = Config::new();
-///     Ok(Robot::with_monitor(config.connect_client(address)?, config.connect_monitor(address)?))
+///     Ok(Robot::with_monitor(Client::connect_with(&config, address)?, Monitor::connect_with(&config, address)?))
 /// }
 ///
 /// let robot = connect::<RobotStatus>("10.5.5.100")?;

@@ -5,12 +5,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use super::Outcome;
 use crate::clock::Clock;
 use crate::monitor::Waker;
 use crate::stop::WrittenStop;
 use crate::sync::Watched;
-use crate::{Error, StopHandle};
+use crate::{Error, Outcome, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
 #[derive(Debug)]

@@ -3,8 +3,7 @@
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::DecodeError;
 
-use super::outcome::Outcome;
-use crate::{ControllerEvent, Severity, Snapshot};
+use crate::{ControllerEvent, Outcome, Severity, Snapshot};
 
 /// What a packet shows against a motion.
 #[derive(Debug)]

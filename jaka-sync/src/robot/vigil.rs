@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::MotionStatus;
-use super::guard::{Armed, GuardTrip};
+use super::guard::Armed;
 use super::readiness::fresh_status;
-use crate::{Monitor, Snapshot, StatusProblem};
+use crate::{GuardTrip, Monitor, Snapshot, StatusProblem};
 
 /// How long after the newest packet has become stale that is seen, if no other comes.
 const JUST_AFTER: Duration = Duration::from_millis(1);

@@ -16,10 +16,9 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::JointPosition;
 
 use super::batch::Batch;
-use super::outcome::Outcome;
 use super::target::{Goal, Nearness, Place, Quantity};
 use super::trouble::{self, News};
-use crate::{Error, Snapshot};
+use crate::{Error, Outcome, Snapshot};
 
 /// How many packets are kept to show what led to an end.
 const KEPT: usize = 10;

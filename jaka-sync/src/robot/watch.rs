@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use super::position::Answer;
 use super::wait::Wait;
-use super::{MotionStatus, Outcome, Robot, trouble};
-use crate::{Disconnect, Snapshot};
+use super::{MotionStatus, Robot, trouble};
+use crate::{Disconnect, Outcome, Snapshot};
 
 /// How long the wait for an answer lasts before packets and stops are checked again.
 const SLICE: Duration = Duration::from_millis(10);

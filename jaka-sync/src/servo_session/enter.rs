@@ -102,6 +102,14 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgume
 }
 
 impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
+    ///
+    /// # Errors
+    /// As [`ServoSession`] says at "Entering".
+    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
+        ServoSession::enter(self, config, |_| Ok(()))
+    }
+
     /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
     /// enter it.
     fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {

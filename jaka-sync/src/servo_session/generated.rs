@@ -14,7 +14,8 @@ use super::departure::Departure;
 use super::lag::LagFit;
 use super::pace::Pace;
 use super::set_point::SetPoint;
-use crate::robot::{SetPointGuard, shown_joints};
+use crate::cause::shown_joints;
+use crate::robot::SetPointGuard;
 use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
@@ -63,7 +64,7 @@ impl<'g> Supervision<'g> {
 
     /// Fails once the guard has tripped.
     pub(super) fn check_tripped(&self) -> Result<(), Error> {
-        self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.lag()))
+        self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.lag().map(|lag| lag.delay)))
     }
 
     /// Lag of the arm behind its set-points; none where it is not measured, or not known.
@@ -144,7 +145,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if cycle.as_ref().map_or(true, |late| *late >= self.config.gap()) {
                 set_points.paused();
             }
-            supervision.guard.map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.lag()))?;
+            supervision
+                .guard
+                .map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.lag().map(|lag| lag.delay)))?;
             // Before the end: a motion that has no set-point when one is due does not end as commanded.
             let late = cycle?;
             if set_points.is_done() {

@@ -7,7 +7,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Config, Error, ErrorKind, Monitor};
+use jaka_sync::{Config, Error, ErrorKind, Monitor, StatusStream};
 
 use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
@@ -182,7 +182,7 @@ impl Reader {
 
 /// Reads to the end of one connection.
 fn read(config: &Config, ports: &Ports, ends: &AtomicBool, order: &mut Order, tally: &mut Tally) -> Result<(), Error> {
-    let mut stream = config.connect_status(ports.status)?;
+    let mut stream = StatusStream::connect_with(config, ports.status)?;
     tally.one("status streams");
     while !ends.load(Ordering::SeqCst) {
         let newest = tally.get("packets").is_multiple_of(4);

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_sync::{Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
+use jaka_sync::{Client, Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
 
 use super::account::Connection;
 use super::arm::Place;
@@ -51,9 +51,9 @@ impl Session {
         let sampling = StatusSampling::EveryNth(SAMPLING);
         let config = config(&place.ports).status_sampling(sampling);
         let config = recorder.iter().fold(config, |config, recorder| config.recorder(recorder.clone()));
-        let monitor: Monitor = config.connect_monitor(place.ports.status)?;
+        let monitor: Monitor = Monitor::connect_with(&config, place.ports.status)?;
         observe(&monitor, &place.rate, &place.findings);
-        let client = config.connect_client(place.ports.commands)?;
+        let client = Client::connect_with(&config, place.ports.commands)?;
         // So short that a motion that is stopped is soon known to be.
         let robot = Robot::new(client, monitor).with_start_grace(Duration::from_millis(60), 3);
         let mut robot = robot.with_status_silence(Duration::from_millis(400));

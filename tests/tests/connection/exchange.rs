@@ -84,7 +84,7 @@ fn ranges_of_newer_firmware_can_be_switched_off() {
     assert!(error.to_string().contains("this is advisory"), "{error}");
     drop(strict);
     let config = controller.config().advisory_ranges(AdvisoryRanges::Ignored);
-    let mut open = config.connect_client(controller.command_addr()).expect("the controller listens");
+    let mut open = Client::connect_with(&config, controller.command_addr()).expect("the controller listens");
     open.set_digital_output(&relay).expect("it is left to the controller");
     assert!(open.set_rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
 }
@@ -232,10 +232,10 @@ fn addresses_with_and_without_a_port() {
     assert_eq!(client.peer_addr().expect("it is connected"), address);
     drop(client);
     let by_name = format!("localhost:{}", address.port());
-    client = controller.config().connect_client(by_name).expect("the name is known everywhere");
+    client = Client::connect_with(&controller.config(), by_name).expect("the name is known everywhere");
     client.get_version().expect("it answers");
     // Without a port, it is the protocol's.
-    let error = Config::new().connect_timeout(Duration::from_millis(100)).connect_client("127.0.0.1");
+    let error = Client::connect_with(&Config::new().connect_timeout(Duration::from_millis(100)), "127.0.0.1");
     if let Err(error) = error {
         assert!(error.to_string().starts_with("cannot connect to 127.0.0.1:10001"), "{error}");
     }
@@ -257,7 +257,7 @@ fn handles_can_move_and_be_shared_between_threads() {
 fn read_ahead(after: &str) -> (ClockedSocket, Client, StopHandle) {
     let clock = SimulatedClock::new();
     let hasty = Config::new().clock(&clock).reply_timeout(Duration::from_millis(20));
-    let (mut server, mut client) = ClockedSocket::accepted(&clock, |address| hasty.connect_client(address));
+    let (mut server, mut client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&hasty, address));
     let stop = client.stop_handle();
     let query = format!("{{\"cmdName\":\"{}\"}}", GetJointPos::INFO.name);
     let ask = || {
@@ -291,7 +291,7 @@ fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_it
 
 #[test]
 fn the_thread_that_reads_tells_the_others_that_their_replies_are_lost() {
-    let (mut server, mut client) = accepted(|address| patient().connect_client(address));
+    let (mut server, mut client) = accepted(|address| Client::connect_with(&patient(), address));
     let request = |info: &CommandInfo| format!("{{\"cmdName\":\"{}\"}}", info.name);
     let stops = [client.stop_handle(), client.stop_handle()].map(|stop| thread::spawn(move || stop.stop()));
     server.read_exact(&mut vec![0; 2 * request(StopProgram::INFO).len()]).expect("both stops are sent");
@@ -309,14 +309,14 @@ fn the_thread_that_reads_tells_the_others_that_their_replies_are_lost() {
 
 #[test]
 fn a_listener_that_closes_immediately() {
-    let (server, mut client) = accepted(|address| patient().connect_client(address));
+    let (server, mut client) = accepted(|address| Client::connect_with(&patient(), address));
     drop(server);
     assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
 }
 
 #[test]
 fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() {
-    let (mut server, mut client) = accepted(|address| patient().connect_client(address));
+    let (mut server, mut client) = accepted(|address| Client::connect_with(&patient(), address));
     let stop = client.stop_handle();
     client.pipeline(1).send(&StopProgram::new()).expect("it is not known yet");
     drop(client);
@@ -343,7 +343,7 @@ fn a_new_client_connects_although_a_stop_handle_of_the_last_one_lives() {
 fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
     let clock = SimulatedClock::new();
     let config = Config::new().clock(&clock);
-    let (mut server, mut client) = ClockedSocket::accepted(&clock, |address| config.connect_client(address));
+    let (mut server, mut client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
     let pad = "x".repeat(16 << 20);
     let request = format!("{{\"cmdName\":\"load_program\",\"programName\":\"{pad}\"}}");
     // A little all the time: no single write waits long for room. All of it would take more than a minute.
@@ -364,7 +364,8 @@ fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
 #[test]
 fn status_packets_on_the_command_connection_are_distinguished_from_replies() {
     let controller = Arm::simulated().start();
-    let mut client = controller.config().connect_client(controller.status_addr()).expect("the controller listens");
+    let mut client =
+        Client::connect_with(&controller.config(), controller.status_addr()).expect("the controller listens");
     let error = client.get_version().expect_err("it is the status port");
     let source = std::error::Error::source(&error).expect("the cause is told");
     assert_eq!(
@@ -375,7 +376,7 @@ fn status_packets_on_the_command_connection_are_distinguished_from_replies() {
 
 #[test]
 fn replies_on_the_status_connection_are_distinguished_from_packets() {
-    let (mut server, mut status) = accepted(|address| patient().connect_status(address));
+    let (mut server, mut status) = accepted(|address| StatusStream::connect_with(&patient(), address));
     server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the stream reads");
     let error = status.newest_packet().expect_err("it is not a status port");
     let source = std::error::Error::source(&error).expect("the cause is told");
@@ -395,14 +396,14 @@ fn a_robots_address_with_a_port_is_refused() {
             error.to_string(),
             format!(
                 "cannot connect to {address}: a robot has two ports, so give its address without a port, or both \
-                 addresses to `Config::connect_robot_at`"
+                 addresses to `Robot::connect_at`"
             )
         );
     }
     let controller = Arm::simulated().start();
     let config = controller.config();
-    let mut robot =
-        config.connect_robot_at(controller.command_addr(), controller.status_addr()).expect("the controller listens");
+    let mut robot = Robot::connect_at(&config, controller.command_addr(), controller.status_addr())
+        .expect("the controller listens");
     robot.client().get_version().expect("it answers");
     robot.monitor().wait_until(|_| true, LONG).expect("packets come");
 }

@@ -120,7 +120,7 @@ fn every_call_ends_and_no_query_gets_the_reply_to_another() {
     for connection in 0..CONNECTIONS * jaka_tests::reliability_times() {
         let clock = SimulatedClock::new();
         let listener = clock.bind("127.0.0.1:0".parse().expect("an address")).expect("loopback has free ports");
-        let client = Config::new().clock(&clock).reply_timeout(TIMEOUT).connect_client(listener.local_addr());
+        let client = Client::connect_with(&Config::new().clock(&clock).reply_timeout(TIMEOUT), listener.local_addr());
         let client = client.expect("it listens");
         let mut stream = listener.accept().expect("the client has connected");
         let (ended, ends) = mpsc::channel();

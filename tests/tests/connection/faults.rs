@@ -95,7 +95,7 @@ fn connect_timeout() {
     let config = Config::new().connect_timeout(SHORT);
     let mut waiting = Vec::new();
     let error = (0..16)
-        .find_map(|_| match config.connect_client(address) {
+        .find_map(|_| match Client::connect_with(&config, address) {
             Ok(client) => {
                 waiting.push(client);
                 None
@@ -356,7 +356,7 @@ fn a_controller_that_never_reads() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
     let config = Config::new().clock(&SimulatedClock::new()).reply_timeout(SHORT);
-    let mut client = config.connect_client(address).expect("it listens");
+    let mut client = Client::connect_with(&config, address).expect("it listens");
     let program = "x".repeat(1 << 20);
     let errors = (0..64).map(|_| client.load_program(&*program).expect_err("nobody answers"));
     let broken = errors.into_iter().find(Error::is_disconnected).expect("the kernel's buffers are finite");

@@ -49,7 +49,7 @@ impl Stamping<'_> {
 
 fn connected(clock: &SimulatedClock) -> (Stamping<'_>, Monitor) {
     let config = Config::new().clock(clock).stale_after(STALE_AFTER).reply_timeout(LONG).connect_timeout(LONG);
-    let (socket, monitor) = ClockedSocket::accepted(clock, |address| config.connect_monitor(address));
+    let (socket, monitor) = ClockedSocket::accepted(clock, |address| Monitor::connect_with(&config, address));
     (Stamping { clock, socket, held: None }, monitor)
 }
 

@@ -50,7 +50,7 @@ fn wrong_address() -> Vec<String> {
     let nobody = ReservedPort::any();
     let config = Config::new();
     let with_port = Robot::connect("10.5.5.100:10001");
-    vec![refusal(config.connect_robot_at(nobody.address(), nobody.address())), refusal(with_port)]
+    vec![refusal(Robot::connect_at(&config, nobody.address(), nobody.address())), refusal(with_port)]
 }
 
 fn robot_off() -> Vec<String> {

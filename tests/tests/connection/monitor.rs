@@ -193,7 +193,7 @@ fn it_reconnects_if_configured() {
         }
     }
     let nobody = ReservedPort::any();
-    let never: Result<Monitor, _> = controller.config().connect_monitor(nobody.address());
+    let never: Result<Monitor, _> = Monitor::connect_with(&controller.config(), nobody.address());
     assert!(never.is_err_and(|error| error.is_connect()));
 }
 

@@ -39,7 +39,7 @@ fn serve(mut stream: TcpStream, first: Vec<u8>) {
 }
 
 fn client(first: impl AsRef<[u8]>) -> Client {
-    Config::new().reply_timeout(LONG).connect_client(controller(first.as_ref())).expect("it listens")
+    Client::connect_with(&Config::new().reply_timeout(LONG), controller(first.as_ref())).expect("it listens")
 }
 
 /// The connection works, and a stop can be sent.

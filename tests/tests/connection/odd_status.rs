@@ -13,11 +13,11 @@ use jaka_tests::{ClockedSocket, LONG, accepted};
 
 /// A stream, and the controller's end of it.
 fn stream() -> (TcpStream, StatusStream) {
-    accepted(|address| Config::new().reply_timeout(LONG).connect_status(address))
+    accepted(|address| StatusStream::connect_with(&Config::new().reply_timeout(LONG), address))
 }
 
 fn monitor() -> (TcpStream, Monitor) {
-    accepted(|address| Config::new().reply_timeout(LONG).stale_after(LONG).connect_monitor(address))
+    accepted(|address| Monitor::connect_with(&Config::new().reply_timeout(LONG).stale_after(LONG), address))
 }
 
 fn send(mut to: &TcpStream, bytes: impl AsRef<[u8]>) {
@@ -161,7 +161,8 @@ fn a_monitor_finds_the_next_packet_after_one_that_is_cut_anywhere() {
 fn a_stream_on_which_every_packet_is_cut_ends_in_time_and_goes_on() {
     let clock = SimulatedClock::new();
     let config = Config::new().clock(&clock).reply_timeout(Duration::from_millis(50));
-    let (mut controller, mut status) = ClockedSocket::accepted(&clock, |address| config.connect_status(address));
+    let (mut controller, mut status) =
+        ClockedSocket::accepted(&clock, |address| StatusStream::connect_with(&config, address));
     let send_cut_ones = || {
         for _ in 0..1000 {
             controller.write_all(&CUT.as_bytes()[..40]).expect("it is connected");

@@ -249,7 +249,7 @@ fn no_more_than_256_commands_are_outstanding_so_that_a_stop_is_of_use() {
     // Of somebody who answers nothing.
     let clock = SimulatedClock::new();
     let config = Config::new().clock(&clock).reply_timeout(SHORT);
-    let (_server, mut client) = ClockedSocket::accepted(&clock, |address| config.connect_client(address));
+    let (_server, mut client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
     let outputs: Vec<_> = (0..1000).map(|number| output(number % 8)).collect();
     let mut pipeline = client.pipeline(100_000);
     assert!(pipeline.send_all(&outputs).expect_err("nobody answers").is_timeout());

@@ -17,7 +17,7 @@ fn healthy(firmware: Firmware) -> Arm {
 
 /// A robot that has no packet yet.
 fn connect(arm: &Arm) -> Robot {
-    arm.config().connect_robot_at(arm.command_addr(), arm.status_addr()).expect("the controller listens")
+    Robot::connect_at(&arm.config(), arm.command_addr(), arm.status_addr()).expect("the controller listens")
 }
 
 /// The items with this verdict.

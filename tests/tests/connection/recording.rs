@@ -9,7 +9,7 @@ use jaka_sim::{Builder, Deviation, Fault, Replay, ReplayTiming};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
-use jaka_sync::{Error, ErrorKind, Monitor, Recorder, StatusSampling};
+use jaka_sync::{Client, Error, ErrorKind, Monitor, Recorder, StatusSampling, StatusStream};
 use jaka_tests::{Arm, LONG, RecordingBuffer, ReservedPort, events, recorded};
 use serde_json::json;
 
@@ -48,7 +48,7 @@ fn connections_that_cannot_be_made_are_recorded() {
     let nobody = ReservedPort::any();
     let address = nobody.address();
     let ((), recording) = recorded(Arm::simulated(), |arm| {
-        let error = arm.config().connect_client(address).expect_err("nobody listens");
+        let error = Client::connect_with(&arm.config(), address).expect_err("nobody listens");
         assert!(error.exchanges().is_empty());
     });
     let [Entry { event: Event::Error { text }, .. }] = &recording.entries[..] else { panic!("{recording:?}") };
@@ -196,7 +196,7 @@ fn errors_of_each_kind_have_the_last_messages() {
         with(&client.get_version().expect_err("nothing is sent any more"), 4);
 
         let config = arm.config().reply_timeout(SHORT);
-        let mut status = config.connect_status(arm.status_addr()).expect("it listens");
+        let mut status = StatusStream::connect_with(&config, arm.status_addr()).expect("it listens");
         status.next_packet().expect("the first packet comes at once");
         with(&status.next_packet().expect_err("no packet comes"), 1);
         arm.send_status(br#"{"enabled" true}"#);
@@ -236,7 +236,7 @@ fn a_file_is_complete_when_the_last_connection_is_dropped() {
     let recorder = Recorder::create(&path).expect("the folder can be written");
     let arm = Arm::simulated().start();
     let config = arm.config().recorder(recorder);
-    let mut client = config.connect_client(arm.command_addr()).expect("the controller listens");
+    let mut client = Client::connect_with(&config, arm.command_addr()).expect("the controller listens");
     drop(config);
     client.get_version().expect("it answers");
     drop(client);

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::framing::Framer;
 use jaka_sim::SimulatedClock;
 use jaka_sim::jaka_clock::Stream;
-use jaka_sync::Config;
+use jaka_sync::{Client, Config};
 use proptest::prelude::*;
 
 use crate::model::{Got, Model, NAMES, PAUSE, Recipient, STOP};
@@ -278,7 +278,7 @@ impl Run {
     fn new() -> Self {
         let clock = SimulatedClock::new();
         let listener = clock.bind("127.0.0.1:0".parse().expect("an address")).expect("loopback has free ports");
-        let client = Config::new().clock(&clock).reply_timeout(TIMEOUT).connect_client(listener.local_addr());
+        let client = Client::connect_with(&Config::new().clock(&clock).reply_timeout(TIMEOUT), listener.local_addr());
         let client = client.expect("it listens");
         let mut stream = listener.accept().expect("the client has connected");
         stream.set_timeout(Some(Duration::ZERO));

@@ -26,7 +26,7 @@ pub(crate) fn run(cell: &Cell<'_>) -> Seen {
     let buffer = RecordingBuffer::default();
     let recorder = (cell.kind == Kind::Recorded).then(|| buffer.recorder());
     let config = recorder.iter().fold(cell.config(), |config, recorder| config.recorder(recorder.clone()));
-    let mut client = config.connect_client(cell.controller.command_addr()).expect("the controller listens");
+    let mut client = Client::connect_with(&config, cell.controller.command_addr()).expect("the controller listens");
     cell.strike(command(cell.kind));
     let timeout = cell.patience(cell.expected.first);
     let first = cell.ends(timeout, cell.expected.first, || call(cell, &mut client, timeout));

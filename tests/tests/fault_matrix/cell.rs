@@ -179,7 +179,7 @@ impl<'t> Cell<'t> {
     }
 
     pub(crate) fn client(&self) -> Client {
-        self.config().connect_client(self.controller.command_addr()).expect("the controller listens")
+        Client::connect_with(&self.config(), self.controller.command_addr()).expect("the controller listens")
     }
 
     /// The time of this cell.

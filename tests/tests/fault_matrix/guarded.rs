@@ -48,7 +48,7 @@ pub(crate) fn go_through(troubles: &[Trouble]) {
 fn guarded(trouble: &Trouble, way: Way) {
     let arm = Arm::new(trouble, way);
     let config = arm.controller.config().reply_timeout(Duration::from_secs(1));
-    let robot = config.connect_robot_at(arm.controller.command_addr(), arm.controller.status_addr());
+    let robot = Robot::connect_at(&config, arm.controller.command_addr(), arm.controller.status_addr());
     let robot = robot.expect("the controller listens");
     robot.monitor().next_packet().expect("packets come");
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));

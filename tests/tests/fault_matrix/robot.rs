@@ -23,7 +23,7 @@ const UNSEEN: Duration = Duration::from_secs(2);
 
 pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     let monitor: Monitor =
-        cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
+        Monitor::connect_with(&cell.config(), cell.controller.status_addr()).expect("the controller listens");
     monitor.wait_until(|_| true, LIMIT).expect("a packet comes on connecting");
     let grace = match cell.trouble {
         Trouble::Refusal | Trouble::Misfit => UNSEEN,

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, Error, Monitor, StatusStream};
+use jaka_sync::{Client, Command, Error, Monitor, StatusStream};
 
 use crate::cell::{Cell, PERIOD, Seen, position};
 use crate::outcome::Outcome;
@@ -18,14 +18,15 @@ const WHILE: u32 = 25;
 fn trouble_elsewhere(cell: &Cell<'_>) {
     if cell.trouble.is_of_replies() {
         let config = cell.config().reply_timeout(Duration::from_millis(20));
-        let mut client = config.connect_client(cell.controller.command_addr()).expect("the controller listens");
+        let mut client = Client::connect_with(&config, cell.controller.command_addr()).expect("the controller listens");
         // What it ends with is for other cells.
         drop(client.get_joint_pos());
     }
 }
 
 pub(crate) fn run_stream(cell: &Cell<'_>) -> Seen {
-    let mut stream = cell.config().connect_status(cell.controller.status_addr()).expect("the controller listens");
+    let mut stream =
+        StatusStream::connect_with(&cell.config(), cell.controller.status_addr()).expect("the controller listens");
     stream.next_packet().expect("the first packet comes at once");
     cell.strike(GetJointPos::INFO.name);
     trouble_elsewhere(cell);
@@ -58,7 +59,7 @@ fn find(cell: &Cell<'_>, stream: &mut StatusStream, mark: f64, timeout: Duration
 
 pub(crate) fn run_monitor(cell: &Cell<'_>) -> Seen {
     let monitor: Monitor =
-        cell.config().connect_monitor(cell.controller.status_addr()).expect("the controller listens");
+        Monitor::connect_with(&cell.config(), cell.controller.status_addr()).expect("the controller listens");
     let found = observe(&monitor);
     monitor.wait_until(|_| true, cell.patience(Outcome::Ok)).expect("the first packet comes at once");
     cell.strike(GetJointPos::INFO.name);

@@ -9,7 +9,7 @@ use jaka_sync::motion::{EndMove, Jog, JogFrame, JointMove, LineMode, MoveC, Move
 use jaka_sync::program::ProgramState;
 use jaka_sync::servo::{ServoJ, ServoP};
 use jaka_sync::types::{MoveMode, Pose, Switch};
-use jaka_sync::{Client, ErrorCode};
+use jaka_sync::{Client, ErrorCode, StatusStream};
 use jaka_tests::{Arm, ArmBuilder, CYCLE};
 
 fn stepped() -> ArmBuilder {
@@ -467,7 +467,7 @@ fn collisions_emergency_stops_and_lost_power_end_motion() {
 fn status_packets_follow_the_motion() {
     let period = Duration::from_millis(40);
     let (arm, mut client) = Arm::stepped().status_period(period).with_client();
-    let mut status = arm.config().connect_status(arm.status_addr()).expect("the controller listens");
+    let mut status = StatusStream::connect_with(&arm.config(), arm.status_addr()).expect("the controller listens");
     status.next_packet().expect("the first packet comes at once");
     let start = joints(&mut client)[0];
     client.joint_move(&by_joint(MoveMode::Relative, [10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0, 80.0)).expect("it goes");

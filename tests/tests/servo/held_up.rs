@@ -11,7 +11,7 @@ use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{
-    Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig,
+    Client, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig,
 };
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
@@ -172,7 +172,7 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
 fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, FollowEnd, SetPointsSeen) {
     let arm = stream::arm().start();
     let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
-    let client = arm.config().connect_client(proxy.address()).expect("it listens");
+    let client = Client::connect_with(&arm.config(), proxy.address()).expect("it listens");
     let mut robot = Robot::with_monitor(client, arm.monitor::<Slow<TEST>>());
     robot = robot.with_limits(follow::limits()).expect("it is this arm");
     let trajectory =

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use jaka_sim::SimulatedClock;
-use jaka_sync::{Config, Error, ErrorKind, Monitor, Robot, ServoConfig, ServoReport, ServoSession};
+use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Robot, ServoConfig, ServoReport, ServoSession};
 use jaka_tests::LONG;
 use jaka_tests::plain_controller::{PlainController, six};
 use jaka_tests::rig::{Random, Rig};
@@ -16,8 +16,8 @@ fn ready() -> (SimulatedClock, PlainController, Robot) {
     let rig = Rig::new(&mut Random::new(28));
     let controller = PlainController::by_clock(&clock, rig.bounds, [10.0, 80.0, 90.0, 70.0, -80.0, 20.0]);
     let config = Config::new().clock(&clock);
-    let monitor: Monitor = config.connect_monitor(controller.status).expect("it listens");
-    let client = config.connect_client(controller.commands).expect("it listens");
+    let monitor: Monitor = Monitor::connect_with(&config, controller.status).expect("it listens");
+    let client = Client::connect_with(&config, controller.commands).expect("it listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     (clock, controller, Robot::new(client, monitor))
 }

@@ -23,7 +23,7 @@ fn arm(status_period: Duration) -> ArmBuilder {
 
 /// A robot that is connected through a witness of its set-points.
 fn watched(arm: &Arm, wire: &SetPoints) -> Robot {
-    let client = arm.config().connect_client(wire.address()).expect("the proxy listens");
+    let client = Client::connect_with(&arm.config(), wire.address()).expect("the proxy listens");
     Robot::new(client, arm.monitor())
 }
 

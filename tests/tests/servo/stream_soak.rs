@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 
 use jaka_motion::Goal;
 use jaka_sim::SimulatedClock;
-use jaka_sync::{Config, Error, ErrorKind, Monitor, Robot, ServoConfig, StreamConfig, StreamHandle};
+use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Robot, ServoConfig, StreamConfig, StreamHandle};
 use jaka_tests::soak::resident;
 
 use self::bare::BareLoops;
@@ -167,9 +167,9 @@ fn run(arm: u32, clock: Option<&SimulatedClock>, stream_lasts: Duration, is_over
 }
 
 fn robot(controller: &PlainController, config: &Config, rig: &Rig) -> Robot {
-    let monitor: Monitor = config.connect_monitor(controller.status).expect("it listens");
+    let monitor: Monitor = Monitor::connect_with(config, controller.status).expect("it listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    let client = config.connect_client(controller.commands).expect("it listens");
+    let client = Client::connect_with(config, controller.commands).expect("it listens");
     Robot::new(client, monitor).with_limits(rig.limits.clone()).expect("the controller computes as the model does")
 }
 

@@ -8,13 +8,13 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
+use super::Guard;
 use super::condition::Judge;
-use super::{Guard, GuardTrip};
 use crate::robot::readiness::{fresh_status, unknown};
 use crate::robot::stops::Written;
 use crate::robot::{MotionStatus, RobotStop, trouble};
 use crate::sync::lock;
-use crate::{Error, ErrorKind, Monitor, Robot, Snapshot, StatusProblem};
+use crate::{Error, ErrorKind, GuardTrip, Monitor, Robot, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
 /// waits for a judgement.

@@ -4,11 +4,11 @@ use std::fmt;
 
 use jaka_proto::check::InvalidArgument;
 
+use super::Question;
 use super::force::{ForceLimit, contact_force};
-use super::trip::TripReason;
-use super::{Question, TcpBox};
-use crate::Snapshot;
+use super::tcp_box::TcpBox;
 use crate::robot::inputs::{InputTest, When};
+use crate::{Snapshot, TripReason};
 
 /// One condition of a guard.
 #[derive(Debug, Clone)]

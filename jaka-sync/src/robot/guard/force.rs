@@ -8,9 +8,8 @@ use jaka_motion::Overtravel;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::wire::{DecodeError, Typed};
 
-use super::{Condition, Guard, NotGuarded};
-use crate::Snapshot;
-use crate::robot::not_shown::{Field, NotShown};
+use crate::cause::Field;
+use crate::{NotGuarded, NotShown, Snapshot};
 
 /// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion is stopped.
 ///
@@ -214,12 +213,6 @@ pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {
         Typed::Known(0) => Ok(state.contact_force),
         Typed::Known(code) => Err(NotShown::SensorError { code: code.to_string() }),
         Typed::Raw(code) => Err(NotShown::SensorError { code: code.to_string() }),
-    }
-}
-
-impl From<ForceLimit> for Guard {
-    fn from(limit: ForceLimit) -> Self {
-        Self::of(Condition::Force(limit))
     }
 }
 

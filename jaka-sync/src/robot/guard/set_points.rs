@@ -7,9 +7,11 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
-use super::{Armed, ForceLimit, Guard, GuardTrip, LagBeyondReaction, NotGuarded, TripReason};
+use super::{Armed, ForceLimit, Guard};
 use crate::robot::readiness::{fresh_status, unknown};
-use crate::{Error, ErrorKind, FollowLag, Monitor, MotionStatus, Robot, StatusProblem};
+use crate::{
+    Error, ErrorKind, GuardTrip, LagBeyondReaction, Monitor, MotionStatus, NotGuarded, Robot, StatusProblem, TripReason,
+};
 
 /// A guard of set-points, which is asked in each cycle, and never waited for.
 #[derive(Debug)]
@@ -37,7 +39,7 @@ impl SetPointGuard {
     pub(crate) fn check<S: MotionStatus>(
         &self,
         monitor: &Monitor<S>,
-        lag: impl FnOnce() -> Option<FollowLag>,
+        lag: impl FnOnce() -> Option<Duration>,
     ) -> Result<(), Error> {
         self.check_tripped(lag)?;
         let age = fresh_status(monitor).map_err(unknown)?.age();
@@ -46,7 +48,7 @@ impl SetPointGuard {
     }
 
     /// Fails once the guard has tripped.
-    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<FollowLag>) -> Result<(), Error> {
+    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<Duration>) -> Result<(), Error> {
         match (self.armed.trip(), self.armed.broken()) {
             (Some(trip), _) => Err(GuardTrip { lag: self.lag_beyond_reaction(lag()), ..trip }.into_error()),
             (None, Some(problem)) => Err(unknown(problem)),
@@ -55,9 +57,9 @@ impl SetPointGuard {
     }
 
     /// The arm's lag, where it is longer than the shortest reaction that a limit of force allows for.
-    fn lag_beyond_reaction(&self, lag: Option<FollowLag>) -> Option<LagBeyondReaction> {
+    fn lag_beyond_reaction(&self, lag: Option<Duration>) -> Option<LagBeyondReaction> {
         let reaction = self.force.as_ref()?.limits.iter().map(|limit| limit.reaction).min()?;
-        let lag = lag?.delay;
+        let lag = lag?;
         (lag > reaction).then_some(LagBeyondReaction { lag, reaction })
     }
 

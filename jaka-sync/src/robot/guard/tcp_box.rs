@@ -4,9 +4,8 @@ use std::fmt;
 
 use jaka_proto::check::InvalidArgument;
 
-use super::{Condition, Guard};
-use crate::Snapshot;
-use crate::robot::not_shown::{Field, NotShown};
+use crate::cause::Field;
+use crate::{NotShown, Snapshot};
 
 /// A box along the axes of the selected user frame, for the tool centre point: mm.
 ///
@@ -26,16 +25,6 @@ impl TcpBox {
             std::array::from_fn(|i| if one[i].is_nan() || choose(one[i], other[i]) { one[i] } else { other[i] })
         };
         Self { least: pick(|one, other| one < other), most: pick(|one, other| one > other) }
-    }
-
-    /// While the tool centre point is outside.
-    pub fn is_left(self) -> Guard {
-        Guard::of(Condition::Outside(self))
-    }
-
-    /// While the tool centre point is inside.
-    pub fn is_entered(self) -> Guard {
-        Guard::of(Condition::Inside(self))
     }
 
     pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {

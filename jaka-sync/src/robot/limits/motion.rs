@@ -7,10 +7,9 @@ use jaka_proto::CommandInfo;
 use jaka_proto::messages::kinematics::KineInverse;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::Unchecked;
 use crate::robot::batch::Begin;
 use crate::robot::target::{Place, Quantity};
-use crate::{Error, ErrorKind, Motion, MotionStatus, Path, Robot, Target};
+use crate::{Error, ErrorKind, Motion, MotionStatus, Path, Robot, Target, Unchecked};
 
 impl<S: MotionStatus> Robot<S> {
     /// The joint positions at which a motion will end, where it has limits and is within them.

@@ -6,8 +6,8 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::{LimitPolicy, Unchecked};
-use crate::{Error, MotionStatus, Robot};
+use super::LimitPolicy;
+use crate::{Error, MotionStatus, Robot, Unchecked};
 
 impl<S: MotionStatus> Robot<S> {
     /// Before servo mode is used: the checker's frames are the controller's.

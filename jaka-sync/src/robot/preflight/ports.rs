@@ -4,7 +4,7 @@ use std::error::Error as StdError;
 use std::io;
 
 use super::finding::Judgement;
-use crate::error::is_text_line;
+use crate::disconnect::is_text_line;
 use crate::{Disconnect, Error, ErrorCode, ErrorKind};
 
 const REMOTE_CONTROL: &str = "grant remote control at the pendant: the controller may be in local mode";

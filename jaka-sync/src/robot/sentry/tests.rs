@@ -15,7 +15,7 @@ const LONG: Duration = Duration::from_secs(60);
 fn connected() -> (Controller, Robot) {
     let controller = Controller::builder().delays(Delays::NONE).start().expect("loopback has free ports");
     let config = Config::new().stale_after(LONG).reply_timeout(LONG);
-    let robot = config.connect_robot_at(controller.command_addr(), controller.status_addr());
+    let robot = Robot::connect_at(&config, controller.command_addr(), controller.status_addr());
     let robot = robot.expect("the controller listens");
     robot.monitor().wait_until(|_| true, LONG).expect("a packet comes on connecting");
     (controller, robot)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::{Disconnect, Error, ErrorKind, Explanation, Monitor, Outcome};
+use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation, Monitor, Outcome, Robot};
 use jaka_tests::{Arm, LONG};
 
 use super::{refusal, robot, said, turn};
@@ -32,8 +32,8 @@ fn of_the_connection() -> Vec<String> {
     let web_server = answered(b"HTTP/1.1 400 Bad Request\r\n");
     let other_shape = answered(br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_version"}"#);
     let config = controller.config();
-    let mut on_status_port = config.connect_client(controller.status_addr()).expect("it listens");
-    let monitor: Monitor = config.connect_monitor(controller.command_addr()).expect("it listens");
+    let mut on_status_port = Client::connect_with(&config, controller.status_addr()).expect("it listens");
+    let monitor: Monitor = Monitor::connect_with(&config, controller.command_addr()).expect("it listens");
     let silent = refusal(monitor.next_packet());
     vec![late, refusal(on_status_port.get_version()), silent, web_server, other_shape]
 }
@@ -42,7 +42,8 @@ fn of_the_status() -> Vec<String> {
     let controller = Arm::simulated().config(|config| config.stale_after(SHORT)).start();
     controller.status_fault(StatusFault::Silent);
     let config = controller.config();
-    let mut robot = config.connect_robot_at(controller.command_addr(), controller.status_addr()).expect("it listens");
+    let mut robot =
+        Robot::connect_at(&config, controller.command_addr(), controller.status_addr()).expect("it listens");
     let missing = refusal(robot.run(&turn(5.0, 5.0), LONG));
     controller.status_fault(StatusFault::None);
     robot.monitor().wait_until(|_| true, LONG).expect("packets come");

@@ -5,14 +5,11 @@ use std::fmt;
 use jaka_proto::recording::{Entry, Event, Message};
 use jaka_proto::text::visible;
 
-/// How many messages an error keeps.
-pub(super) const KEPT: usize = 8;
-
 /// How many characters of a message are shown.
 const SHOWN: usize = 300;
 
 /// Writes messages, a line each; nothing if there are none.
-pub(crate) fn show(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(super) fn show(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if !entries.is_empty() {
         f.write_str("\nthe last messages of the connection, by seconds since the recording began:")?;
     }

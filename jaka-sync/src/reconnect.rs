@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// When a [`Monitor`](super::Monitor) reconnects after its connection has ended.
+/// When a [`Monitor`](crate::Monitor) reconnects after its connection has ended.
 ///
 /// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections to the command
 /// port never are.
@@ -30,7 +30,7 @@ impl Reconnect {
     }
 
     /// How long to wait before an attempt, counted from 0; `None` if there are no more attempts.
-    pub(super) fn delay(self, attempt: u32) -> Option<Duration> {
+    pub(crate) fn delay(self, attempt: u32) -> Option<Duration> {
         match self {
             Self::Attempts { limit, delay, longest } if attempt < limit => {
                 Some(delay.saturating_mul(2u32.saturating_pow(attempt)).min(longest))

@@ -51,14 +51,14 @@ pub(crate) fn shown_joints(packet: &Snapshot) -> Result<JointPosition, NotShown>
 
 /// A field of a packet.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Field<'p> {
-    pub(super) packet: &'p Snapshot,
-    pub(super) name: &'static str,
+pub(crate) struct Field<'p> {
+    pub(crate) packet: &'p Snapshot,
+    pub(crate) name: &'static str,
 }
 
 impl Field<'_> {
     /// Its value, or why there is none.
-    pub(super) fn shown<T>(self, value: Option<T>) -> Result<T, NotShown> {
+    pub(crate) fn shown<T>(self, value: Option<T>) -> Result<T, NotShown> {
         value.ok_or_else(|| {
             let unfit = self.packet.unfit.iter().find(|error| error.is_in(self.name));
             match unfit {

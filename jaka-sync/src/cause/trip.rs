@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::robot::not_shown::NotShown;
-use crate::{Error, ErrorKind, Snapshot};
+use super::not_shown::NotShown;
+use crate::Snapshot;
 
 /// A guard that has tripped, and what followed.
 #[derive(Debug, Clone)]
@@ -69,10 +69,6 @@ impl GuardTrip {
     /// What is told of it where nothing was sent.
     pub(crate) fn before_start(self) -> Self {
         Self { is_before_start: true, ..self }
-    }
-
-    pub(crate) fn into_error(self) -> Error {
-        ErrorKind::GuardTripped { trip: Arc::new(self) }.into()
     }
 }
 

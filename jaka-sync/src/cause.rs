@@ -1,0 +1,20 @@
+//! Reasons why an arm does not move, or does not move on: data of errors and of the ends of motions.
+
+mod explanation;
+mod not_guarded;
+mod not_shown;
+mod outcome;
+mod trip;
+#[cfg(feature = "motion")]
+mod unchecked;
+
+pub use self::explanation::Explanation;
+pub use self::not_guarded::NotGuarded;
+pub(crate) use self::not_shown::Field;
+pub use self::not_shown::NotShown;
+#[cfg(feature = "stream")]
+pub(crate) use self::not_shown::shown_joints;
+pub use self::outcome::Outcome;
+pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};
+#[cfg(feature = "motion")]
+pub use self::unchecked::Unchecked;

@@ -1,0 +1,54 @@
+//! Status packets with the time of their arrival.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::wire::DecodeError;
+
+use crate::clock::Clock;
+
+/// Status packet, and when it came.
+///
+/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age)
+/// ago. A link that delays all packets alike cannot be told from one that does not. Only a reply on the command port is
+/// certain to be later than the command before it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Snapshot<S = RobotStatus> {
+    /// What the packet says.
+    pub status: S,
+    /// When it came.
+    pub received: Instant,
+    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
+    pub number: u64,
+    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
+    /// [`status`](Self::status). Usually none.
+    pub unfit: Vec<DecodeError>,
+    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`](crate::Config::stale_after): a network that
+    /// stalled delivers what it had held back, so the controller may have written the packet at any time of the
+    /// silence.
+    ///
+    /// [`Monitor::wait_until`](crate::Monitor::wait_until) and [`Monitor::next_packet`](crate::Monitor::next_packet) pass over such packets, and no motion goes out by them.
+    pub follows_silence: bool,
+    pub(crate) clock: Clock,
+}
+
+impl<S> Snapshot<S> {
+    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
+    ///
+    /// ```no_run
+    /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;
+    /// let now = monitor.next_packet()?;
+    /// let is_stopped = now.status.protective_stop == Some(true) || now.is_unfit("protective_stop");
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    pub fn is_unfit(&self, field: &str) -> bool {
+        self.unfit.iter().any(|error| error.is_in(field))
+    }
+
+    /// Time since the packet came. The controller wrote it at least so long ago; after a silence it may be far older
+    /// ([`follows_silence`](Self::follows_silence)).
+    pub fn age(&self) -> Duration {
+        self.clock.elapsed(self.received)
+    }
+}
