@@ -56,7 +56,9 @@ impl Link {
         if let Some(lines) = lines {
             // After a panic of the logger no thread waits for the reply.
             let unawaited = (!outgoing.is_posted).then(|| Unawaited { link: self, request: dispatched.last });
-            lines.iter().for_each(|line| log::trace!(target: WIRE, "-> {line}"));
+            for line in lines {
+                log::trace!(target: WIRE, "-> {line}");
+            }
             std::mem::forget(unawaited);
         }
         Ok(dispatched)
