@@ -1,5 +1,5 @@
-//! The arrows of ARCHITECTURE.md: which crate stands on which, and that modules beside each other do not import one another
-//! in a circle.
+//! The arrows of ARCHITECTURE.md: which crate stands on which, and that modules beside each other do not import one
+//! another in a circle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -194,8 +194,8 @@ fn definer<'t>(modules: &Modules<'t>, mut at: Words<'t>, path: &[&'t str]) -> Wo
     at
 }
 
-/// Graph of the modules of a crate on all levels, from the code of each by its path (`a::b`). Names that come by a glob or
-/// from a macro are not followed.
+/// Graph of the modules of a crate on all levels, from the code of each by its path (`a::b`). Names that come by a glob
+/// or from a macro are not followed.
 fn graph(files: &BTreeMap<String, String>) -> Graph {
     let words = files.keys().map(|path| path.split("::").filter(|word| !word.is_empty()).collect());
     let modules: Modules = words.zip(files.values().map(|code| Paths::read(code))).collect();
