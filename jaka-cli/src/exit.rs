@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use jaka_spec::tools::Impact;
-use jaka_sync::{Error, ErrorKind, FollowOutcome, Outcome};
+use jaka_sync::{Cause, Error, ErrorKind};
 
 use crate::failure::{Failure, chain};
 use crate::{command_line, output};
@@ -39,7 +39,7 @@ pub(crate) const STOPPED: u8 = 22;
 pub(crate) const PROTECTIVE_STOP: u8 = 23;
 /// The emergency stop ended the motion.
 pub(crate) const EMERGENCY_STOP: u8 = 24;
-/// The arm is no longer powered and enabled.
+/// The arm has no power, or is not enabled.
 pub(crate) const DISABLED: u8 = 25;
 /// The controller reports an error.
 pub(crate) const CONTROLLER_ERROR: u8 = 26;
@@ -77,8 +77,8 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::Usage(_) | Failure::CommandLine(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
-        Failure::NotReached(not_reached) => of_motion(&not_reached.end().outcome).0,
-        Failure::NotCompleted(not_completed) => of_trajectory(not_completed.end().outcome).0,
+        Failure::NotReached(not_reached) => of_cause(not_reached.end().cause()),
+        Failure::NotCompleted(not_completed) => of_cause(not_completed.end().cause),
         Failure::NotStopped(_) => NOT_STOPPED,
         Failure::NotInTime(_) => DEADLINE,
         Failure::NotSent(_) => NOT_MOVED,
@@ -98,40 +98,40 @@ pub(crate) fn difference(impact: Impact) -> u8 {
     }
 }
 
-/// The end of a motion: its exit code, and one word for programs, which does not change.
-pub(crate) fn of_motion(outcome: &Outcome) -> (u8, &'static str) {
-    match outcome {
-        Outcome::Reached => (0, "reached"),
-        Outcome::AtRest => (AT_REST, "at_rest"),
-        Outcome::Stopped => (STOPPED, "stopped"),
-        Outcome::ProtectiveStop => (PROTECTIVE_STOP, "protective_stop"),
-        Outcome::EmergencyStop => (EMERGENCY_STOP, "emergency_stop"),
-        Outcome::Disabled => (DISABLED, "disabled"),
-        Outcome::ControllerError { .. } => (CONTROLLER_ERROR, "controller_error"),
-        Outcome::Deadline => (DEADLINE, "deadline"),
-        Outcome::StatusLost { .. } => (STATUS_LOST, "status_lost"),
-        Outcome::ConnectionLost { .. } => (MAY_HAVE_RUN, "connection_lost"),
-        _ => (MAY_HAVE_RUN, "other"),
-    }
-}
+/// Exit code of each way in which moving ends.
+const OF_CAUSES: &[(Cause, u8)] = &[
+    (Cause::Reached, 0),
+    (Cause::NoMotion, MAY_HAVE_RUN),
+    (Cause::AtRest, AT_REST),
+    (Cause::Stopped, STOPPED),
+    (Cause::ProtectiveStop, PROTECTIVE_STOP),
+    (Cause::EmergencyStop, EMERGENCY_STOP),
+    (Cause::NotPowered, DISABLED),
+    (Cause::NotEnabled, DISABLED),
+    (Cause::ControllerError, CONTROLLER_ERROR),
+    (Cause::SoftLimit, CONTROLLER_ERROR),
+    (Cause::Deadline, DEADLINE),
+    (Cause::StatusLost, STATUS_LOST),
+    (Cause::NotShown, STATUS_LOST),
+    (Cause::CommandsLost, MAY_HAVE_RUN),
+    (Cause::Unanswered, MAY_HAVE_RUN),
+    (Cause::NoRemoteControl, NOT_MOVED),
+    (Cause::Moving, NOT_MOVED),
+    (Cause::BeyondLimit, NOT_MOVED),
+    (Cause::NotAtStart, NOT_MOVED),
+    (Cause::ServoMode, NOT_FOLLOWED),
+    (Cause::Guard, NOT_FOLLOWED),
+    (Cause::SetPointLate, NOT_FOLLOWED),
+    (Cause::Departed, NOT_FOLLOWED),
+    (Cause::Refused, NOT_FOLLOWED),
+    (Cause::RestNotSeen, NOT_FOLLOWED),
+    (Cause::Failed, NOT_FOLLOWED),
+];
 
-/// The same of the end of a trajectory.
-pub(crate) fn of_trajectory(outcome: FollowOutcome) -> (u8, &'static str) {
-    match outcome {
-        FollowOutcome::Completed => (0, "completed"),
-        FollowOutcome::Stopped => (STOPPED, "stopped"),
-        FollowOutcome::Deadline => (DEADLINE, "deadline"),
-        FollowOutcome::Guard => (NOT_FOLLOWED, "guard"),
-        FollowOutcome::Refused => (NOT_FOLLOWED, "refused"),
-        FollowOutcome::ProtectiveStop => (PROTECTIVE_STOP, "protective_stop"),
-        FollowOutcome::EmergencyStop => (EMERGENCY_STOP, "emergency_stop"),
-        FollowOutcome::Underrun => (NOT_FOLLOWED, "underrun"),
-        FollowOutcome::Departed => (NOT_FOLLOWED, "departed"),
-        FollowOutcome::StatusLost => (STATUS_LOST, "status_lost"),
-        FollowOutcome::LinkLost => (MAY_HAVE_RUN, "link_lost"),
-        FollowOutcome::RestNotSeen => (NOT_FOLLOWED, "rest_not_seen"),
-        _ => (NOT_FOLLOWED, "failed"),
-    }
+/// Exit code of the end of a motion or a trajectory.
+fn of_cause(cause: Cause) -> u8 {
+    // A test compares the table with all causes.
+    OF_CAUSES.iter().find(|(known, _)| *known == cause).map_or(NOT_FOLLOWED, |(_, code)| *code)
 }
 
 /// The exit code for an error of the robot: it says what a script can do about it.
@@ -196,6 +196,13 @@ mod tests {
         // Whether this one is sent is a matter of chance; the next is not sent.
         client.get_version().unwrap_err();
         assert_eq!(code(client.get_version()), LOST);
+    }
+
+    #[test]
+    fn each_cause_has_an_exit_code() {
+        let mut known: Vec<_> = OF_CAUSES.iter().map(|(cause, _)| *cause).collect();
+        known.sort_unstable();
+        assert_eq!(known, Cause::ALL, "in the order of the precedence");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use std::path::Path;
 use itertools::Itertools as _;
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{Error, ErrorKind, Explanation, NotCompleted, NotReached, Outcome, Refusal};
+use jaka_sync::{CauseGroup, Error, ErrorKind, Explanation, NotCompleted, NotReached, Refusal, Remedy};
 
 use crate::command_line;
 
@@ -94,50 +94,40 @@ fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
 }
 
 impl Failure {
-    /// What to type against what the robot says, which names the calls of a program.
+    /// What to type, or to do, against the cause.
     pub(crate) fn hint(&self) -> Option<&'static str> {
-        match self {
-            Self::Refused { explanation: Some(explanation), .. } => against(explanation),
-            Self::Robot(error) => match error.kind() {
-                ErrorKind::NotReady { explanation } | ErrorKind::Refused { explanation: Some(explanation), .. } => {
-                    against(explanation)
-                }
-                _ => None,
-            },
-            Self::NotReached(not_reached) => match not_reached.end().outcome {
-                Outcome::ProtectiveStop => Some(CLEAR),
-                Outcome::EmergencyStop => Some(RELEASE),
-                Outcome::Disabled => Some(UP),
-                Outcome::ConnectionLost { .. } => Some("`jaka stop` takes the seat back, and stops the arm"),
-                Outcome::StatusLost { .. } => Some("`jaka stop` is worth a try: commands may still pass"),
-                _ => None,
-            },
-            _ => None,
-        }
+        let cause = match self {
+            Self::Refused { explanation: Some(explanation), .. } => explanation.cause(),
+            // Other errors say themselves what helps.
+            Self::Robot(error) if error.cause().group() == CauseGroup::Robot => error.cause(),
+            Self::Robot(error) if matches!(error.kind(), ErrorKind::NotAcknowledged { .. }) => error.cause(),
+            Self::NotReached(not_reached) => not_reached.end().cause(),
+            Self::NotCompleted(not_completed) => not_completed.end().cause,
+            _ => return None,
+        };
+        verb(cause.remedy())
     }
 }
 
-const UP: &str = "`jaka up` powers and enables the arm";
-const CLEAR: &str = "when somebody has checked the robot, `jaka clear` leaves the protective stop";
-const RELEASE: &str = "when nobody is at the arm, release it, then `jaka up`";
-
-/// What to type against what keeps the robot from doing something.
-fn against(explanation: &Explanation) -> Option<&'static str> {
-    match explanation {
-        Explanation::NotPowered | Explanation::NotEnabled => Some(UP),
-        Explanation::ProtectiveStop => Some(CLEAR),
-        Explanation::EmergencyStop => Some(RELEASE),
-        _ => None,
-    }
-}
-
-/// What somebody can do about what keeps motions back: each run of this program begins without having acknowledged anything.
-fn remedy(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::ProtectiveStop => "when somebody has checked the robot, `jaka clear`",
-        Outcome::EmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
-        _ => "when somebody has checked the robot, run this again",
-    }
+/// What this program offers for a remedy.
+fn verb(remedy: Remedy) -> Option<&'static str> {
+    Some(match remedy {
+        Remedy::None | Remedy::SeeError => return None,
+        Remedy::ReleaseEmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
+        Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
+        Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
+        Remedy::SeeController => "when somebody has looked at the arm, `jaka clear` clears the error",
+        Remedy::MoveAway => "`jaka jog` moves the arm away from the limit",
+        Remedy::GrantRemoteControl => "grant remote control on the controller's panel",
+        Remedy::SeeServoMode => "find out which program uses servo mode",
+        Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
+        Remedy::LookAtArm => "look at the arm before it moves again",
+        Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
+        Remedy::CheckNetwork => "check the network; `jaka stop` is worth a try: commands may still pass",
+        Remedy::UnloadMachine => "`jaka jitter` shows how late this machine is, and what helps",
+        Remedy::FindObstacle => "find out what holds the arm",
+        Remedy::MoveToStart => "`--approach` moves the arm to the start first",
+    })
 }
 
 /// What it means that a stop has failed.
@@ -160,19 +150,16 @@ impl fmt::Display for Failure {
             Self::Usage(text) | Self::Departs(text) | Self::NotInTime(text) | Self::NotSent(text) => f.write_str(text),
             Self::CommandLine(error) => f.write_str(&command_line::text(error)),
             Self::Robot(error) => match error.kind() {
-                ErrorKind::NotAcknowledged { outcome } => write!(f, "not sent: {outcome}; {}", remedy(outcome)),
                 ErrorKind::Stopped { accepted, not_sent } => {
                     let named =
                         |names: &[String]| if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
                     write!(f, "interrupted; accepted before: {}; not sent: {}", named(accepted), named(not_sent))
                 }
-                _ => error.fmt(f),
+                // The fact alone: remedies are hints.
+                kind => kind.fmt(f),
             },
-            Self::NotReached(not_reached) if matches!(not_reached.end().outcome, Outcome::Deadline) => {
-                write!(f, "{not_reached}\nhint: `jaka stop` stops it, `jaka status --watch` shows it")
-            }
-            Self::NotReached(not_reached) => not_reached.fmt(f),
-            Self::NotCompleted(not_completed) => not_completed.fmt(f),
+            Self::NotReached(not_reached) => not_reached.end().fmt(f),
+            Self::NotCompleted(not_completed) => not_completed.end().fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {
                 write!(f, "{refusal}\nThe reason: {explanation}")
             }

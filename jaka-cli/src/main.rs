@@ -89,7 +89,7 @@ Exit codes:
   22  the motion ended before its target, also by Ctrl-C
   23  a protective stop
   24  the emergency stop
-  25  the arm is no longer powered and enabled
+  25  the arm has no power, or is not enabled
   26  the controller reports an error
   27  what was waited for did not come in time; a motion may go on
   28  no status packets that can be read any more; the arm may still move

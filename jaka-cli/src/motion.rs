@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
-use crate::{exit, output};
+use crate::output;
 
 /// How long the end of a motion is waited for, unless the command line says otherwise.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
@@ -64,7 +64,7 @@ pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Fai
 
 /// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
 pub(crate) fn describe(end: &MotionEnd, line: &mut Value) {
-    line["outcome"] = exit::of_motion(&end.outcome).1.into();
+    line["outcome"] = end.cause().name().into();
     line["text"] = end.outcome.to_string().into();
     line["waited_s"] = end.waited.as_secs_f64().into();
 }

@@ -109,10 +109,10 @@ fn remote_control_that_is_not_granted_is_named_by_the_refusal() {
         let refused = controller.run(line);
         assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""), "{refused:?}");
         assert!(refused.err.contains("with code 3: permission deny"), "{refused:?}");
-        assert!(refused.err.contains("grant remote control on its panel"), "{refused:?}");
+        assert!(refused.err.contains("grant remote control on the controller's panel"), "{refused:?}");
     }
     let controller = Controller::start(&["--powered", "--faults", &fault_at("joint_move")]);
     let refused = controller.run("jog 6 5 --speed 5 --yes");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""), "{refused:?}");
-    assert!(refused.err.contains("grant remote control on its panel"), "{refused:?}");
+    assert!(refused.err.contains("grant remote control on the controller's panel"), "{refused:?}");
 }

@@ -167,8 +167,8 @@ fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
             "note: interrupted: the controller has taken the stop (`stop_program`)" => true,
             _ => panic!("{}", run.text()),
         };
-        assert!(lines[1].starts_with("error: the trajectory was stopped before its end ("), "{}", run.text());
-        assert!(lines[1].ends_with(" s of 120.000 s), and the arm is at rest"), "{}", run.text());
+        assert!(lines[1].starts_with("error: the motion was stopped before its target ("), "{}", run.text());
+        assert!(lines[1].ends_with(" s of 120.000 s of the trajectory), and the arm is at rest"), "{}", run.text());
         assert!(!controller.state().servo_mode);
         assert_eq!(controller.requests().iter().any(|request| request.contains("stop_program")), has_stopped);
     } else {

@@ -361,6 +361,7 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         expect![[r"
             note: interrupted: the controller has taken the stop (`stop_program`)
             error: the motion was stopped before its target
+            hint: look at the arm before it moves again
             exit code 22
         "]]
         .assert_eq(&without_late_answer(&result(child)));

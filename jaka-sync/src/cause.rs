@@ -4,6 +4,8 @@ mod explanation;
 mod not_guarded;
 mod not_shown;
 mod outcome;
+mod remedy;
+mod table;
 mod trip;
 #[cfg(feature = "motion")]
 mod unchecked;
@@ -14,7 +16,10 @@ pub(crate) use self::not_shown::Field;
 pub use self::not_shown::NotShown;
 #[cfg(feature = "stream")]
 pub(crate) use self::not_shown::shown_joints;
+pub(crate) use self::outcome::Consequence;
 pub use self::outcome::Outcome;
+pub use self::remedy::Remedy;
+pub use self::table::{Cause, CauseGroup};
 pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};
 #[cfg(feature = "motion")]
 pub use self::unchecked::Unchecked;

@@ -12,6 +12,7 @@ use jaka_proto::{NotInFirmware, Refusal};
 
 pub use self::kind::ErrorKind;
 use self::kind::Group;
+use crate::Cause;
 
 /// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -50,6 +51,11 @@ impl Error {
     /// What went wrong, without the last messages.
     pub fn into_kind(self) -> ErrorKind {
         self.0.kind
+    }
+
+    /// Cause of the end of moving, or why moving is kept back: the same for an event in each way of moving.
+    pub fn cause(&self) -> Cause {
+        self.kind().cause()
     }
 
     /// True if the controller may have carried out the command although the call failed.
@@ -121,10 +127,12 @@ impl fmt::Debug for Error {
     }
 }
 
-/// One line of text; with `{:#}` the last messages below it, where they were recorded.
+/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`](crate::Remedy) in the
+/// calls of this crate. With `{:#}` the last messages stand below it, where they were recorded.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
+        self.kind().remedy().append(f)?;
         if f.alternate() { exchanges::show(self.exchanges(), f) } else { Ok(()) }
     }
 }

@@ -16,7 +16,7 @@ use jaka_motion::Trajectory;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::config::FollowConfig;
-pub use self::end::{FollowEnd, FollowOutcome, NotCompleted};
+pub use self::end::{FollowEnd, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 use self::orders::Orders;
 #[cfg(doc)]
@@ -95,7 +95,7 @@ impl<S: MotionStatus> Robot<S> {
         self.begin_follow(trajectory, config, None)
     }
 
-    /// The same under a guard: when it trips, the arm is braked along the trajectory, and the run ends with [`FollowOutcome::Guard`]. The first set-point that brakes
+    /// The same under a guard: when it trips, the arm is braked along the trajectory, and the run ends with [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes
     /// goes out in the next servo period after the packet.
     ///
     /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.

@@ -39,13 +39,15 @@ mod worded;
 pub use call::Call;
 #[cfg(feature = "motion")]
 pub use cause::Unchecked;
-pub use cause::{Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Outcome, TripReason};
+pub use cause::{
+    Cause, CauseGroup, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Outcome, Remedy, TripReason,
+};
 pub use client::Client;
 pub use config::Config;
 pub use disconnect::Disconnect;
 pub use error::{Error, ErrorKind};
 #[cfg(feature = "stream")]
-pub use follow::{FollowConfig, FollowEnd, FollowHandle, FollowOutcome, FollowProgress, FollowRun, NotCompleted};
+pub use follow::{FollowConfig, FollowEnd, FollowHandle, FollowProgress, FollowRun, NotCompleted};
 /// A simulated clock, for tests. Needs the feature `simulated-clock`.
 #[cfg(feature = "simulated-clock")]
 pub use jaka_clock::{self, SimulatedClock};

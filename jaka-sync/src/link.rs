@@ -23,7 +23,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
 
-use jaka_proto::exchange::{ReadReply, RequestId};
+use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
 use jaka_proto::messages::beyond_settings::SetInstallationAngle;
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
 use jaka_proto::recording::MotionStep;
@@ -131,6 +131,22 @@ impl Link {
             self.break_off(&mut state, cause);
         }
         state.broken.clone()
+    }
+
+    /// The same, once it is lost within this time: what has not been read yet is read meanwhile.
+    pub(crate) fn lost_within(&self, time: Duration) -> Option<Arc<Disconnect>> {
+        let since = self.clock.stopwatch();
+        let mut state = self.state.lock();
+        loop {
+            if let Some(cause) = &state.broken {
+                return Some(Arc::clone(cause));
+            }
+            let left = since.left_of(time);
+            if left.is_zero() {
+                return None;
+            }
+            state = self.turn(state, left, &mut Waiter::nobody());
+        }
     }
 
     /// Fails where the connection is broken, for a command that is not sent.

@@ -30,6 +30,7 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::MotionStep;
 
@@ -55,8 +56,12 @@ pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
+use crate::cause::Consequence;
 use crate::clock::Clock;
 use crate::{Call, Client, Command, Config, Error, ErrorKind, Monitor, Outcome, address};
+
+/// How long the news may take that settles the cause of an end: the next packet, or the end of the other connection.
+const SETTLING: Duration = Duration::from_millis(250);
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -317,7 +322,8 @@ impl<S: MotionStatus> Robot<S> {
     /// longer than until the next status packet: [`Outcome::ConnectionLost`].
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
-        let end = self.wait_unless(timeout, &|| false);
+        let mut end = self.wait_unless(timeout, &|| false);
+        self.settle_cause(&mut end);
         self.report(&end);
         self.record(&end);
         end
@@ -333,17 +339,34 @@ impl<S: MotionStatus> Robot<S> {
         let mut wait = Wait::new(batch, self.client.link.frame_changes(), self.grace);
         let outcome = self.watch(&mut wait, timeout, gives_up);
         self.rests = wait.failure.is_none() && outcome.is_at_rest();
-        if outcome.latches() {
+        let consequence = outcome.consequence();
+        if consequence.latches() {
             self.latch.set(&outcome);
         }
-        if matches!(outcome, Outcome::Deadline | Outcome::ConnectionLost { .. }) {
+        if consequence == Consequence::GoesOn {
             // The motions may go on: they can be waited for again.
             self.batch = Some(wait.batch);
         }
         let (waited, packets) = (since.passed(), wait.packets.into());
         // A connection that is lost is the outcome.
         let not_answered = wait.failure.filter(|failure| !failure.is_disconnected());
+        let not_answered = not_answered.or_else(|| self.unanswered().filter(|_| matches!(outcome, Outcome::Deadline)));
         MotionEnd { outcome, waited, packets, not_answered, stop: None }
+    }
+
+    /// Settles the cause where packets stay away: a controller that has gone answers nothing either. Under a guard the
+    /// stop settles it.
+    fn settle_cause(&mut self, end: &mut MotionEnd) {
+        if !matches!(end.outcome, Outcome::StatusLost { .. }) {
+            return;
+        }
+        let Err(error) = self.client.call_within(&GetRobotState::new(), SETTLING) else { return };
+        match error.kind() {
+            ErrorKind::Disconnected { address, cause, .. } => {
+                end.outcome = Outcome::ConnectionLost { address: address.clone(), cause: Arc::clone(cause) };
+            }
+            _ => end.not_answered = end.not_answered.take().or(Some(error)),
+        }
     }
 
     /// Records how motions ended, if there were some.

@@ -1,5 +1,6 @@
 //! Servo mode: set-points at the controller's own pace.
 
+mod braking;
 mod course;
 #[cfg(feature = "stream")]
 mod departure;
@@ -18,6 +19,7 @@ mod rates;
 mod realtime;
 mod report;
 mod session;
+mod session_end;
 mod set_point;
 mod turn;
 
@@ -38,6 +40,8 @@ pub(crate) use self::lag::LagFit;
 use self::rates::Rates;
 pub use self::report::ServoReport;
 pub use self::session::ServoSession;
+#[cfg(feature = "stream")]
+pub(crate) use self::session_end::SessionEnd;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_point::SetPoint;
 

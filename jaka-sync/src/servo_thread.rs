@@ -5,8 +5,9 @@ use std::time::Duration;
 use std::{mem, thread};
 
 use crate::clock::Clock;
+use crate::servo_session::SessionEnd;
 use crate::sync::Watched;
-use crate::{Error, ErrorKind, MotionStatus, Robot};
+use crate::{Cause, Error, ErrorKind, MotionStatus, Robot};
 
 /// A thread that has a lent robot. Who waits for it waits in the clock's time.
 #[derive(Debug)]
@@ -51,7 +52,7 @@ impl<T: Send + 'static> ServoThread<T> {
 }
 
 fn panicked() -> Error {
-    ErrorKind::SessionEnded { because: "its thread has panicked".to_owned() }.into()
+    SessionEnd::new(Cause::Failed, "its thread has panicked").into_error()
 }
 
 /// What a thread gives another once.

@@ -33,6 +33,29 @@ pub struct Snapshot<S = RobotStatus> {
     pub(crate) clock: Clock,
 }
 
+/// Fields without which it is not known whether the arm is stopped.
+const NEEDED: [&str; 6] = ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
+
+impl Snapshot {
+    /// Why the packet tells nothing at all: its own type has panicked.
+    pub(crate) fn panicked(&self) -> Option<&DecodeError> {
+        self.unfit.iter().find(|error| error.field().is_empty())
+    }
+
+    /// Why the packet does not show whether the arm is stopped: that cannot be read, or is not there at all.
+    pub(crate) fn unreadable(&self) -> Option<DecodeError> {
+        let unfit = || self.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
+        self.panicked().or_else(unfit).cloned().or_else(|| {
+            let status = &self.status;
+            let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
+            let is_told = told.iter().any(Option::is_some);
+            (!is_told).then(|| {
+                DecodeError::unfit("a packet that shows whether the arm is enabled and stopped", "none of these keys")
+            })
+        })
+    }
+}
+
 impl<S> Snapshot<S> {
     /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
     ///

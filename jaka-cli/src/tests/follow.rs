@@ -53,18 +53,18 @@ fn a_trajectory_that_is_completed_is_reported() {
           "lateness_max_ms": 0.0,
           "lateness_p99_ms": 0.0,
           "left_curve": false,
-          "outcome": "completed",
+          "outcome": "reached",
           "reached_s": 2.0,
           "residual_deg": null,
           "set_points": 252,
-          "text": "the trajectory was completed"
+          "text": "the motion has reached its target"
         }"#]]
     .assert_eq(&format!("{said:#}"));
     assert_eq!(run.code, 0);
     assert!(arm.state().joint_position.0[0].abs() < 1e-6);
     assert!(!arm.state().servo_mode);
     expect![[r"
-        the trajectory was completed, the arm lagged by 11 ms; of 502 set-points 99 % were at most 0.00 ms late
+        the motion has reached its target, the arm lagged by 11 ms; of 502 set-points 99 % were at most 0.00 ms late
         exit code 0
     "]]
     .assert_eq(&jaka(&arm, words(1.0, "--scale 0.5")).text());
@@ -76,7 +76,7 @@ fn an_approach_leads_to_where_the_trajectory_starts() {
     arm.set_state(|state| state.joint_position.0[3] = 91.0);
     assert_eq!(jaka(&arm, words(1.0, "")).code, 20);
     let run = jaka(&arm, words(1.0, "--approach 20 --json"));
-    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"completed".into()), "{run:?}");
+    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"reached".into()), "{run:?}");
 }
 
 #[test]
@@ -87,7 +87,8 @@ fn an_interrupt_stops_the_arm_on_the_trajectory() {
     });
     expect![[r"
         note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too
-        error: the trajectory was stopped before its end (7.837 s of 60.000 s), and the arm is at rest
+        error: the motion was stopped before its target (7.837 s of 60.000 s of the trajectory), and the arm is at rest
+        hint: look at the arm before it moves again
         exit code 22
     "]]
     .assert_eq(&run.text());

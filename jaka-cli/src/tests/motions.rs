@@ -35,7 +35,7 @@ fn each_outcome_has_its_exit_code() {
     let ends: [(&str, Happening, u8, &str); 6] = [
         ("", Controller::collide, 23, "protective stop"),
         ("", Controller::press_emergency_stop, 24, "emergency stop"),
-        ("", Controller::cut_power, 25, "no longer powered"),
+        ("", Controller::cut_power, 25, "no power"),
         ("", |controller| controller.set_state(|state| "0x0f0030".clone_into(&mut state.error_code)), 26, "0x0f0030"),
         (" --timeout 3", |_| {}, 27, "has not ended in time"),
         ("", |controller| controller.link(Port::Status).cut(), 28, "the arm may still move"),
@@ -81,8 +81,12 @@ fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
     );
     assert!(!arm.state().at_rest, "the arm goes on: {run:?}");
     let json: Value = serde_json::from_str(&run.out).expect("it is one object");
-    assert_eq!((run.code, &json["outcome"]), (4, &"connection_lost".into()), "{run:?}");
-    for part in ["it may go on", "such as the vendor's app", "hint: `jaka stop` takes the seat back"] {
+    assert_eq!((run.code, &json["outcome"]), (4, &"commands_lost".into()), "{run:?}");
+    for part in [
+        "it may go on",
+        "such as the vendor's app",
+        "hint: use the emergency stop, or `jaka stop`, which takes the seat back",
+    ] {
         assert!(run.err.contains(part), "{run:?}");
     }
 }

@@ -99,10 +99,10 @@ fn a_refusal_and_a_lost_reply_are_told_apart() {
     check(
         &lines(&controller, "--yes", motion),
         &expect![[r#"
-        {"command":"joint_move","error":"the controller refused `joint_move` with code 2: call joint_move failed\nThe reason: the arm is not enabled: call `enable_robot`","exit_code":1}
+        {"command":"joint_move","error":"the controller refused `joint_move` with code 2: call joint_move failed\nThe reason: the arm is not enabled","exit_code":1}
         error: the controller refused `joint_move` with code 2: call joint_move failed
-        The reason: the arm is not enabled: call `enable_robot`
-        hint: `jaka up` powers and enables the arm
+        The reason: the arm is not enabled
+        hint: when somebody has looked at the arm, `jaka up` powers and enables it
         exit code 1
     "#]],
     );

@@ -132,8 +132,8 @@ fn refusals_have_code_message_and_meaning() {
         "enable_robot",
         &expect![[r"
             error: the controller refused `enable_robot` with code 2: call enable_robot failed
-            The reason: the arm has no power: call `power_on`
-            hint: `jaka up` powers and enables the arm
+            The reason: the arm has no power
+            hint: when somebody has looked at the arm, `jaka up` powers and enables it
             exit code 1
         "]],
     );
@@ -142,8 +142,8 @@ fn refusals_have_code_message_and_meaning() {
         &expect![[r#"
             {"errorCode": "2", "errorMsg": "call enable_robot failed", "cmdName": "enable_robot"}
             error: the controller refused `enable_robot` with code 2: call enable_robot failed
-            The reason: the arm has no power: call `power_on`
-            hint: `jaka up` powers and enables the arm
+            The reason: the arm has no power
+            hint: when somebody has looked at the arm, `jaka up` powers and enables it
             exit code 1
         "#]],
     );

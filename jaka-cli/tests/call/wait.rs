@@ -78,6 +78,7 @@ fn an_interrupt_stops_the_arm() {
     expect![[r"
         note: interrupted: the controller has taken the stop (`stop_program`)
         error: the motion was stopped before its target
+        hint: look at the arm before it moves again
         exit code 22
     "]]
     .assert_eq(&without_late_answer(&result(child)));

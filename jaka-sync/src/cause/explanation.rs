@@ -3,6 +3,7 @@
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 
+use super::table::Cause;
 use crate::worded::worded;
 
 worded! {
@@ -11,24 +12,24 @@ worded! {
     #[non_exhaustive]
     pub enum Explanation {
         /// The emergency stop is pressed: release it, and enable the arm.
-        EmergencyStop => "the emergency stop is pressed: release it, and enable the arm",
+        EmergencyStop => "the emergency stop is pressed",
         /// The robot is in a protective stop: call `clear_error`.
-        ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
+        ProtectiveStop => "the robot is in a protective stop",
         /// The arm has no power: call `power_on`.
-        NotPowered => "the arm has no power: call `power_on`",
+        NotPowered => "the arm has no power",
         /// The arm is not enabled: call `enable_robot`.
-        NotEnabled => "the arm is not enabled: call `enable_robot`",
+        NotEnabled => "the arm is not enabled",
         /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
-        NotInServoMode => "servo mode is off: call `set_servo_mode`, and wait until it is on",
+        NotInServoMode => "servo mode is off",
         /// The controller does not accept commands from this client: grant remote control on its panel.
         NoRemoteControl =>
-            "the controller does not accept commands from this client: grant remote control on its panel",
+            "the controller does not accept commands from this client",
         /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
-        Moving => "the arm is moving, or a motion has not been waited for: wait for its end, or stop it",
+        Moving => "the arm is moving, or a motion has not been waited for",
         /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
         /// `set_servo_mode` with off.
         ServoModeOn =>
-            "servo mode is on already, perhaps with set-points of another program or session: if nobody sends any, call `set_servo_mode` with off",
+            "servo mode is on already, perhaps with set-points of another program or session",
         /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
         ServoModeNotEntered =>
             "the controller acknowledged servo mode but did not enter it, which happens while the arm moves",
@@ -37,7 +38,7 @@ worded! {
         /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
         Event(event: ControllerEvent) => "the controller reports {event}",
         /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
-        SoftLimit => "a soft limit of the controller was hit: move the arm away from it",
+        SoftLimit => "a soft limit of the controller was hit",
         /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.
         #[cfg(feature = "motion")]
         BeyondLimit(beyond: Box<jaka_motion::Beyond>) => "{beyond}",
@@ -45,6 +46,25 @@ worded! {
 }
 
 impl Explanation {
+    /// Cause that it shows.
+    pub fn cause(&self) -> Cause {
+        match self {
+            Self::EmergencyStop => Cause::EmergencyStop,
+            Self::ProtectiveStop => Cause::ProtectiveStop,
+            Self::NotPowered => Cause::NotPowered,
+            Self::NotEnabled => Cause::NotEnabled,
+            Self::NotInServoMode | Self::ServoModeOn | Self::ServoModeNotEntered | Self::ServoModeNotLeft => {
+                Cause::ServoMode
+            }
+            Self::NoRemoteControl => Cause::NoRemoteControl,
+            Self::Moving => Cause::Moving,
+            Self::Event(_) => Cause::ControllerError,
+            Self::SoftLimit => Cause::SoftLimit,
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit(_) => Cause::BeyondLimit,
+        }
+    }
+
     /// What a refusal and the robot's status show together; `None` if neither shows the reason.
     ///
     /// [`Robot`](crate::Robot) does this for its motions. The status is the newest one after the refusal.

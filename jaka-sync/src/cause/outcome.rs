@@ -6,6 +6,7 @@ use std::sync::Arc;
 use jaka_proto::ControllerEvent;
 use jaka_proto::wire::DecodeError;
 
+use super::table::Cause;
 use super::trip::GuardTrip;
 use crate::Disconnect;
 use crate::worded::worded;
@@ -29,11 +30,13 @@ worded! {
         /// The motion ended before its target: this program or another client stopped it. The arm may still be braking.
         Stopped => "the motion was stopped before its target",
         /// The robot is in a protective stop. It moves again after `clear_error`.
-        ProtectiveStop => "the robot is in a protective stop: call `clear_error`",
+        ProtectiveStop => "the robot is in a protective stop",
         /// The emergency stop is pressed.
         EmergencyStop => "the emergency stop is pressed",
-        /// The arm is no longer powered and enabled.
-        Disabled => "the arm is no longer powered and enabled",
+        /// The arm has no power any more.
+        NotPowered => "the arm has no power any more",
+        /// The arm is not enabled any more: another client has disabled it, or the controller.
+        NotEnabled => "the arm is not enabled any more",
         /// The controller reports an error that it did not report before the motion; or, if the arm is at rest but not at its target, a
         /// code that no table has. Warnings and information do not end a motion. The arm may still move: other fields of the status show
         /// whether it is stopped.
@@ -77,8 +80,8 @@ fn reported(code: &str, event: Option<ControllerEvent>, message: &str) -> String
 fn connection_lost(address: &str, cause: &Disconnect) -> String {
     let hint = cause.seat_hint();
     format!(
-        "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection; use the \
-         emergency stop, or connect again and stop it{hint}: {cause}"
+        "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection{hint}: \
+         {cause}"
     )
 }
 
@@ -91,6 +94,25 @@ fn status_lost(cause: Option<&Disconnect>, unreadable: Option<&DecodeError>) -> 
 }
 
 impl Outcome {
+    /// Cause of the end.
+    pub fn cause(&self) -> Cause {
+        match self {
+            Self::Reached => Cause::Reached,
+            Self::AtRest => Cause::AtRest,
+            Self::NoMotion => Cause::NoMotion,
+            Self::Stopped => Cause::Stopped,
+            Self::ProtectiveStop => Cause::ProtectiveStop,
+            Self::EmergencyStop => Cause::EmergencyStop,
+            Self::NotPowered => Cause::NotPowered,
+            Self::NotEnabled => Cause::NotEnabled,
+            Self::ControllerError { .. } => Cause::ControllerError,
+            Self::Deadline => Cause::Deadline,
+            Self::Guard(trip) => trip.cause(),
+            Self::ConnectionLost { .. } => Cause::CommandsLost,
+            Self::StatusLost { .. } => Cause::StatusLost,
+        }
+    }
+
     /// True if the arm is where it was sent.
     pub fn is_reached(&self) -> bool {
         matches!(self, Self::Reached)
@@ -102,15 +124,58 @@ impl Outcome {
     }
 
     /// What is below the error whose text is part of this one's.
-    pub(crate) fn cause(&self) -> Option<&(dyn StdError + 'static)> {
+    pub(crate) fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
             Self::ConnectionLost { cause, .. } | Self::StatusLost { cause: Some(cause), .. } => cause.source(),
             _ => None,
         }
     }
 
-    /// True if the robot must not move again before somebody has checked it.
-    pub(crate) fn latches(&self) -> bool {
-        matches!(self, Self::ProtectiveStop | Self::EmergencyStop | Self::StatusLost { .. })
+    /// What becomes of the motions and of later ones. Each value is named, so that a new one does not compile before it
+    /// is decided.
+    pub(crate) fn consequence(&self) -> Consequence {
+        match self {
+            Self::Reached | Self::AtRest | Self::NoMotion | Self::Stopped | Self::NotPowered | Self::NotEnabled => {
+                Consequence::Over
+            }
+            Self::Guard(_) => Consequence::Over,
+            Self::ProtectiveStop | Self::EmergencyStop => Consequence::Latched,
+            Self::StatusLost { .. } => Consequence::LatchedMayMove,
+            Self::ControllerError { .. } => Consequence::MayMove,
+            Self::Deadline | Self::ConnectionLost { .. } => Consequence::GoesOn,
+        }
+    }
+}
+
+/// What becomes of the motions after an end of the wait for them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Consequence {
+    /// They have ended.
+    Over,
+    /// They have ended, and no other is sent before somebody has acknowledged that.
+    Latched,
+    /// The same, and the arm may still move.
+    LatchedMayMove,
+    /// They are not waited for any more, and the arm may still move.
+    MayMove,
+    /// They may go on, and can be waited for again.
+    GoesOn,
+}
+
+impl Consequence {
+    /// True if no motion is sent before somebody has acknowledged it.
+    pub(crate) fn latches(self) -> bool {
+        match self {
+            Self::Latched | Self::LatchedMayMove => true,
+            Self::Over | Self::MayMove | Self::GoesOn => false,
+        }
+    }
+
+    /// True if the arm may still move.
+    pub(crate) fn may_move(self) -> bool {
+        match self {
+            Self::LatchedMayMove | Self::MayMove | Self::GoesOn => true,
+            Self::Over | Self::Latched => false,
+        }
     }
 }

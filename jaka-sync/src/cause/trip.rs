@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::not_shown::NotShown;
+use super::table::Cause;
 use crate::Snapshot;
 
 /// A guard that has tripped, and what followed.
@@ -66,6 +67,15 @@ pub enum TripReason {
 }
 
 impl GuardTrip {
+    /// Cause: a packet that cannot be read trips each guard, and is none of its conditions.
+    pub fn cause(&self) -> Cause {
+        match self.reason {
+            TripReason::Holds | TripReason::Panicked => Cause::Guard,
+            TripReason::NotShown(_) if self.packet.unreadable().is_some() => Cause::StatusLost,
+            TripReason::NotShown(_) => Cause::NotShown,
+        }
+    }
+
     /// What is told of it where nothing was sent.
     pub(crate) fn before_start(self) -> Self {
         Self { is_before_start: true, ..self }

@@ -12,7 +12,7 @@ use jaka_proto::{NotInFirmware, Refusal};
 
 use super::Error;
 use crate::worded::worded;
-use crate::{Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, StatusProblem};
+use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, Remedy, StatusProblem};
 
 worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
@@ -117,6 +117,13 @@ worded! {
             /// Why the status is not known, and what helps.
             problem: StatusProblem,
         } => "the wait has ended, because it is not known any more whether {what}: {problem}",
+        /// A wait for an input has ended, because the robot has stopped meanwhile, or was stopped. Nothing was sent.
+        WaitBroken {
+            /// What was waited for, in words.
+            what: String,
+            /// What happened.
+            outcome: Outcome,
+        } => "the wait has ended before {what}: {outcome}",
         /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
         /// again when the robot's state is known.
         CommandsLost {
@@ -238,6 +245,8 @@ worded! {
             "the servo session has ended without a landing: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago",
         /// A set-point was not sent: its servo session has ended.
         SessionEnded {
+            /// Cause of its end.
+            cause: Cause,
             /// Why it has ended.
             because: String,
         } => "not sent, because the servo session has ended: {because}",
@@ -255,7 +264,7 @@ worded! {
         NotAcknowledged {
             /// What happened.
             outcome: Outcome,
-        } => "not sent: {outcome}; when somebody has checked the robot, call `acknowledge`",
+        } => "not sent: {outcome}",
         /// A stop of the program's own has ended a call that sends one step after the other, such as
         /// [`Robot::power_up`](crate::Robot::power_up): no further step was sent.
         Stopped {
@@ -313,6 +322,74 @@ pub(super) enum Group {
 pub(super) type Meaning<'k> = (Group, bool, Option<&'k (dyn StdError + 'static)>);
 
 impl ErrorKind {
+    /// Cause of the end of moving, or why it is kept back; of several errors in one, the first by precedence.
+    pub(super) fn cause(&self) -> Cause {
+        match self {
+            Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation } => {
+                explanation.cause()
+            }
+            Self::Refused { explanation: None, .. } => Cause::Refused,
+            Self::Timeout { .. }
+            | Self::NotSentInTime { .. }
+            | Self::ReplyLost { .. }
+            | Self::UnexpectedReply { .. }
+            | Self::SetPointsUnanswered { .. } => Cause::Unanswered,
+            // Reset here, because set-points were not answered.
+            Self::Disconnected { cause, .. } if matches!(**cause, Disconnect::Reset { .. }) => Cause::Unanswered,
+            Self::Disconnected { command: Some(_), .. } | Self::CommandsLost { .. } => Cause::CommandsLost,
+            Self::WaitBroken { outcome, .. } => outcome.cause(),
+            Self::Disconnected { command: None, .. }
+            | Self::WaitEnded { .. }
+            | Self::StatusUnknown { .. }
+            | Self::StatusTimeout { .. }
+            | Self::UnexpectedStatus { .. } => Cause::StatusLost,
+            Self::NotShown { .. } | Self::NotGuarded { .. } => Cause::NotShown,
+            Self::GuardTripped { trip } => trip.cause(),
+            Self::NotStopped { first, stopping } => first.cause().min(stopping.cause()),
+            Self::SetPointLate { .. } => Cause::SetPointLate,
+            Self::SessionEnded { cause, .. } => *cause,
+            Self::NotAcknowledged { outcome } => outcome.cause(),
+            Self::Stopped { .. } => Cause::Stopped,
+            Self::StateTimeout { .. } => Cause::Deadline,
+            Self::ServoModeNotLeft { first, leaving } => {
+                first.as_ref().map_or(leaving.cause(), |first| first.cause().min(leaving.cause()))
+            }
+            Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
+            Self::NotLanded { first, landing } => first.cause().min(landing.cause()),
+            Self::InvalidArgument(_)
+            | Self::NotInFirmware(_)
+            | Self::Connect { .. }
+            | Self::PortInAddress { .. }
+            | Self::Thread { .. } => Cause::Failed,
+            #[cfg(feature = "motion")]
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } => Cause::BeyondLimit,
+            #[cfg(feature = "motion")]
+            Self::ModelMismatch { .. } => Cause::Failed,
+            #[cfg(feature = "stream")]
+            Self::Trajectory { .. } => Cause::BeyondLimit,
+            #[cfg(feature = "stream")]
+            Self::NotAtStart { .. } => Cause::NotAtStart,
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } => Cause::Departed,
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { .. } => Cause::Failed,
+        }
+    }
+
+    /// Remedy that the text does not have itself.
+    pub(super) fn remedy(&self) -> Remedy {
+        match self {
+            Self::Refused { explanation: Some(_), .. }
+            | Self::NotReady { .. }
+            | Self::NotAcknowledged { .. }
+            | Self::WaitBroken { .. }
+            | Self::SetPointLate { .. } => self.cause().remedy(),
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } => self.cause().remedy(),
+            _ => Remedy::None,
+        }
+    }
+
     /// Each kind is named, so that a new one does not compile before it is decided what it means.
     pub(super) fn meaning(&self) -> Meaning<'_> {
         match self {
@@ -337,7 +414,9 @@ impl ErrorKind {
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => {
                 (Group::Other, false, problem.source())
             }
-            Self::NotAcknowledged { outcome } => (Group::Other, false, outcome.cause()),
+            Self::NotAcknowledged { outcome } | Self::WaitBroken { outcome, .. } => {
+                (Group::Other, false, outcome.source())
+            }
             Self::Thread { source } => (Group::Other, false, Some(source)),
             Self::UnexpectedStatus { source } => (Group::Other, false, Some(source)),
             Self::NotReady { .. }

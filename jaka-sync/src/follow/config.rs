@@ -69,14 +69,14 @@ impl FollowConfig {
     }
 
     /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the run
-    /// ends with [`FollowOutcome::Departed`](crate::FollowOutcome::Departed).
+    /// ends with [`Cause::Departed`](crate::Cause::Departed).
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
     }
 
     /// Sets how late a cycle may begin: 100 ms by default. Beyond that the run ends with
-    /// [`FollowOutcome::Underrun`](crate::FollowOutcome::Underrun). At speed it also ends so after three periods, and
+    /// [`Cause::SetPointLate`](crate::Cause::SetPointLate). At speed it also ends so after three periods, and
     /// then nothing brakes ([`ServoSession`](crate::ServoSession), at "Late set-points"); a slow arm goes on from
     /// standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {

@@ -8,14 +8,14 @@ use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
 
 use super::approach::Approach;
-use super::end::{FollowEnd, FollowOutcome};
+use super::end::FollowEnd;
 use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::Clock;
 use crate::robot::SetPointGuard;
-use crate::servo_session::{LagFit, SetPoint, SetPoints, Supervision, no_limits};
+use crate::servo_session::{LagFit, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Error, MotionStatus, Robot, ServoSession};
+use crate::{Cause, Error, MotionStatus, Robot, ServoSession};
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
 pub(super) fn run<S: MotionStatus>(
@@ -26,7 +26,7 @@ pub(super) fn run<S: MotionStatus>(
     begun: &Begun<()>,
 ) -> Option<FollowEnd> {
     // Ends the run for its handles, also where this thread panics.
-    let _ends = OnDrop(|| orders.end("its thread has ended".to_owned()));
+    let _ends = OnDrop(|| orders.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     let refused = |error: Error| {
         // The caller has the error from here.
         begun.give(Err(error));
@@ -49,10 +49,10 @@ pub(super) fn run<S: MotionStatus>(
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
-    if end.error.is_none() && end.outcome != FollowOutcome::Completed {
+    if end.error.is_none() && end.cause != Cause::Reached {
         robot.client().link.record_motion(MotionStep::Failed, || end.to_string());
     }
-    orders.end(end.to_string());
+    orders.end(SessionEnd::new(end.cause, end.to_string()));
     Some(end)
 }
 
@@ -112,15 +112,15 @@ impl<'o> Way<'o> {
         };
         // No trajectory time passes any more, whatever the last set-points were.
         self.orders.followed(self.follower.time_s(), 0.0);
-        let outcome = match &error {
-            Some(error) => FollowOutcome::of(error, session.shown_after(error).as_ref()),
-            None if self.follower.is_at_end() && session.report.rest_was_seen => FollowOutcome::Completed,
-            None if self.follower.is_at_end() => FollowOutcome::RestNotSeen,
-            None if self.is_overdue => FollowOutcome::Deadline,
-            None => FollowOutcome::Stopped,
+        let cause = match &error {
+            Some(error) => error.cause(),
+            None if self.follower.is_at_end() && session.report.rest_was_seen => Cause::Reached,
+            None if self.follower.is_at_end() => Cause::RestNotSeen,
+            None if self.is_overdue => Cause::Deadline,
+            None => Cause::Stopped,
         };
         FollowEnd {
-            outcome,
+            cause,
             reached: Duration::from_secs_f64(self.follower.time_s()),
             duration: self.follower.trajectory().duration(),
             has_left_curve,

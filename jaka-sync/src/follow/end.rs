@@ -5,82 +5,15 @@ use std::fmt;
 use std::time::Duration;
 
 use super::FollowProgress;
-use crate::worded::worded;
-use crate::{Error, ErrorKind, FollowLag, Outcome, ServoReport};
-
-worded! {
-    /// How the following of a trajectory ended.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[non_exhaustive]
-    pub enum FollowOutcome {
-        /// The arm is at rest at the end of the trajectory, as far as status packets can show that.
-        Completed => "the trajectory was completed",
-        /// It was stopped, by a handle or by a [`RobotStop`](crate::RobotStop).
-        Stopped => "the trajectory was stopped before its end",
-        /// It was not done by its deadline, and stopped along the trajectory.
-        Deadline => "the trajectory was not done by its deadline, and was stopped",
-        /// A guard has tripped, before the arm was at rest: [`FollowEnd::error`] has which, and the packet.
-        Guard => "the trajectory was stopped by a guard",
-        /// The controller refused a set-point.
-        Refused => "the controller refused a set-point",
-        /// The robot is in a protective stop.
-        ProtectiveStop => "the robot is in a protective stop",
-        /// The emergency stop is pressed.
-        EmergencyStop => "the emergency stop is pressed",
-        /// A set-point was too late: the machine was too busy ([`FollowConfig::max_gap`](crate::FollowConfig::max_gap)).
-        Underrun => "a set-point was too late",
-        /// A joint does not follow its set-points ([`FollowConfig::max_departure`](crate::FollowConfig::max_departure)).
-        Departed => "a joint does not follow its set-points",
-        /// The status is stale or cannot be read, or does not show the joints: it is not known whether the robot is stopped, or whether the joints follow.
-        StatusLost => "the state of the robot is no longer known",
-        /// The connection for commands is lost, or it stalls.
-        LinkLost => "the connection for commands is lost or stalls",
-        /// The last set-point is the end of the trajectory, and no status packet has shown the arm at rest there.
-        RestNotSeen => "the arm was not seen at rest at the end of the trajectory",
-        /// Something else, which the error says.
-        Failed => "the trajectory could not be followed",
-    }
-}
-
-impl FollowOutcome {
-    /// What an error of the session means for a trajectory, where packets show this against it. What is behind a refusal is what packets show.
-    pub(super) fn of(error: &Error, shown: Option<&Outcome>) -> Self {
-        match shown {
-            Some(Outcome::ProtectiveStop) => Self::ProtectiveStop,
-            Some(Outcome::EmergencyStop) => Self::EmergencyStop,
-            _ if error.is_disconnected() => Self::LinkLost,
-            _ => Self::of_kind(error.kind()),
-        }
-    }
-
-    fn of_kind(kind: &ErrorKind) -> Self {
-        match kind {
-            ErrorKind::RestNotSeen { first: Some(first), .. }
-            | ErrorKind::NotLanded { first, .. }
-            | ErrorKind::ServoModeNotLeft { first: Some(first), .. } => Self::of_kind(first.kind()),
-            ErrorKind::RestNotSeen { first: None, .. } => Self::RestNotSeen,
-            ErrorKind::ServoModeNotLeft { first: None, leaving } => Self::of_kind(leaving.kind()),
-            ErrorKind::NotAcknowledged { outcome: Outcome::Stopped } => Self::Stopped,
-            ErrorKind::GuardTripped { .. } => Self::Guard,
-            ErrorKind::Refused { .. } => Self::Refused,
-            ErrorKind::SetPointLate { .. } => Self::Underrun,
-            ErrorKind::Departed { .. } => Self::Departed,
-            ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } }
-            | ErrorKind::StatusUnknown { .. }
-            | ErrorKind::NotShown { .. } => Self::StatusLost,
-            ErrorKind::SetPointsUnanswered { .. } => Self::LinkLost,
-            _ => Self::Failed,
-        }
-    }
-}
+use crate::{Cause, Error, ErrorKind, FollowLag, ServoReport};
 
 /// The end of a trajectory, with what led to it.
 #[derive(Debug)]
 #[non_exhaustive]
 #[must_use = "a trajectory may have ended before its end"]
 pub struct FollowEnd {
-    /// How it ended.
-    pub outcome: FollowOutcome,
+    /// Cause of the end: [`Cause::Reached`] for a trajectory that was completed.
+    pub cause: Cause,
     /// The trajectory time of the last set-point on the trajectory.
     pub reached: Duration,
     /// How long the trajectory takes at its own speed.
@@ -100,7 +33,7 @@ impl FollowEnd {
     /// Of a run of which nothing more is known.
     pub(super) fn lost(error: Error, progress: &FollowProgress) -> Self {
         Self {
-            outcome: FollowOutcome::Failed,
+            cause: error.cause(),
             reached: progress.time,
             duration: progress.duration,
             // What ends the thread ends the session, straight on.
@@ -116,7 +49,7 @@ impl FollowEnd {
     /// # Errors
     /// It ended otherwise.
     pub fn completed(self) -> Result<(), NotCompleted> {
-        if self.outcome == FollowOutcome::Completed { Ok(()) } else { Err(NotCompleted(Box::new(self))) }
+        if self.cause == Cause::Reached { Ok(()) } else { Err(NotCompleted(Box::new(self))) }
     }
 
     /// True if packets have shown the arm at rest at its last set-point. False where that is not known: look at the arm then.
@@ -125,16 +58,22 @@ impl FollowEnd {
     }
 }
 
-/// In one line: how far it got, whether the arm is at rest, and the cause.
+/// The fact, in one line: what ended it, how far it got, and whether the arm is at rest.
 impl fmt::Display for FollowEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.outcome)?;
-        if self.outcome != FollowOutcome::Completed {
-            let rest = if self.is_at_rest() { "is at rest" } else { "was not seen at rest" };
-            let (reached, duration) = (self.reached.as_secs_f64(), self.duration.as_secs_f64());
-            write!(f, " ({reached:.3} s of {duration:.3} s), and the arm {rest}")?;
+        match self.error.as_ref().map(Error::kind) {
+            None => self.cause.fmt(f)?,
+            // Another set-point was not sent, which the end says.
+            Some(ErrorKind::NotAcknowledged { outcome }) => outcome.fmt(f)?,
+            Some(ErrorKind::NotReady { explanation }) => explanation.fmt(f)?,
+            Some(kind) => kind.fmt(f)?,
         }
-        self.error.as_ref().map_or(Ok(()), |error| write!(f, ": {error}"))
+        if self.cause == Cause::Reached {
+            return Ok(());
+        }
+        let rest = if self.is_at_rest() { "is at rest" } else { "was not seen at rest" };
+        let (reached, duration) = (self.reached.as_secs_f64(), self.duration.as_secs_f64());
+        write!(f, " ({reached:.3} s of {duration:.3} s of the trajectory), and the arm {rest}")
     }
 }
 
@@ -149,9 +88,11 @@ impl NotCompleted {
     }
 }
 
+/// The fact and the remedy.
 impl fmt::Display for NotCompleted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.0.fmt(f)?;
+        self.0.cause.remedy().append(f)
     }
 }
 

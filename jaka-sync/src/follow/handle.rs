@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::config::check_scale;
 use super::orders::Orders;
-use crate::{Error, ErrorKind};
+use crate::Error;
 
 /// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ impl FollowHandle {
     /// Slows down to a standstill on the trajectory, and stays there until [`resume`](Self::resume).
     ///
     /// # Errors
-    /// [`ErrorKind::SessionEnded`] if the run has ended.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the run has ended.
     pub fn pause(&self) -> Result<(), Error> {
         self.check_open().map(|()| self.orders.set_paused(true))
     }
@@ -46,7 +46,7 @@ impl FollowHandle {
     /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
     ///
     /// # Errors
-    /// As [`pause`](Self::pause); [`ErrorKind::InvalidArgument`] for a scale that is not from 0 to 1.
+    /// As [`pause`](Self::pause); [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a scale that is not from 0 to 1.
     pub fn set_speed_scale(&self, scale: f64) -> Result<(), Error> {
         check_scale(scale)?;
         self.check_open().map(|()| self.orders.set_scale(scale))
@@ -75,7 +75,6 @@ impl FollowHandle {
     }
 
     fn check_open(&self) -> Result<(), Error> {
-        let ended = |because: &str| Err(ErrorKind::SessionEnded { because: because.to_owned() }.into());
-        self.orders.ended().map_or(Ok(()), ended)
+        self.orders.ended().map_or(Ok(()), |end| Err(end.clone().into_error()))
     }
 }

@@ -4,6 +4,8 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Instant;
 
+use crate::servo_session::SessionEnd;
+
 /// What handles ask for, and how far the run is. Nobody waits for anybody here.
 #[derive(Debug)]
 pub(super) struct Orders {
@@ -15,7 +17,7 @@ pub(super) struct Orders {
     /// The bits of the trajectory time of the last set-point in seconds, and those of the rate.
     time_s: AtomicU64,
     rate: AtomicU64,
-    ended: OnceLock<String>,
+    ended: OnceLock<SessionEnd>,
 }
 
 impl Orders {
@@ -69,13 +71,13 @@ impl Orders {
     }
 
     /// Ends the run: no trajectory time passes any more. The first reason counts.
-    pub(super) fn end(&self, because: String) {
+    pub(super) fn end(&self, end: SessionEnd) {
         self.rate.store(0.0_f64.to_bits(), Ordering::SeqCst);
-        let _ = self.ended.set(because);
+        let _ = self.ended.set(end);
     }
 
     /// Why it has ended, if it has.
-    pub(super) fn ended(&self) -> Option<&str> {
-        self.ended.get().map(String::as_str)
+    pub(super) fn ended(&self) -> Option<&SessionEnd> {
+        self.ended.get()
     }
 }

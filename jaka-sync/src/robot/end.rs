@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::{Error, GuardTrip, Outcome, Snapshot, TripReason};
+use crate::{Cause, Error, GuardTrip, Outcome, Snapshot, TripReason};
 
 /// The end of a motion, with what led to it.
 #[derive(Debug)]
@@ -26,6 +26,13 @@ pub struct MotionEnd {
 }
 
 impl MotionEnd {
+    /// Cause of the end, which is the same in each way of moving.
+    pub fn cause(&self) -> Cause {
+        let of = |error: Option<&Error>| error.map_or(Cause::Reached, Error::cause);
+        let stop = self.stop.as_ref().and_then(|stop| stop.as_ref().err());
+        self.outcome.cause().min(of(self.not_answered.as_ref())).min(of(stop))
+    }
+
     /// `Ok` if the arm is where it was sent, and this as an error otherwise.
     ///
     /// # Errors
@@ -57,6 +64,24 @@ impl MotionEnd {
     }
 }
 
+/// The fact: how it ended, and what became of the stop and of the query for the position.
+impl fmt::Display for MotionEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.outcome.fmt(f)?;
+        match &self.stop {
+            Some(Ok(())) => f.write_str("; the arm was told to stop")?,
+            Some(Err(error)) => {
+                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?;
+            }
+            None => {}
+        }
+        match &self.not_answered {
+            Some(error) => write!(f, "; the query for its position failed: {error}"),
+            None => Ok(()),
+        }
+    }
+}
+
 /// A motion that did not end at its target, as an error.
 #[derive(Debug)]
 pub struct NotReached(Box<MotionEnd>);
@@ -68,19 +93,13 @@ impl NotReached {
     }
 }
 
+/// The fact and the remedy.
 impl fmt::Display for NotReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.outcome.fmt(f)?;
-        match &self.0.stop {
-            Some(Ok(())) => f.write_str("; the arm was told to stop")?,
-            Some(Err(error)) => {
-                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?;
-            }
-            None => {}
-        }
-        match &self.0.not_answered {
-            Some(error) => write!(f, "; the query for its position failed: {error}"),
-            None => Ok(()),
+        self.0.fmt(f)?;
+        match self.0.stop {
+            Some(Ok(())) => Ok(()),
+            None | Some(Err(_)) => self.0.cause().remedy().append(f),
         }
     }
 }
@@ -88,6 +107,6 @@ impl fmt::Display for NotReached {
 impl StdError for NotReached {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
         let not_answered = self.0.not_answered.as_ref();
-        self.0.outcome.cause().or_else(|| not_answered.and_then(StdError::source))
+        self.0.outcome.source().or_else(|| not_answered.and_then(StdError::source))
     }
 }

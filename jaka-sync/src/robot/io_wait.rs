@@ -1,5 +1,6 @@
 //! Waits for inputs.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -7,7 +8,50 @@ use super::guard::Guard;
 use super::inputs::{AnalogCondition, InputCondition};
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Robot};
-use crate::{Error, ErrorKind, Snapshot, StatusProblem, TripReason};
+use super::{SETTLING, trouble};
+use crate::{Cause, Error, ErrorKind, Outcome, Snapshot, StatusProblem, TripReason};
+
+/// What happens to the robot during a wait. What was so before does not end it: a program may wait for the button that
+/// powers the arm.
+struct News {
+    /// Cause that the packets have shown since the wait began.
+    shown: Option<Cause>,
+    code: Option<String>,
+    stops: u64,
+    /// What has happened, once something has.
+    found: Option<Outcome>,
+}
+
+impl News {
+    fn since<S: MotionStatus>(robot: &Robot<S>) -> Self {
+        let newest = robot.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
+        let code = newest.as_ref().and_then(|newest| trouble::code(&newest.status)).map(str::to_owned);
+        let mut news = Self { shown: None, code, stops: robot.latch.stops.taken(), found: None };
+        news.shown = newest.and_then(|newest| news.of(&newest)).map(|outcome| outcome.cause());
+        news
+    }
+
+    fn of(&self, packet: &Snapshot) -> Option<Outcome> {
+        match trouble::news(&packet.status, self.code.as_deref())? {
+            trouble::News::Ends(outcome) => Some(outcome),
+            trouble::News::AtRest(_) => None,
+        }
+    }
+
+    /// True once something has happened.
+    fn have_come<S: MotionStatus>(&mut self, robot: &Robot<S>) -> bool {
+        if self.found.is_none() && robot.latch.stops.taken() > self.stops {
+            self.found = Some(Outcome::Stopped);
+        }
+        if let (None, Ok(newest)) = (&self.found, robot.monitor.fresh_packet()) {
+            let shown = self.of(&S::snapshot(&newest));
+            let cause = shown.as_ref().map(Outcome::cause);
+            self.found = shown.filter(|_| cause != self.shown);
+            self.shown = cause;
+        }
+        self.found.is_some()
+    }
+}
 
 impl<S: MotionStatus> Robot<S> {
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
@@ -50,12 +94,23 @@ impl<S: MotionStatus> Robot<S> {
         let before = self.monitor.statistics().packets;
         let armed = self.arm(guard, timeout).map_err(blind)?;
         let (left, link) = (since.left_of(timeout), &self.client.link);
-        let trip = match vigil::keep(&self.monitor, &armed, (left, Duration::MAX), || link.lost().is_some()) {
+        let commands_lost =
+            |cause| attach(ErrorKind::CommandsLost { address: link.address(), what: what.clone(), cause });
+        let news = RefCell::new(News::since(self));
+        let is_over = || link.lost().is_some() || news.borrow_mut().have_come(self);
+        let trip = match vigil::keep(&self.monitor, &armed, (left, Duration::MAX), is_over) {
             Vigil::Tripped(trip) => trip,
+            // A controller that has gone takes both connections with it.
+            Vigil::Blind(problem @ StatusProblem::Ended { .. }) => {
+                return Err(link.lost_within(SETTLING).map_or_else(|| blind(problem), commands_lost));
+            }
             Vigil::Blind(problem) => return Err(blind(problem)),
             Vigil::Over(newest) => {
                 if let Some(cause) = link.broken() {
-                    return Err(attach(ErrorKind::CommandsLost { address: link.address(), what, cause }));
+                    return Err(commands_lost(cause));
+                }
+                if let Some(outcome) = news.into_inner().found {
+                    return Err(attach(ErrorKind::WaitBroken { what, outcome }));
                 }
                 let packets = self.monitor.statistics().packets.saturating_sub(before);
                 let says = guard.conditions.iter().find_map(|condition| condition.says(&newest));
@@ -63,7 +118,10 @@ impl<S: MotionStatus> Robot<S> {
             }
         };
         match trip.reason {
-            TripReason::NotShown(reason) => Err(attach(ErrorKind::NotShown { what, reason })),
+            TripReason::NotShown(reason) => Err(match trip.packet.unreadable() {
+                Some(source) => blind(StatusProblem::Unreadable { source }),
+                None => attach(ErrorKind::NotShown { what, reason }),
+            }),
             TripReason::Holds if trip.packet.follows_silence => Err(blind(StatusProblem::Resuming)),
             TripReason::Holds | TripReason::Panicked => Ok(trip.packet),
         }

@@ -35,7 +35,7 @@ impl Latch {
             };
             let packet = S::snapshot(snapshot);
             // A packet that tells nothing may have shown a stop.
-            let panicked = trouble::panicked(&packet).cloned();
+            let panicked = packet.panicked().cloned();
             let lost = panicked.map(|source| Outcome::StatusLost { cause: None, unreadable: Some(source) });
             if let Some(found) = trouble::stop(&packet.status).or(lost) {
                 put(&outcome, found);

@@ -12,6 +12,7 @@ use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
 
+use super::SETTLING;
 use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
 use super::{MotionStatus, Robot};
@@ -145,6 +146,13 @@ impl<S: MotionStatus> Robot<S> {
             // A controller that does not say where the arm is says so at once.
             self.clock().sleep(asked.left_of(QUERY_PERIOD).min(since.left_of(timeout)));
         }
+    }
+
+    /// Error of a query that has been outstanding for longer than [`SETTLING`].
+    pub(super) fn unanswered(&self) -> Option<Error> {
+        let query = self.query.as_ref()?;
+        let after = self.clock().elapsed(query.at);
+        (after >= SETTLING).then(|| self.no_position(query.quantity, after))
     }
 
     fn no_position(&self, quantity: Quantity, after: Duration) -> Error {

@@ -77,7 +77,7 @@ fn readable<S: MotionStatus>(
     snapshot: Result<Arc<Snapshot<S>>, StatusProblem>,
 ) -> Result<Arc<Snapshot>, StatusProblem> {
     let snapshot = S::snapshot(&snapshot?);
-    match trouble::unreadable(&snapshot) {
+    match snapshot.unreadable() {
         Some(source) => Err(StatusProblem::Unreadable { source }),
         None => Ok(snapshot),
     }

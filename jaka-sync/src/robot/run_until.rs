@@ -138,23 +138,28 @@ impl<S: MotionStatus> Robot<S> {
 
     /// How the motion ended, by the wait for it and by what the sentry did; and a stop where the arm may still move.
     fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: MotionEnd, stopped: Option<Stopped>) -> MotionEnd {
-        let may_move = matches!(
-            end.outcome,
-            Outcome::Deadline
-                | Outcome::StatusLost { .. }
-                | Outcome::ConnectionLost { .. }
-                | Outcome::ControllerError { .. }
-        );
+        let may_move = end.outcome.consequence().may_move();
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else {
             self.report(&end);
             return end;
         };
         let is_accepted = self.take(&stopped.stop);
         // What packets show against the arm itself counts before that.
-        let is_by_sentry = matches!(
-            end.outcome,
-            Outcome::Deadline | Outcome::Stopped | Outcome::Reached | Outcome::AtRest | Outcome::ConnectionLost { .. }
-        );
+        let is_by_sentry = match end.outcome {
+            Outcome::Deadline
+            | Outcome::Stopped
+            | Outcome::Reached
+            | Outcome::AtRest
+            | Outcome::NoMotion
+            | Outcome::Guard(_)
+            | Outcome::ConnectionLost { .. } => true,
+            Outcome::ProtectiveStop
+            | Outcome::EmergencyStop
+            | Outcome::NotPowered
+            | Outcome::NotEnabled
+            | Outcome::ControllerError { .. }
+            | Outcome::StatusLost { .. } => false,
+        };
         match stopped.why.filter(|_| is_by_sentry) {
             Some(Why::Trip(trip)) => {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));

@@ -1,9 +1,8 @@
 //! What a status packet says against a motion.
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::wire::DecodeError;
 
-use crate::{ControllerEvent, Outcome, Severity, Snapshot};
+use crate::{ControllerEvent, Outcome, Severity};
 
 /// What a packet shows against a motion.
 #[derive(Debug)]
@@ -22,7 +21,8 @@ pub(super) fn news(status: &RobotStatus, code_before: Option<&str>) -> Option<Ne
     let (severity, report) = event(status, code_before).unzip();
     match (severity, report) {
         (Some(Severity::Error), Some(report)) => Some(News::Ends(report)),
-        _ if status.powered_on == Some(false) || status.enabled == Some(false) => Some(News::Ends(Outcome::Disabled)),
+        _ if status.powered_on == Some(false) => Some(News::Ends(Outcome::NotPowered)),
+        _ if status.enabled == Some(false) => Some(News::Ends(Outcome::NotEnabled)),
         (Some(Severity::Unknown), Some(report)) => Some(News::AtRest(report)),
         _ => None,
     }
@@ -49,24 +49,4 @@ pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
         RobotStatus { protective_stop: Some(true), .. } => Some(Outcome::ProtectiveStop),
         _ => None,
     }
-}
-
-/// Why a packet tells nothing at all: its own type has panicked.
-pub(super) fn panicked(snapshot: &Snapshot) -> Option<&DecodeError> {
-    snapshot.unfit.iter().find(|error| error.field().is_empty())
-}
-
-/// Why a packet does not show whether the arm is stopped: it cannot be read, or is not there at all.
-pub(super) fn unreadable(snapshot: &Snapshot) -> Option<DecodeError> {
-    const NEEDED: [&str; 6] =
-        ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
-    let unfit = || snapshot.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
-    panicked(snapshot).or_else(unfit).cloned().or_else(|| {
-        let status = &snapshot.status;
-        let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
-        let is_told = told.iter().any(Option::is_some);
-        (!is_told).then(|| {
-            DecodeError::unfit("a packet that shows whether the arm is enabled and stopped", "none of these keys")
-        })
-    })
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::position::Answer;
 use super::wait::Wait;
-use super::{MotionStatus, Robot, trouble};
+use super::{MotionStatus, Robot};
 use crate::{Disconnect, Outcome, Snapshot};
 
 /// How long the wait for an answer lasts before packets and stops are checked again.
@@ -119,7 +119,7 @@ impl Heard {
             return false;
         }
         self.number = newest.number;
-        if trouble::unreadable(newest).is_some() {
+        if newest.unreadable().is_some() {
             self.unreadable = Some(Arc::clone(newest));
             return false;
         }
@@ -129,7 +129,7 @@ impl Heard {
     }
 
     fn lost(self) -> Outcome {
-        let unreadable = self.unreadable.as_ref().and_then(|packet| trouble::unreadable(packet));
+        let unreadable = self.unreadable.as_ref().and_then(|packet| packet.unreadable());
         Outcome::StatusLost { cause: None, unreadable }
     }
 }

@@ -16,7 +16,7 @@ use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::cause::shown_joints;
 use crate::robot::SetPointGuard;
-use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Outcome, Robot, Snapshot, Unchecked};
+use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Robot, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
 pub(crate) trait SetPoints {
@@ -114,9 +114,6 @@ pub(crate) fn check_shows_joints<S: MotionStatus>(robot: &Robot<S>, timeout: Dur
     packet.map_or(Ok(()), |packet| shown_joints(&packet).map(drop).map_err(not_shown))
 }
 
-/// How long the next packet may take: they come each 100 ms or sooner.
-const NEXT_PACKET: Duration = Duration::from_millis(250);
-
 impl<S: MotionStatus> ServoSession<'_, S> {
     /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
@@ -165,17 +162,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             supervision.sent(|| self.robot.clock().now(), joints);
             set_points.sent();
         }
-    }
-
-    /// What must be acknowledged after the session has ended with an error. Packets are late: after a refusal the next one is waited for, which may show the reason.
-    pub(crate) fn shown_after(&self, error: &Error) -> Option<Outcome> {
-        let monitor = self.robot.monitor();
-        if error.is_refused() && self.robot.unacknowledged().is_none() {
-            let seen = monitor.last_known_packet().map_or(0, |packet| packet.number);
-            // If none comes, none shows it.
-            let _ = monitor.watch(NEXT_PACKET, |newest| newest.filter(|newest| newest.number > seen).map(drop));
-        }
-        self.robot.unacknowledged()
     }
 
     /// The newest packet, unless it has this number.

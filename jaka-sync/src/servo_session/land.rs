@@ -6,6 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
+use super::braking::Braking;
 use super::course::Course;
 use super::rates::Rates;
 use super::set_point::{SetPoint, Step};
@@ -17,7 +18,7 @@ use crate::{Error, ErrorKind, MotionStatus, Outcome};
 const BLIND: Duration = Duration::from_millis(200);
 
 /// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
-pub(crate) type Braking<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
+pub(crate) type BrakingPath<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
 
 /// Brakes an arm straight on, by a step that becomes smaller evenly.
 #[derive(Debug)]
@@ -69,7 +70,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// Brakes the arm, and holds it until the status shows it at rest.
-    pub(super) fn come_to_rest_by(&mut self, braking: Braking<'_>) -> Result<(), Error> {
+    pub(super) fn come_to_rest_by(&mut self, braking: BrakingPath<'_>) -> Result<(), Error> {
         let came = if self.course.has_begun() {
             // Set-points that were sent before may be refused yet.
             let outstanding = u64::try_from(self.robot.client().link.outstanding()).unwrap_or(u64::MAX);
@@ -85,7 +86,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
-    fn brake(&mut self, braking: Braking<'_>, refused: u64) -> Result<(), Error> {
+    fn brake(&mut self, braking: BrakingPath<'_>, refused: u64) -> Result<(), Error> {
         let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.robot.clock().elapsed(cycle.due));
         if late >= self.config.gap() {
             self.stand(late);
@@ -145,7 +146,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 let gate = self.robot.holding_gate();
                 match self.send_landing(set_point, &gate, refused) {
                     // A stop has come between, or an odd reply, which the next ones make up for.
-                    Err(error) if lets_land(&error) && !error.is_refused() => Ok(()),
+                    Err(error) if Braking::after(&error) == Braking::Land && !error.is_refused() => Ok(()),
                     sent => sent.map(drop),
                 }
             }
@@ -189,28 +190,6 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.course.sent(set_point, self.course.joints_at(&set_point));
         self.report.landing_cycles += 1;
         Ok(true)
-    }
-}
-
-/// Whether the arm is braked after this error: where set-points still reach a controller that follows them.
-pub(super) fn lets_land(error: &Error) -> bool {
-    match error.kind() {
-        ErrorKind::NotAcknowledged { outcome } => matches!(outcome, Outcome::Stopped | Outcome::StatusLost { .. }),
-        ErrorKind::InvalidArgument(_)
-        | ErrorKind::NotInFirmware(_)
-        | ErrorKind::Refused { .. }
-        | ErrorKind::UnexpectedReply { .. }
-        | ErrorKind::GuardTripped { .. }
-        | ErrorKind::SetPointLate { .. }
-        | ErrorKind::StatusUnknown { .. } => true,
-        #[cfg(feature = "motion")]
-        ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } => true,
-        #[cfg(feature = "stream")]
-        ErrorKind::Departed { .. } | ErrorKind::NotAtStart { .. } => true,
-        // That packets do not show the joints any more.
-        #[cfg(feature = "stream")]
-        ErrorKind::NotShown { .. } => true,
-        _ => false,
     }
 }
 

@@ -10,14 +10,19 @@ use jaka_proto::recording::MotionStep;
 
 #[cfg(feature = "stream")]
 use super::Supervision;
-use super::land::{Braking, lets_land, not_seen};
+use super::braking::Braking;
+use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
+use super::session_end::SessionEnd;
 use super::{ServoReport, ServoSession};
 use crate::link::Sent;
 use crate::{Disconnect, Error, ErrorKind, Explanation, MotionStatus};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How long the packet may take that shows why a set-point was refused: packets come each 100 ms or sooner.
+const SETTLING: Duration = Duration::from_millis(250);
 
 impl<S: MotionStatus> ServoSession<'_, S> {
     /// Brakes the arm, holds it until the status shows it at rest, waits for the last answers, and leaves servo mode.
@@ -28,8 +33,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// be left, or that is not known, with the session's own error if there is one. [`ErrorKind::SessionEnded`] if the session had ended
     /// before.
     pub fn land(mut self) -> Result<ServoReport, Error> {
-        if let Some(because) = self.ended.take() {
-            return Err(ErrorKind::SessionEnded { because }.into());
+        if let Some(end) = self.ended.take() {
+            return Err(end.into_error());
         }
         let landed = self.come_to_rest();
         self.leave_landed(landed, None)?;
@@ -38,7 +43,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// The same, braked in another way. A guard that trips before the arm is at rest is an error, too.
     #[cfg(feature = "stream")]
-    pub(crate) fn land_by(&mut self, braking: Braking<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
+    pub(crate) fn land_by(&mut self, braking: BrakingPath<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
         self.leave_landed(landed, supervision.check_tripped().err())
     }
@@ -85,8 +90,12 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// The same, braked in another way.
-    pub(crate) fn end_by(&mut self, first: Error, braking: Braking<'_>) -> Error {
-        let landed = if self.is_open && lets_land(&first) { self.come_to_rest_by(braking) } else { Ok(()) };
+    pub(crate) fn end_by(&mut self, first: Error, braking: BrakingPath<'_>) -> Error {
+        let landed = if self.is_open && Braking::after(&first) == Braking::Land {
+            self.come_to_rest_by(braking)
+        } else {
+            Ok(())
+        };
         let left = if self.is_open { self.leave() } else { Ok(()) };
         let first = self.explained(first);
         let error = match (landed, left) {
@@ -94,16 +103,26 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (Err(landing), Ok(())) => not_seen(first, landing),
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
-        self.ended = Some(error.to_string());
+        self.ended = Some(SessionEnd::of(&error));
         self.robot.client().link.record_motion(MotionStep::Failed, || error.to_string());
         #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error
     }
 
-    /// Why the controller refused a set-point, if it did, as far as its state shows it.
+    /// Settles why the controller refused a set-point, if it did, as far as its state shows it. Packets are later than a
+    /// refusal, so that the next one is waited for; braking and leaving servo mode are over by then.
     fn explained(&mut self, error: Error) -> Error {
-        if error.is_refused() { self.robot.explained(error, PATIENCE) } else { error }
+        if !error.is_refused() {
+            return error;
+        }
+        if self.robot.unacknowledged().is_none() {
+            let monitor = self.robot.monitor();
+            let seen = monitor.last_known_packet().map_or(0, |packet| packet.number);
+            // If none comes, none shows it.
+            let _ = monitor.watch(SETTLING, |newest| newest.filter(|newest| newest.number > seen).map(drop));
+        }
+        self.robot.explained(error, PATIENCE)
     }
 
     /// Leaves servo mode, and asks whether it was left.

@@ -16,6 +16,7 @@ use super::course::Course;
 use super::pace::{Cycle, Pace};
 #[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
+use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
 use super::{ServoConfig, ServoReport};
 use crate::link::{Answers, Gate};
@@ -90,7 +91,7 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
     /// Why no more set-points go out, if so.
-    pub(super) ended: Option<String>,
+    pub(super) ended: Option<SessionEnd>,
     /// That of this thread, until the session ends.
     #[cfg(feature = "realtime")]
     pub(super) priority: Option<RealtimePriority>,
@@ -176,8 +177,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// Sends a set-point in the next cycle, or ends the session.
     fn send(&mut self, set_point: SetPoint) -> Result<(), Error> {
-        if let Some(because) = self.ended.clone() {
-            return Err(ErrorKind::SessionEnded { because }.into());
+        if let Some(end) = self.ended.clone() {
+            return Err(end.into_error());
         }
         let sent = self.wait_for_cycle().and_then(|_| {
             let joints = self.check(&set_point)?;

@@ -9,10 +9,10 @@ use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::robot::SetPointGuard;
 use crate::servo_session::{
-    Course, LagFit, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
+    Course, LagFit, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
 };
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Error, MotionStatus, Robot, ServoReport, ServoSession};
+use crate::{Cause, Error, MotionStatus, Robot, ServoReport, ServoSession};
 
 /// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.
 pub(super) fn run<S: MotionStatus>(
@@ -42,7 +42,7 @@ pub(super) fn run<S: MotionStatus>(
     };
     let targets = Arc::new(Targets::new(generator.joints(), &clock));
     // Ends the stream for its handles, also where this thread panics.
-    let _ends = OnDrop(|| targets.end("its thread has ended".to_owned()));
+    let _ends = OnDrop(|| targets.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     begun.give(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
     let lag = guard.filter(|guard| guard.has_force_limits()).map(|_| LagFit::new(clock.now(), start, period));
@@ -60,7 +60,7 @@ pub(super) fn run<S: MotionStatus>(
     if let Some(joints) = session.last_joints() {
         targets.landed(joints);
     }
-    targets.end(result.as_ref().err().map_or_else(|| "it has landed".to_owned(), ToString::to_string));
+    targets.end(result.as_ref().map_or_else(SessionEnd::of, |_| SessionEnd::new(Cause::Stopped, "it has landed")));
     Some(result)
 }
 

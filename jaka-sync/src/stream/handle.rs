@@ -10,8 +10,8 @@ use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::target::Targets;
-use crate::servo_session::beyond_limit;
-use crate::{Error, ErrorKind};
+use crate::Error;
+use crate::servo_session::{SessionEnd, beyond_limit};
 
 /// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
 #[derive(Debug, Clone)]
@@ -28,7 +28,7 @@ impl StreamHandle {
     /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`] if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`] if the stream has ended.
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
     pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
         self.give(Goal::Joints(target.into()), None)
     }
@@ -49,7 +49,7 @@ impl StreamHandle {
     /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`] if a joint may not be as fast, [`ErrorKind::InvalidArgument`] for a longer time, [`ErrorKind::SessionEnded`].
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast, [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a longer time, [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded).
     pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
         self.give(Goal::Velocity(deg_s), Some(for_at_most))
     }
@@ -67,7 +67,7 @@ impl StreamHandle {
     /// Brakes the arm, and holds it.
     ///
     /// # Errors
-    /// [`ErrorKind::SessionEnded`] if the stream has ended.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
     pub fn rest(&self) -> Result<(), Error> {
         self.give(Goal::Rest, None)
     }
@@ -86,9 +86,9 @@ impl StreamHandle {
     /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they have within `timeout`.
     ///
     /// # Errors
-    /// [`ErrorKind::SessionEnded`] if the stream has ended.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
     pub fn wait_for_rest(&self, timeout: Duration) -> Result<bool, Error> {
-        self.targets.wait_for_rest(timeout).map_err(ended)
+        self.targets.wait_for_rest(timeout).map_err(SessionEnd::into_error)
     }
 
     fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), Error> {
@@ -99,10 +99,6 @@ impl StreamHandle {
             );
         }
         self.desk.check_goal(&goal).map_err(beyond_limit)?;
-        self.targets.give(goal, for_at_most).map_err(ended)
+        self.targets.give(goal, for_at_most).map_err(SessionEnd::into_error)
     }
-}
-
-fn ended(because: String) -> Error {
-    ErrorKind::SessionEnded { because }.into()
 }

@@ -6,7 +6,9 @@ use std::time::{Duration, Instant};
 use jaka_motion::{Bound, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
 
+use crate::Cause;
 use crate::clock::Clock;
+use crate::servo_session::SessionEnd;
 use crate::sync::Watched;
 
 /// What the arm is to do next, and how far it is.
@@ -51,7 +53,7 @@ struct State {
     is_at_rest: bool,
     /// What slowed the last set-point.
     bound: Option<Bound>,
-    ended: Option<String>,
+    ended: Option<SessionEnd>,
 }
 
 impl Targets {
@@ -62,12 +64,12 @@ impl Targets {
     }
 
     /// Gives another goal; fails with why the stream has ended, if it has.
-    pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), String> {
+    pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), SessionEnd> {
         let until = for_at_most.map(|time| self.state.clock().now() + time);
         let mut state = self.state.lock();
         match &state.ended {
             Some(because) => Err(because.clone()),
-            None if self.is_landing() => Err("it lands".to_owned()),
+            None if self.is_landing() => Err(SessionEnd::new(Cause::Stopped, "it lands")),
             None => {
                 state.order = Order { goal, until, number: state.order.number + 1 };
                 state.is_at_rest = false;
@@ -95,7 +97,7 @@ impl Targets {
     }
 
     /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
-    pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, String> {
+    pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, SessionEnd> {
         let found = self.state.wait_for(timeout, |state| match &state.ended {
             Some(because) => Some(Err(because.clone())),
             None => state.is_at_rest.then_some(Ok(true)),
@@ -136,8 +138,8 @@ impl Targets {
         self.state.lock().joints = joints;
     }
 
-    pub(super) fn end(&self, because: String) {
-        self.state.lock().ended.get_or_insert(because);
+    pub(super) fn end(&self, end: SessionEnd) {
+        self.state.lock().ended.get_or_insert(end);
         self.state.wake();
     }
 }

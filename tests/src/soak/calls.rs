@@ -214,6 +214,10 @@ fn note_questions(session: &mut Session, end: &MotionEnd) {
     // The first at once, and one where the times are not exact.
     let most = end.waited.as_millis() / QUESTION_PERIOD.as_millis() + 2;
     session.connection.note_repeated(text(&GetJointPos::new()), fate, usize::try_from(most).unwrap_or(usize::MAX));
+    if matches!(end.outcome, Outcome::StatusLost { .. } | Outcome::ConnectionLost { .. }) {
+        // Which of them it is is settled by a question.
+        session.connection.note(text(&GetRobotState::new()), Fate::Perhaps);
+    }
 }
 
 fn check_end(arm: &mut Arm, session: &mut Session, end: &MotionEnd, target: JointPosition) {

@@ -9,8 +9,8 @@ use jaka_sim::{Direction, Port, StatusFault};
 use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::{
-    Error, ErrorKind, FollowConfig, FollowOutcome, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot,
-    ServoConfig, StreamConfig, TripReason,
+    Cause, Error, ErrorKind, FollowConfig, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot, ServoConfig,
+    StreamConfig, TripReason,
 };
 use jaka_tests::simulated::{beside, clock_of};
 
@@ -126,10 +126,10 @@ impl<'t> Arm<'t> {
         let state = self.controller.state();
         assert!(!end.is_at_rest() || state.at_rest, "{}: {end}: {state:?}", self.what());
         let error = end.error.as_ref().unwrap_or_else(|| panic!("{}: {end}", self.what()));
-        let expected = match end.outcome {
-            FollowOutcome::Guard => error_kinds(error).any(|kind| matches!(kind, ErrorKind::GuardTripped { .. })),
-            FollowOutcome::StatusLost => !self.has_packets(),
-            FollowOutcome::LinkLost | FollowOutcome::Refused | FollowOutcome::Failed => !self.has_replies(),
+        let expected = match end.cause {
+            Cause::Guard => error_kinds(error).any(|kind| matches!(kind, ErrorKind::GuardTripped { .. })),
+            Cause::StatusLost => !self.has_packets(),
+            Cause::CommandsLost | Cause::Unanswered | Cause::Refused | Cause::Failed => !self.has_replies(),
             _ => false,
         };
         assert!(expected, "{}: {end:?}", self.what());

@@ -161,7 +161,8 @@ fn a_wait_ends_when_the_status_is_no_longer_known() {
     };
     let error = beside(&clock, close, || robot.wait_for_input(IO.cabinet(1).is_high(), LONG));
     let error = error.expect_err("the connection is lost");
-    assert_eq!(clock.elapsed(), PERIOD);
+    // The command connection may end, too, which would say more.
+    assert_eq!(clock.elapsed(), PERIOD + Duration::from_millis(250));
     assert!(matches!(error.kind(), ErrorKind::WaitEnded { problem: StatusProblem::Ended { .. }, .. }), "{error:?}");
     drop(commands);
 }

@@ -189,7 +189,9 @@ fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
         arm.set_state(|state| state.enabled = true);
     });
     assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
-    assert!(end.reached().is_err_and(|error| error.to_string() == "the motion was stopped before its target"));
+    assert!(end.reached().is_err_and(|error| {
+        error.to_string().starts_with("the motion was stopped before its target; look at the arm")
+    }));
 }
 
 #[test]
@@ -227,10 +229,13 @@ fn a_stop_between_motions_latches_too() {
 }
 
 #[test]
-fn an_arm_that_is_disabled_ends_its_motion() {
+fn an_arm_without_power_or_that_is_disabled_ends_its_motion() {
     let (arm, mut robot) = ready();
     let end = disturbed(&arm, &mut robot, || arm.cut_power());
-    assert!(matches!(end.outcome, Outcome::Disabled), "{:?}", end.outcome);
+    assert!(matches!(end.outcome, Outcome::NotPowered), "{:?}", end.outcome);
+    let (arm, mut robot) = ready();
+    let end = disturbed(&arm, &mut robot, || arm.set_state(|state| state.enabled = false));
+    assert!(matches!(end.outcome, Outcome::NotEnabled), "{:?}", end.outcome);
 }
 
 #[test]
@@ -373,7 +378,7 @@ fn a_refused_motion_says_why_in_its_error() {
     assert_eq!(
         error.to_string(),
         "the controller refused `joint_move` with code 2: call joint_move failed; \
-         the arm is not enabled: call `enable_robot`"
+         the arm is not enabled; when somebody has looked at the arm, call `power_up`"
     );
 }
 

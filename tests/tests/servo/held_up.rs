@@ -11,7 +11,7 @@ use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{
-    Client, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, MotionStatus, Robot, ServoConfig, StreamConfig,
+    Cause, Client, Error, ErrorKind, FollowConfig, FollowEnd, MotionStatus, Robot, ServoConfig, StreamConfig,
 };
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
@@ -192,7 +192,7 @@ fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, 
 fn a_set_point_that_is_too_late_is_an_underrun() {
     let late_by = Duration::from_millis(118);
     let (set_points, end, _) = followed::<1>(Place::Status, late_by);
-    assert_eq!((end.outcome, end.has_left_curve, end.is_at_rest()), (FollowOutcome::Underrun, false, true), "{end:?}");
+    assert_eq!((end.cause, end.has_left_curve, end.is_at_rest()), (Cause::SetPointLate, false, true), "{end:?}");
     assert_eq!((end.report.gaps, end.report.longest_gap), (1, late_by));
     let error = end.error.as_ref().expect("it says so");
     let ErrorKind::SetPointLate { late } = error.kind() else { panic!("{error:?}") };
@@ -204,7 +204,7 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
 fn a_run_whose_set_point_is_late_by_less_goes_on() {
     let late_by = (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1));
     let (set_points, end, seen) = followed::<2>(Place::Status, late_by);
-    assert_eq!((end.outcome, end.has_left_curve, end.report.gaps), (FollowOutcome::Completed, false, 0), "{end:?}");
+    assert_eq!((end.cause, end.has_left_curve, end.report.gaps), (Cause::Reached, false, 0), "{end:?}");
     // The report has the lateness on the wire, and the next one is no sooner for it.
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(SERVO_PERIOD + late_by)), "{seen:?}");
     assert!((end.report.lateness(1.0).as_secs_f64() / late_by.as_secs_f64() - 1.0).abs() < 0.03, "{:?}", end.report);
@@ -216,7 +216,7 @@ fn a_run_whose_set_point_is_late_by_less_goes_on() {
 fn a_logger_makes_no_set_point_late_but_the_next_one() {
     let held_up = SERVO_PERIOD * 3;
     let (_, end, seen) = followed::<5>(Place::Logger, held_up);
-    assert_eq!((end.outcome, end.report.gaps, end.report.late_cycles), (FollowOutcome::Completed, 0, 1), "{end:?}");
+    assert_eq!((end.cause, end.report.gaps, end.report.late_cycles), (Cause::Reached, 0, 1), "{end:?}");
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(held_up)), "{seen:?}");
 }
 
@@ -232,7 +232,7 @@ fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
     let end = run.wait();
     let error = end.error.as_ref().unwrap_or_else(|| panic!("it had no set-points at speed: {end:?}"));
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 4), "{error:?}");
-    assert_eq!((end.outcome, end.report.gaps), (FollowOutcome::Underrun, 1), "{end:?}");
+    assert_eq!((end.cause, end.report.gaps), (Cause::SetPointLate, 1), "{end:?}");
 }
 
 /// Its braking set-points go on, and the stop that waits for them does not overtake them.

@@ -4,12 +4,12 @@ use std::fmt::Write;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Sample, Trajectory};
-use jaka_sync::{FollowEnd, FollowOutcome};
+use jaka_sync::{Cause, FollowEnd};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::number::fixed;
-use crate::{exit, output};
+use crate::output;
 
 /// In which steps peaks are searched, in seconds, and how many steps are made at most.
 const STEP_S: f64 = 0.001;
@@ -90,7 +90,7 @@ pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &
 pub(super) fn print(end: FollowEnd, as_json: bool) -> Result<(), Failure> {
     if as_json {
         output::json(&format!("{}\n", ended_as_json(&end)))?;
-    } else if end.outcome == FollowOutcome::Completed {
+    } else if end.cause == Cause::Reached {
         output::line(&completed(&end))?;
     }
     end.completed().map_err(Failure::NotCompleted)
@@ -99,12 +99,12 @@ pub(super) fn print(end: FollowEnd, as_json: bool) -> Result<(), Failure> {
 fn completed(end: &FollowEnd) -> String {
     let lag = end.lag.map_or_else(String::new, |lag| format!(", the arm lagged by {} ms", lag.delay.as_millis()));
     let (cycles, late) = (end.report.cycles, milliseconds(end.report.lateness(0.99)));
-    format!("{}{lag}; of {cycles} set-points 99 % were at most {} ms late", end.outcome, fixed(late, 2))
+    format!("{}{lag}; of {cycles} set-points 99 % were at most {} ms late", end.cause, fixed(late, 2))
 }
 
 fn ended_as_json(end: &FollowEnd) -> Value {
     json!({
-        "outcome": exit::of_trajectory(end.outcome).1,
+        "outcome": end.cause.name(),
         "text": end.to_string(),
         "at_rest": end.is_at_rest(),
         "reached_s": end.reached.as_secs_f64(),

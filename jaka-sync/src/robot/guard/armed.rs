@@ -12,7 +12,7 @@ use super::Guard;
 use super::condition::Judge;
 use crate::robot::readiness::{fresh_status, unknown};
 use crate::robot::stops::Written;
-use crate::robot::{MotionStatus, RobotStop, trouble};
+use crate::robot::{MotionStatus, RobotStop};
 use crate::sync::lock;
 use crate::{Error, ErrorKind, GuardTrip, Monitor, Robot, Snapshot, StatusProblem};
 
@@ -153,7 +153,7 @@ impl Armed {
 impl Shared {
     /// Judges a packet, unless that cannot be done.
     fn judge(&self, packet: &Arc<Snapshot>) -> Result<Option<GuardTrip>, DecodeError> {
-        match trouble::panicked(packet) {
+        match packet.panicked() {
             Some(source) => Err(source.clone()),
             None => catch_unwind(AssertUnwindSafe(|| lock(&self.judging).judge(packet)))
                 .map_err(|_| DecodeError::unfit("a packet that can be judged", "a panic")),

@@ -8,7 +8,7 @@ use jaka_proto::messages::status::RobotStatus;
 use super::finding::{CheckItem, Finding, Judgement};
 use super::ports;
 use crate::clock::Stopwatch;
-use crate::robot::{MotionStatus, trouble};
+use crate::robot::MotionStatus;
 use crate::{Error, Monitor, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 /// How long packets are counted.
@@ -165,7 +165,7 @@ fn form(newest: &Snapshot, dropped: u64) -> Judgement {
         seen.push(format!("{dropped} bytes came that are not a packet"));
     }
     let seen = seen.join("; ");
-    if trouble::unreadable(newest).is_some() {
+    if newest.unreadable().is_some() {
         let advice = format!("a `Robot` refuses motions while it cannot tell whether the arm is stopped: {PROBE}");
         return Judgement::wrong(seen, &advice);
     }

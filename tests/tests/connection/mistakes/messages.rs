@@ -72,7 +72,7 @@ fn of_the_state() -> Vec<String> {
 }
 
 fn of_ends() -> Vec<String> {
-    let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::Disabled];
+    let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::NotPowered, Outcome::NotEnabled];
     let lost = Outcome::StatusLost { cause: None, unreadable: None };
     let seat_lost = Outcome::ConnectionLost {
         address: "10.5.5.100:10001".to_owned(),

@@ -8,7 +8,7 @@ use jaka_sync::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, Traj
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
-    Command, Error, ErrorKind, FollowConfig, FollowEnd, FollowOutcome, ForceComponent, ForceLimit, Guard, GuardTrip,
+    Cause, Command, Error, ErrorKind, FollowConfig, FollowEnd, ForceComponent, ForceLimit, Guard, GuardTrip,
     NotGuarded, Robot, StatusProblem, StreamConfig, StreamHandle,
 };
 use jaka_tests::{Arm, LONG};
@@ -73,7 +73,7 @@ fn followed(period: Duration, phase: f64, overtravel: f64) -> Depth {
     let trajectory = down(&arm, &robot, speed);
     let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(overtravel));
     let end: FollowEnd = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
-    assert_eq!(end.outcome, FollowOutcome::Guard, "{period:?}: {end}");
+    assert_eq!(end.cause, Cause::Guard, "{period:?}: {end}");
     assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end}");
     (assert_rests(&arm, overtravel), speed)
 }
@@ -182,7 +182,7 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     arm.link(Port::Status).to_client().hold();
     let since = clock.elapsed();
     let end = run.wait();
-    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert_eq!(end.cause, Cause::StatusLost, "{end}");
     // Without such a limit it would be stale after 500 ms, and be braked and held from then on.
     let took = clock.elapsed().saturating_sub(since);
     assert!(took < Duration::from_millis(600), "{took:?}: {end}");
@@ -207,7 +207,7 @@ fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
         arm.set_state(|state| state.digital_inputs[0] = true);
         let since = arm.clock().elapsed();
         let end = run.wait();
-        assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+        assert_eq!(end.cause, Cause::Guard, "{end}");
         arm.clock().elapsed().saturating_sub(since)
     };
     let [limited, other] = [true, false].map(rest_after);
@@ -234,7 +234,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         let trajectory = down(&arm, &robot, USED * permitted);
         let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), limit).expect("it is slow enough");
         let end = run.wait();
-        assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+        assert_eq!(end.cause, Cause::Guard, "{end}");
         let error = end.error.as_ref().expect("the guard has ended it");
         let found = trip(error).lag;
         assert_eq!(found.is_some(), is_longer, "{lag:?}, {reaction:?}: {end:?}");

@@ -6,9 +6,7 @@ use jaka_sim::{Fault, StatusFault};
 use jaka_sync::jaka_motion::{TimedPoint, Trajectory};
 use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{
-    Command, ErrorKind, FollowConfig, FollowOutcome, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig,
-};
+use jaka_sync::{Cause, Command, ErrorKind, FollowConfig, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig};
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 
@@ -104,6 +102,6 @@ fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
     wait_for_motion(&arm);
     arm.status_fault(StatusFault::Silent);
     let end = run.wait();
-    assert!(matches!(end.outcome, FollowOutcome::StatusLost), "{end:?}");
+    assert!(matches!(end.cause, Cause::StatusLost), "{end:?}");
     assert!(arm.state().joint_position.0[0] < 90.0);
 }

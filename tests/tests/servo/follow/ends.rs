@@ -20,15 +20,15 @@ fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Ar
     (arm, robot, end)
 }
 
-fn assert_ended_on_the_way(end: &FollowEnd, outcome: FollowOutcome) {
-    assert_eq!(end.outcome, outcome, "{end}");
+fn assert_ended_on_the_way(end: &FollowEnd, cause: Cause) {
+    assert_eq!(end.cause, cause, "{end}");
     assert!(end.reached < end.duration && end.reached >= Duration::from_millis(500), "{end:?}");
 }
 
 #[test]
 fn a_stop_brakes_along_the_trajectory() {
     let (arm, mut robot, end) = ended_by(&config(), |_, run| run.stop().expect("it goes on"));
-    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    assert_ended_on_the_way(&end, Cause::Stopped);
     assert!(end.error.is_none() && end.is_at_rest() && !end.has_left_curve, "{end:?}");
     let set_points = judge(&arm, &to_and_fro(), &end);
     let last = set_points.last().expect("there are some");
@@ -36,8 +36,8 @@ fn a_stop_brakes_along_the_trajectory() {
     assert!(!names(&arm).iter().any(|name| name == "stop_program") && !arm.state().servo_mode);
     let text = end.completed().expect_err("it was stopped").to_string();
     assert!(
-        text.starts_with("the trajectory was stopped before its end (")
-            && text.ends_with(" s of 3.000 s), and the arm is at rest"),
+        text.starts_with("the motion was stopped before its target (")
+            && text.contains(" s of 3.000 s of the trajectory), and the arm is at rest; look at the arm"),
         "{text}"
     );
     // Nothing must be acknowledged.
@@ -54,7 +54,7 @@ fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
         run.pause().expect("it goes on");
         run.stop().expect("it goes on");
     });
-    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    assert_ended_on_the_way(&end, Cause::Stopped);
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.joint_position.0[0] += 60.0);
     let run = robot.start_follow(&made(&to_and_fro()), &config().approach(20.0)).expect("the way is free");
@@ -62,7 +62,7 @@ fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
     assert!(run.progress().time.is_zero() && run.progress().rate == 0.0);
     run.stop().expect("it goes on");
     let end = run.wait();
-    assert_eq!((end.outcome, end.reached), (FollowOutcome::Stopped, Duration::ZERO));
+    assert_eq!((end.cause, end.reached), (Cause::Stopped, Duration::ZERO));
     let at = arm.state().joint_position.0[0] - START[0];
     assert!((10.0..60.0).contains(&at), "{at}");
 }
@@ -72,10 +72,10 @@ fn a_deadline_stops_along_the_trajectory() {
     let (arm, mut robot) = ready();
     let config = config().deadline(Duration::from_millis(1500));
     let end = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config).expect("the arm is at its start").wait();
-    assert_eq!(end.outcome, FollowOutcome::Deadline, "{end}");
+    assert_eq!(end.cause, Cause::Deadline, "{end}");
     assert!(end.error.is_none() && end.reached < end.duration && end.is_at_rest(), "{end:?}");
     judge(&arm, &to_and_fro().slower(3.0), &end);
-    assert!(end.to_string().starts_with("the trajectory was not done by its deadline, and was stopped ("), "{end}");
+    assert!(end.to_string().starts_with("the motion has not ended in time ("), "{end}");
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
     wait_for(&arm, &run, 0.5);
     stop.stop().expect("the controller takes it");
     let end = run.wait();
-    assert_ended_on_the_way(&end, FollowOutcome::Stopped);
+    assert_ended_on_the_way(&end, Cause::Stopped);
     assert!(
         end.is_at_rest() && matches!(end.error.as_ref().expect("it says so").kind(), ErrorKind::NotAcknowledged { .. })
     );
@@ -99,11 +99,11 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
 #[test]
 fn a_protective_stop_ends_it_at_once() {
     let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.collide());
-    assert_ended_on_the_way(&end, FollowOutcome::ProtectiveStop);
+    assert_ended_on_the_way(&end, Cause::ProtectiveStop);
     assert!(!end.is_at_rest() && !end.has_left_curve && end.report.landing_cycles == 0, "{end:?}");
     to_and_fro().has(&set_points(&arm).0).expect("no set-point was sent off the curve");
     let (_, _, end) = ended_by(&config(), |arm, _| arm.press_emergency_stop());
-    assert_ended_on_the_way(&end, FollowOutcome::EmergencyStop);
+    assert_ended_on_the_way(&end, Cause::EmergencyStop);
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn a_status_that_is_no_longer_known_brakes_it_along_the_trajectory() {
     let run = robot.start_follow(&made(&to_and_fro().slower(2.0)), &config()).expect("the arm is at its start");
     arm.link(Port::Status).to_client().hold();
     let end = run.wait();
-    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert_eq!(end.cause, Cause::StatusLost, "{end}");
     assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
     judge(&arm, &to_and_fro().slower(2.0), &end);
     assert!(!arm.state().servo_mode);
@@ -123,7 +123,7 @@ fn a_status_that_is_no_longer_known_brakes_it_along_the_trajectory() {
 fn a_refused_set_point_ends_it_on_the_trajectory() {
     let refusal = br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec();
     let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.inject_for("servo_j", Fault::Instead(refusal)));
-    assert_ended_on_the_way(&end, FollowOutcome::Refused);
+    assert_ended_on_the_way(&end, Cause::NoRemoteControl);
     assert!(end.report.refused == 1 && end.error.as_ref().is_some_and(jaka_sync::Error::is_refused), "{end:?}");
     judge(&arm, &to_and_fro(), &end);
 }
@@ -137,10 +137,10 @@ fn an_arm_that_does_not_follow_departs_and_one_that_lags_shows_by_how_much() {
         end
     };
     let end = run(Duration::from_millis(1500), &patient().max_departure(3.0));
-    assert_ended_on_the_way(&end, FollowOutcome::Departed);
+    assert_ended_on_the_way(&end, Cause::Departed);
     assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
     let [quick, slow] = [0, 150].map(|lag| run(Duration::from_millis(lag), &patient()));
-    assert!(matches!((quick.outcome, slow.outcome), (FollowOutcome::Completed, FollowOutcome::Completed)));
+    assert!(matches!((quick.cause, slow.cause), (Cause::Reached, Cause::Reached)));
     let [quick, slow] = [quick, slow].map(|end| end.lag.expect("the arm has moved"));
     let more = slow.delay.saturating_sub(quick.delay);
     assert!((80..=220).contains(&more.as_millis()), "{quick:?} {slow:?}");
@@ -160,7 +160,7 @@ fn a_link_that_is_held_or_cut_ends_it() {
             arm.links().hold();
         }
         let end = run.wait();
-        assert_eq!(end.outcome, FollowOutcome::LinkLost, "{cut}: {end}");
+        assert_eq!(end.cause, if cut { Cause::CommandsLost } else { Cause::Unanswered }, "{cut}: {end}");
         assert!(!end.is_at_rest() && end.error.as_ref().is_some_and(jaka_sync::Error::may_have_run), "{cut}: {end:?}");
         arm.links().release();
         to_and_fro().slower(3.0).has(&set_points(&arm).0).expect("they are on the curve");
@@ -220,7 +220,7 @@ fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (Fol
 #[test]
 fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_goes_on_until_there_is() {
     let (end, last) = stopped_without_reserve(|robot, _| robot.stop().expect("the controller takes it"));
-    assert_eq!((end.outcome, end.has_left_curve), (FollowOutcome::Stopped, true), "{end:?}");
+    assert_eq!((end.cause, end.has_left_curve), (Cause::Stopped, true), "{end:?}");
     assert!(end.is_at_rest() && last < -20.0, "next to where it turns: {last}");
     let (end, last) = stopped_without_reserve(|_, run| run.stop().expect("it goes on"));
     // It has stopped at the end, or as good as there.
@@ -246,7 +246,7 @@ fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_traj
     wait_for(&arm, &run, 1.6);
     stop.stop().expect("the controller takes it");
     let (end, (set_points, _)) = (run.wait(), set_points(&arm));
-    assert_eq!((end.outcome, end.has_left_curve), (FollowOutcome::Stopped, true), "{end:?}");
+    assert_eq!((end.cause, end.has_left_curve), (Cause::Stopped, true), "{end:?}");
     let speeds: Vec<f64> = set_points.windows(2).map(|two| (two[1][5] - two[0][5]) / PERIOD).collect();
     let (fastest, last) = (speeds.iter().copied().fold(0.0, f64::max), speeds[speeds.len() - 1]);
     assert!(end.is_at_rest() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
@@ -259,7 +259,7 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
     let guard = Guard::when("joint 6 is low", is_low);
     let run = robot.start_follow_until(&made(&to_and_fro()), &config(), guard.clone()).expect("it is not low yet");
     let end = run.wait();
-    assert_eq!(end.outcome, FollowOutcome::Guard, "{end}");
+    assert_eq!(end.cause, Cause::Guard, "{end}");
     assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
     assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
     judge(&arm, &to_and_fro(), &end);
@@ -281,7 +281,7 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let curve = Curve::through(&[(0.0, START), (1.0, there)]);
     let end = robot.start_follow_until(&made(&curve), &patient(), Guard::when("joint 1 is far", far));
     let end = end.expect("it is not far yet").wait();
-    assert_eq!((end.outcome, end.reached), (FollowOutcome::Guard, end.duration), "{end:?}");
+    assert_eq!((end.cause, end.reached), (Cause::Guard, end.duration), "{end:?}");
     assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
     assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
     // A stream likewise.
@@ -304,7 +304,7 @@ fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_brak
     wait_for(&arm, &run, 0.2);
     arm.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
     let end = run.wait();
-    assert_eq!(end.outcome, FollowOutcome::StatusLost, "{end}");
+    assert_eq!(end.cause, Cause::NotShown, "{end}");
     assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
     judge(&arm, &curve, &end);
     let text = end.error.as_ref().expect("it says so").to_string();

@@ -21,7 +21,7 @@ fn a_trajectory_is_completed_where_the_arm_is_at_its_end_whatever_the_filter() {
         let (arm, mut robot, config) = filtered(&filter, 80);
         let end = robot.start_follow(&made(&to_and_fro()), &config).expect("the arm is at its start").wait();
         judge(&arm, &to_and_fro(), &end);
-        assert_eq!((end.outcome, end.is_at_rest()), (FollowOutcome::Completed, true), "{filter:?}: {end}");
+        assert_eq!((end.cause, end.is_at_rest()), (Cause::Reached, true), "{filter:?}: {end}");
         let (state, there) = (arm.state(), JointPosition(to_and_fro().at(3.0)));
         let off = state.joint_position.max_distance(&there);
         assert!(!state.servo_mode && off < 0.1, "{filter:?}: {off}");
@@ -40,7 +40,7 @@ fn a_guard_stops_it_on_its_curve_whatever_the_filter() {
         arm.input(DigitalInput::cabinet(3).high_at(rises)).expect("there is such an input");
         let end = run.wait();
         judge(&arm, &to_and_fro(), &end);
-        assert_eq!((end.outcome, end.is_at_rest()), (FollowOutcome::Guard, true), "{filter:?}: {end}");
+        assert_eq!((end.cause, end.is_at_rest()), (Cause::Guard, true), "{filter:?}: {end}");
         assert!(!end.has_left_curve && end.reached < Duration::from_millis(1500), "{filter:?}: {end:?}");
         let there = JointPosition(to_and_fro().at(end.reached.as_secs_f64()));
         let off = arm.state().joint_position.max_distance(&there);
@@ -56,8 +56,8 @@ fn an_arm_departs_where_it_does_not_follow_and_only_then_whatever_the_filter() {
             let end = robot.start_follow(&made(&to_and_fro()), &config.max_departure(3.0));
             let end = end.expect("the arm is at its start").wait();
             judge(&arm, &to_and_fro(), &end);
-            let outcome = if departs { FollowOutcome::Departed } else { FollowOutcome::Completed };
-            assert_eq!(end.outcome, outcome, "{filter:?}, {lag_ms} ms: {end}");
+            let cause = if departs { Cause::Departed } else { Cause::Reached };
+            assert_eq!(end.cause, cause, "{filter:?}, {lag_ms} ms: {end}");
         }
     }
 }

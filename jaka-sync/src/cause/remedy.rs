@@ -1,0 +1,56 @@
+//! What helps against causes.
+
+use std::fmt;
+
+use crate::worded::worded;
+
+worded! {
+    /// What somebody can do about a [`Cause`](crate::Cause), in the calls of this crate. A program that shows other
+    /// calls matches on it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Remedy {
+        /// Nothing has to be done.
+        None => "",
+        /// Release the emergency stop, and power the arm up, when nobody is at it.
+        ReleaseEmergencyStop => "when nobody is at the arm, release it, then call `acknowledge` and `power_up`",
+        /// Clear the protective stop, when somebody has looked at the arm.
+        ClearError => "when somebody has looked at the arm, call `clear_error` and `acknowledge`",
+        /// Power the arm up, when somebody has looked at it.
+        PowerUp => "when somebody has looked at the arm, call `power_up`",
+        /// Read the controller's error, and clear it, when somebody has looked at the arm.
+        SeeController => "look up the error; when somebody has looked at the arm, call `clear_error`",
+        /// Move the arm away from the limit.
+        MoveAway => "move the arm away from the limit",
+        /// Grant remote control on the controller's panel.
+        GrantRemoteControl => "grant remote control on the controller's panel",
+        /// Find out who uses servo mode.
+        SeeServoMode =>
+            "wait until the arm rests, and find out which program uses servo mode; `set_servo_mode` with off leaves it",
+        /// Wait for the end of the motion, or stop it.
+        WaitOrStop => "wait for its end, or stop it",
+        /// Look at the arm before it moves again.
+        LookAtArm => "look at the arm, then call `acknowledge`",
+        /// Stop the arm with the emergency stop, or connect again and stop it.
+        ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
+        /// Check the network, and that the controller is on.
+        CheckNetwork => "check the network, and that the controller is on; the arm may still move",
+        /// Give the thread a priority, or the machine less to do.
+        UnloadMachine => "give the thread a priority (`ServoConfig::realtime_priority`), or the machine less to do",
+        /// Find out what holds the arm.
+        FindObstacle => "find out what holds the arm",
+        /// Move the arm to the start of the trajectory, or ask for an approach.
+        MoveToStart => "move the arm there first, or ask for an approach (`FollowConfig::approach`)",
+        /// The error or the end says it.
+        SeeError => "see the error",
+    }
+}
+
+impl Remedy {
+    /// Appends it to a fact.
+    pub(crate) fn append(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None | Self::SeeError => Ok(()),
+            other => write!(f, "; {other}"),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The ways in which moving ends, or is kept back.
+
+use std::fmt;
+
+use super::remedy::Remedy;
+
+/// Kinds of causes, for programs that treat the causes of a kind alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CauseGroup {
+    /// The motion has ended as it was commanded.
+    Done,
+    /// The motion has ended before its target because somebody, or a guard, ended it.
+    Ended,
+    /// The robot does not move: a stop, power, an error of the controller.
+    Robot,
+    /// A connection is lost, or the controller does not answer.
+    Connection,
+    /// The arm did not follow, or was not seen to.
+    Following,
+    /// This program or its machine: a request, a limit, a late cycle.
+    Program,
+}
+
+/// Makes the enum of the rows: the variant, its name for programs, its group, its fact and its remedy. The order of the
+/// rows is the precedence.
+macro_rules! causes {
+    ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident,)+) => {
+        /// Way in which moving has ended, or is kept back.
+        ///
+        /// The same event has the same cause in each way of moving: motions ([`MotionEnd::cause`](crate::MotionEnd::cause)),
+        /// servo sessions, streams, trajectories and waits ([`Error::cause`](crate::Error::cause)). What is known besides
+        /// stands with the end or the error.
+        ///
+        /// # Precedence
+        /// An event has consequences: an arm that loses its power refuses set-points, and its controller may close
+        /// connections. Where several causes are known within a quarter of a second, the first in the order of the
+        /// variants is told.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum Cause {
+            $($(#[$doc])* $variant,)+
+        }
+
+        impl Cause {
+            /// All causes, by precedence.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)+];
+
+            /// Name for programs, such as `protective_stop`. Names do not change.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)+ }
+            }
+
+            /// Group of the cause.
+            pub fn group(self) -> CauseGroup {
+                match self { $(Self::$variant => CauseGroup::$group,)+ }
+            }
+
+            /// Remedy: what somebody can do about it.
+            pub fn remedy(self) -> Remedy {
+                match self { $(Self::$variant => Remedy::$remedy,)+ }
+            }
+
+            fn fact(self) -> &'static str {
+                match self { $(Self::$variant => $fact,)+ }
+            }
+        }
+    };
+}
+
+causes! {
+    /// The emergency stop is pressed.
+    EmergencyStop "emergency_stop" Robot "the emergency stop is pressed" ReleaseEmergencyStop,
+    /// The robot is in a protective stop, as after a collision.
+    ProtectiveStop "protective_stop" Robot "the robot is in a protective stop" ClearError,
+    /// The connection for commands is lost: no stop can be sent on it.
+    CommandsLost "commands_lost" Connection "the command connection is lost, and no stop can be sent on it" ConnectAndStop,
+    /// The arm has no power.
+    NotPowered "not_powered" Robot "the arm has no power" PowerUp,
+    /// The arm is not enabled.
+    NotEnabled "not_enabled" Robot "the arm is not enabled" PowerUp,
+    /// The controller reports an error.
+    ControllerError "controller_error" Robot "the controller reports an error" SeeController,
+    /// A soft limit of the controller was hit.
+    SoftLimit "soft_limit" Robot "a soft limit of the controller was hit" MoveAway,
+    /// The controller does not accept commands from this client.
+    NoRemoteControl "no_remote_control" Robot "the controller does not accept commands from this client" GrantRemoteControl,
+    /// The arm is in servo mode, or was to be and is not.
+    ServoMode "servo_mode" Robot "servo mode is not as it should be" SeeServoMode,
+    /// A motion goes on, or has not been waited for.
+    Moving "moving" Program "the arm is moving, or a motion has not been waited for" WaitOrStop,
+    /// A guard has tripped.
+    Guard "guard" Ended "the guard tripped" None,
+    /// This program or another client stopped it.
+    Stopped "stopped" Ended "the motion was stopped before its target" LookAtArm,
+    /// The controller does not answer commands.
+    Unanswered "unanswered" Connection "the controller does not answer" CheckNetwork,
+    /// No status packets come that can be read: the state of the robot is not known.
+    StatusLost "status_lost" Connection "no status packets come that can be read" CheckNetwork,
+    /// Packets do not show what has to be known.
+    NotShown "not_shown" Robot "status packets do not show what has to be known" SeeError,
+    /// It has not ended in time.
+    Deadline "deadline" Ended "the motion has not ended in time" WaitOrStop,
+    /// A set-point was due too long ago.
+    SetPointLate "set_point_late" Program "a set-point was too late" UnloadMachine,
+    /// A joint does not follow its set-points.
+    Departed "departed" Following "a joint does not follow its set-points" FindObstacle,
+    /// The controller refused a command for a reason that it does not show.
+    Refused "refused" Robot "the controller refused it" SeeError,
+    /// The motion is beyond a limit, or cannot be compared with the limits.
+    BeyondLimit "beyond_limit" Program "the motion is beyond a limit of the robot, or cannot be compared with the limits" SeeError,
+    /// The arm is not where the trajectory starts.
+    NotAtStart "not_at_start" Program "the arm is not where the trajectory starts" MoveToStart,
+    /// No status packet has shown the arm at rest.
+    RestNotSeen "rest_not_seen" Following "the arm was not seen at rest" LookAtArm,
+    /// The request is wrong, or something on this machine.
+    Failed "failed" Program "it could not be done" SeeError,
+    /// There was nothing to wait for.
+    NoMotion "no_motion" Done "there was nothing to wait for" None,
+    /// The arm is at rest, and it is not known whether it is at its target.
+    AtRest "at_rest" Done "the arm is at rest, and it is not known whether it is at its target" None,
+    /// The arm is at its target.
+    Reached "reached" Done "the motion has reached its target" None,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.fact())
+    }
+}
