@@ -24,10 +24,9 @@ const STOPS: [Actor; 2] = [1, 2];
 const MOMENT: Duration = Duration::from_nanos(2);
 
 /// Reply timeout of stop handles and pipelines, and the timeouts of calls. They are odd, and steps begin at even times,
-/// so that nothing happens at the moment of a deadline. Their differences are larger than a run has steps, so that no
-/// two deadlines meet.
+/// so that nothing happens at the moment of a deadline. No two deadlines meet: see [`Run::keep_apart`].
 const TIMEOUT: Duration = Duration::from_nanos(1_000_211_001);
-const SHORT: Duration = Duration::from_nanos(100_003_001);
+pub(crate) const SHORT: Duration = Duration::from_nanos(100_003_001);
 const LONG: Duration = Duration::from_nanos(10_007_717_001);
 
 #[derive(Debug, Clone, Copy)]
@@ -158,6 +157,13 @@ impl Connection {
     fn next_deadline(&self) -> Option<Instant> {
         let calls = self.calls.iter().flatten().map(|(_, deadline)| *deadline);
         calls.chain(self.oldest_posted().filter(|_| self.is_finishing)).min()
+    }
+
+    /// True if a deadline would come in the same moment as another one, so that the threads would decide which is first.
+    fn meets(&self, deadline: Instant) -> bool {
+        let calls = self.calls.iter().flatten().map(|(_, other)| *other);
+        let apart = |other: Instant| other.max(deadline).duration_since(other.min(deadline));
+        calls.chain(self.posted.iter().map(|(_, other)| *other)).any(|other| apart(other) <= MOMENT * 4)
     }
 
     /// It is this time: those whose deadlines have passed give up.
@@ -319,6 +325,7 @@ impl Run {
         if self.model.is_busy(actor) || self.model.is_finishing {
             return Ok(());
         }
+        self.keep_apart(&[timeout])?;
         self.order(actor, name, timeout);
         if !self.model.may_send(actor) {
             return self.settle(&[]);
@@ -326,6 +333,15 @@ impl Run {
         let number = self.server.receive(name);
         self.model.begin(actor, number, name, self.clock.now() + timeout);
         self.settle(&[name])
+    }
+
+    /// Lets time go on until the deadlines of commands with these timeouts meet no other: those after other sums of
+    /// timeouts may.
+    fn keep_apart(&mut self, timeouts: &[Duration]) -> Result<(), String> {
+        while timeouts.iter().any(|timeout| self.model.meets(self.clock.now() + *timeout)) {
+            self.settle(&[])?;
+        }
+        Ok(())
     }
 
     fn order(&self, actor: Actor, name: &'static str, timeout: Duration) {
@@ -340,6 +356,7 @@ impl Run {
         if model.is_busy(CLIENT) || model.is_busy(stop) || model.is_finishing || model.is_broken || has_more {
             return Ok(());
         }
+        self.keep_apart(&[LONG, TIMEOUT])?;
         let (name, now) = (NAMES[0], self.clock.now());
         self.order(CLIENT, name, LONG);
         self.order(stop, STOP, TIMEOUT);
@@ -361,6 +378,7 @@ impl Run {
         if self.model.calls[CLIENT].is_some() || self.model.is_finishing {
             return Ok(());
         }
+        self.keep_apart(&[TIMEOUT])?;
         self.workers.order(CLIENT, Order::Post { name, count });
         self.model.has_pipeline = true;
         if !self.model.may_send(CLIENT) {

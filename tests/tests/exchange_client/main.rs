@@ -20,6 +20,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{TestError, TestRunner};
 
 use self::alone::Premise;
+use self::client::Step;
+use self::server::Move;
 
 /// Number of runs with sockets, times `JAKA_RELIABILITY`.
 const RUNS: u32 = 300;
@@ -33,6 +35,25 @@ const LIMIT: Duration = Duration::from_secs(600);
 #[test]
 fn the_client_does_what_the_model_says() {
     check(RUNS, client::any_step(), client::run);
+}
+
+/// Sums of timeouts meet where their differences do not: the deadline of a stop after a short call, and that of a short
+/// call after a stop.
+#[test]
+fn deadlines_that_would_meet_are_kept_apart() {
+    let (call, stop) = (Step::Call(0, client::SHORT), Step::Stop);
+    let steps = [
+        call,
+        stop(1),
+        Step::Pass,
+        stop(0),
+        Step::Pass,
+        Step::Server(Move::Lose),
+        call,
+        Step::Server(Move::Accept),
+        Step::Pass,
+    ];
+    client::run(&steps).unwrap_or_else(|error| panic!("{error}"));
 }
 
 #[test]
