@@ -209,6 +209,11 @@ impl Target {
         (address, self.address.connect_timeout.unwrap_or(CONNECT_TIMEOUT))
     }
 
+    /// How it connects.
+    pub(crate) fn config(&self) -> &Config {
+        &self.config
+    }
+
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
         Ok(Client::connect_with(&self.config, &self.address.commands)?)

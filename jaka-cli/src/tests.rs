@@ -6,17 +6,18 @@ mod document;
 mod follow;
 mod motions;
 mod probe;
+mod status;
 
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 use clap::Parser as _;
-use jaka_sync::Config;
+use jaka_sync::{Config, SimulatedClock};
 use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
 
@@ -126,6 +127,12 @@ pub(crate) fn handle(call: impl FnMut() + Send + 'static) {
 pub(crate) fn target(timeout: Option<Duration>) -> Option<Target> {
     let robot = ROBOT.with_borrow(Clone::clone);
     robot.map(|(config, addresses)| Target::at(config, addresses, timeout))
+}
+
+/// What the time is for this thread's command.
+pub(crate) fn now() -> Instant {
+    let robot = |robot: &Option<(Config, _)>| robot.as_ref()?.0.get_clock().map(SimulatedClock::now);
+    ROBOT.with_borrow(robot).unwrap_or_else(Instant::now)
 }
 
 /// Standard output of this thread's command.

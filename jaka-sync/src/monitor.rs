@@ -59,9 +59,6 @@ pub struct Monitor<S = RobotStatus> {
     pub(crate) stale_after: Duration,
 }
 
-/// Time after a silence in which packets may be old ones that the network had held back.
-const SETTLING: Duration = Duration::from_millis(100);
-
 /// What the thread and the monitor share.
 ///
 /// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.

@@ -1,7 +1,7 @@
 //! The packets of a connection to the status port.
 
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::recording::Port;
@@ -33,6 +33,29 @@ pub(crate) struct Between {
     pub(crate) bytes: usize,
     /// How often the beginning of a packet had to be searched for.
     pub(crate) resyncs: u64,
+}
+
+/// Time after a silence in which packets may be old ones that the network had held back.
+const SETTLING: Duration = Duration::from_millis(100);
+
+/// Recognises the packets that follow a silence.
+#[derive(Debug, Default)]
+pub(crate) struct Silence {
+    /// Arrival of the last packet that could be read.
+    last: Option<Instant>,
+    /// Arrival of the first packet after the last silence.
+    over: Option<Instant>,
+}
+
+impl Silence {
+    /// Takes the next packet, and says whether it may have been held back in a silence longer than this.
+    pub(crate) fn is_followed_by(&mut self, received: Instant, silence: Duration) -> bool {
+        let gap = self.last.replace(received).map(|last| received.saturating_duration_since(last));
+        if gap.is_some_and(|gap| gap > silence) {
+            self.over = Some(received);
+        }
+        self.over.is_some_and(|over| received.saturating_duration_since(over) < SETTLING)
+    }
 }
 
 impl Packets {

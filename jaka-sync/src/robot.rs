@@ -37,9 +37,9 @@ use jaka_proto::recording::MotionStep;
 use self::batch::{Batch, Begin, Frames};
 pub use self::end::{MotionEnd, NotReached};
 pub(crate) use self::guard::Armed;
-#[cfg(feature = "stream")]
-pub(crate) use self::guard::SetPointGuard;
 pub use self::guard::{ForceComponent, ForceLimit, Guard, TcpBox};
+#[cfg(feature = "stream")]
+pub(crate) use self::guard::{MeasuredLag, SetPointGuard};
 pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 use self::latch::Latch;
 use self::limits::Checks;

@@ -8,7 +8,7 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use crate::clock::Clock;
-use crate::packets::Packets;
+use crate::packets::{Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, Error, ErrorKind};
 
@@ -36,6 +36,9 @@ pub struct StatusStream {
     timeout: Duration,
     clock: Clock,
     unfit: Vec<DecodeError>,
+    silence: Silence,
+    stale_after: Duration,
+    follows_silence: bool,
     broken: Option<Arc<Disconnect>>,
 }
 
@@ -53,8 +56,16 @@ impl StatusStream {
     /// # Errors
     /// As [`connect`](Self::connect).
     pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
-        let (packets, clock) = (Packets::connect(&address.to_string(), config)?, config.clock.clone());
-        Ok(Self { packets, timeout: config.reply_timeout, clock, unfit: Vec::new(), broken: None })
+        Ok(Self {
+            packets: Packets::connect(&address.to_string(), config)?,
+            timeout: config.reply_timeout,
+            clock: config.clock.clone(),
+            unfit: Vec::new(),
+            silence: Silence::default(),
+            stale_after: config.stale_after,
+            follows_silence: false,
+            broken: None,
+        })
     }
 
     /// The next packet that has not been read yet, which may be old.
@@ -127,7 +138,14 @@ impl StatusStream {
         &self.unfit
     }
 
+    /// True if the packet read last was read within 100 ms after none had been read for longer than
+    /// [`Config::stale_after`]: it may be an old one that the network, or the system's buffer, had held back.
+    pub fn follows_silence(&self) -> bool {
+        self.follows_silence
+    }
+
     fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
+        self.follows_silence = self.silence.is_followed_by(self.clock.now(), self.stale_after);
         let mut reader = Reader::new(&self.packets.text);
         let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();

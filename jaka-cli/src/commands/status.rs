@@ -7,12 +7,14 @@ mod until;
 
 use std::num::NonZeroU64;
 use std::time::Duration;
+#[cfg(not(test))]
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible_json_line;
 
 use self::lines::Columns;
-use self::packets::Packets;
+use self::packets::{Due, Overdue, Packets};
 use self::table::StatusTable;
 use self::until::{POLL, Until};
 use crate::condition::Condition;
@@ -24,6 +26,8 @@ use crate::output;
 use crate::packs::SpecArgs;
 use crate::seconds::seconds;
 use crate::target::RobotArgs;
+#[cfg(test)]
+use crate::tests::now;
 
 /// Print the robot's state, once or repeatedly.
 ///
@@ -81,25 +85,25 @@ impl Status {
         let until = until.map_err(|error| Failure::Usage(format!("`--until`, {error}")))?;
         end_on_interrupt(if until.is_some() { exit::INTERRUPTED } else { 0 });
         let limit = target.timeout().filter(|_| until.is_some());
-        let stream = match limit {
-            Some(limit) => target.status_stream_within(POLL.min(limit))?,
-            None => target.status_stream()?,
-        };
+        let stream = target.status_stream_within(limit.map_or(POLL, |limit| POLL.min(limit)))?;
         let period = if until.is_some() { self.watch } else { self.watch.or(Some(Duration::from_secs(1))) };
-        let mut packets = Packets::new(stream, period, until.map(|condition| Until::new(condition, limit)));
+        let mut packets =
+            Packets::new(stream, target.config(), period, until.map(|condition| Until::new(condition, limit)));
         let packets = &mut packets;
         if self.raw {
-            return self.print(packets, |packets| Ok(visible_json_line(&packets.next_text()?).into_owned() + "\n"));
+            let text = |text: String| visible_json_line(&text).into_owned() + "\n";
+            return self.print(packets, Packets::next_text, text, warn);
         }
         match self.format {
             Format::Table => {
                 let table = StatusTable::new(fields, self.repeats());
-                self.print(packets, |packets| Ok(table.text(&packets.next()?)))
+                let overdue = |overdue: &Overdue| output::write(table.without_packet(overdue).as_bytes());
+                self.print(packets, Packets::next, |packet| table.text(&packet), overdue)
             }
-            Format::Json => self.print(packets, |packets| Ok(lines::json(&fields, &packets.next()?))),
+            Format::Json => self.print(packets, Packets::next, |packet| lines::json(&fields, &packet), warn),
             Format::Csv => {
                 let mut columns = Columns::new(fields);
-                self.print(packets, |packets| Ok(columns.lines(&packets.next()?)))
+                self.print(packets, Packets::next, |packet| columns.lines(&packet), warn)
             }
         }
     }
@@ -108,20 +112,43 @@ impl Status {
         self.watch.is_some() || self.count.is_some()
     }
 
-    /// Prints packets, each by `text`, until there have been enough.
-    fn print(
+    /// Prints packets, each by `text`, until there have been enough, and tells of times without packets.
+    fn print<T>(
         &self,
         packets: &mut Packets,
-        mut text: impl FnMut(&mut Packets) -> Result<String, Failure>,
+        next: impl Fn(&mut Packets) -> Result<Due<T>, Failure>,
+        mut text: impl FnMut(T) -> String,
+        overdue: impl Fn(&Overdue) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let once = !self.repeats() && self.until.is_none();
-        let most = if once { 1 } else { self.count.map_or(u64::MAX, NonZeroU64::get) };
-        for _ in 0..most {
-            output::write(text(packets)?.as_bytes())?;
-            if packets.is_last() {
-                break;
+        let mut left = if once { 1 } else { self.count.map_or(u64::MAX, NonZeroU64::get) };
+        while left > 0 {
+            match next(packets)? {
+                Due::Overdue(silence) => overdue(&silence)?,
+                Due::Packet(packet) => {
+                    output::write(text(packet).as_bytes())?;
+                    left -= 1;
+                    if packets.is_last() {
+                        break;
+                    }
+                }
             }
         }
         Ok(())
     }
+}
+
+/// Warns once of a time without packets: lines are packets, and there is none.
+#[expect(clippy::unnecessary_wraps, reason = "a table can fail to be written")]
+fn warn(overdue: &Overdue) -> Result<(), Failure> {
+    if overdue.is_news {
+        output::warning(&overdue.to_string());
+    }
+    Ok(())
+}
+
+/// What the time is.
+#[cfg(not(test))]
+fn now() -> Instant {
+    Instant::now()
 }

@@ -27,30 +27,39 @@ pub struct GuardTrip {
     pub is_before_start: bool,
     /// True if the arm was then seen at rest, by two answers of the controller that agree.
     pub is_at_rest: bool,
-    /// Lag of the arm behind its set-points, where it was longer than the reaction that a
-    /// [`ForceLimit`](crate::ForceLimit) allows for: the tool may have gone on for longer than the overtravel. Measured
-    /// in streams and trajectories under such a limit.
+    /// Lag of the arm behind its set-points, where the condition that tripped is a [`ForceLimit`](crate::ForceLimit) and
+    /// its reaction is shorter, or perhaps shorter, than the lag: the tool may have gone on for longer than the
+    /// overtravel. Measured in streams and trajectories under such a limit.
     pub lag: Option<LagBeyondReaction>,
 }
 
-/// Lag of an arm that is longer than the reaction of a limit of force.
+/// Lag of an arm that is longer than the reaction of a limit of force, or perhaps longer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LagBeyondReaction {
     /// Delay from sending a set-point to the packet that shows the arm there.
     pub lag: Duration,
+    /// True if the delay was at least [`lag`](Self::lag), the longest one that is measured, and may have been longer.
+    pub is_lower_bound: bool,
     /// The limit's reaction ([`ForceLimit::reaction`](crate::ForceLimit::reaction)).
     pub reaction: Duration,
 }
 
 impl fmt::Display for LagBeyondReaction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { lag, reaction } = self;
+        let Self { lag, reaction, .. } = self;
+        let at_least = if self.is_lower_bound { "at least " } else { "" };
+        let perhaps = if lag > reaction { "" } else { "perhaps " };
         write!(
             f,
-            "the arm lagged {lag:?} behind its set-points, longer than the limit's reaction of {reaction:?}: the tool may have gone on for \
-             longer than the overtravel; give the limit a reaction of at least {lag:?}"
-        )
+            "the arm lagged {at_least}{lag:?} behind its set-points, {perhaps}longer than the limit's reaction of \
+             {reaction:?}: the tool may have gone on for longer than the overtravel; "
+        )?;
+        if self.is_lower_bound {
+            write!(f, "give the limit a reaction of more than {:?}", lag.max(reaction))
+        } else {
+            write!(f, "give the limit a reaction of at least {lag:?}")
+        }
     }
 }
 

@@ -2,13 +2,13 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::{Board, SETTLING};
+use super::Board;
 use crate::clock::{Clock, Stopwatch};
-use crate::packets::{Between, Packets};
+use crate::packets::{Between, Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, ErrorKind, Snapshot};
 
@@ -33,26 +33,6 @@ pub(super) struct Worker<S> {
     /// old packet must not delay the newest.
     passed: Vec<Arc<Snapshot<S>>>,
     silence: Silence,
-}
-
-/// Recognises the packets that follow a silence.
-#[derive(Debug, Default)]
-struct Silence {
-    /// Arrival of the last packet that could be read.
-    last: Option<Instant>,
-    /// Arrival of the first packet after the last silence.
-    over: Option<Instant>,
-}
-
-impl Silence {
-    /// Takes the next packet, and says whether it may have been held back in a silence longer than this.
-    fn is_followed_by(&mut self, received: Instant, silence: Duration) -> bool {
-        let gap = self.last.replace(received).map(|last| received.saturating_duration_since(last));
-        if gap.is_some_and(|gap| gap > silence) {
-            self.over = Some(received);
-        }
-        self.over.is_some_and(|over| received.saturating_duration_since(over) < SETTLING)
-    }
 }
 
 impl<S: Decode> Worker<S> {

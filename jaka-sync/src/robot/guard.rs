@@ -20,7 +20,7 @@ pub(super) use self::condition::Condition;
 pub use self::force::{ForceComponent, ForceLimit};
 pub(super) use self::packet_period::longest_silence;
 #[cfg(feature = "stream")]
-pub(crate) use self::set_points::SetPointGuard;
+pub(crate) use self::set_points::{MeasuredLag, SetPointGuard};
 pub use self::tcp_box::TcpBox;
 use super::inputs::{AnalogCondition, InputCondition};
 #[cfg(doc)]
@@ -82,9 +82,14 @@ impl Guard {
 
     /// The limits of force in it.
     pub(super) fn force_limits(&self) -> impl Iterator<Item = &ForceLimit> {
-        self.conditions.iter().filter_map(|condition| match condition {
+        self.force_limit_of_each().flatten()
+    }
+
+    /// Limit of force of each condition; none for one of another kind.
+    fn force_limit_of_each(&self) -> impl Iterator<Item = Option<&ForceLimit>> {
+        self.conditions.iter().map(|condition| match condition {
             Condition::Force(limit) => Some(limit),
-            _ => None,
+            Condition::Input(_) | Condition::Inside(_) | Condition::Outside(_) | Condition::Question(_) => None,
         })
     }
 

@@ -15,7 +15,7 @@ use super::lag::LagFit;
 use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::cause::shown_joints;
-use crate::robot::SetPointGuard;
+use crate::robot::{MeasuredLag, SetPointGuard};
 use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Robot, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
@@ -64,12 +64,17 @@ impl<'g> Supervision<'g> {
 
     /// Fails once the guard has tripped.
     pub(super) fn check_tripped(&self) -> Result<(), Error> {
-        self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.lag().map(|lag| lag.delay)))
+        self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.measured_lag()))
     }
 
     /// Lag of the arm behind its set-points; none where it is not measured, or not known.
     pub(crate) fn lag(&self) -> Option<FollowLag> {
         self.lag.as_ref().and_then(LagFit::best)
+    }
+
+    /// The same, also where it is known only to be beyond what is measured.
+    fn measured_lag(&self) -> Option<MeasuredLag> {
+        self.lag.as_ref().and_then(LagFit::measured)
     }
 
     /// A set-point was sent.
@@ -144,7 +149,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             }
             supervision
                 .guard
-                .map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.lag().map(|lag| lag.delay)))?;
+                .map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.measured_lag()))?;
             // Before the end: a motion that has no set-point when one is due does not end as commanded.
             let late = cycle?;
             if set_points.is_done() {

@@ -4,6 +4,8 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::messages::types::JointPosition;
 
+use crate::robot::MeasuredLag;
+
 /// How an arm followed its set-points, by the joints of status packets.
 ///
 /// The delay is the one with which set-points and packets agree best, by the sum of the squares of all joints' differences. It is measured from sending a set-point
@@ -96,18 +98,29 @@ impl LagFit {
 
     /// The delay that fits best; none where the arm has hardly moved, or where it is not among those that are compared.
     pub(crate) fn best(&self) -> Option<FollowLag> {
+        let (measured, best) = self.fit()?;
+        if measured.is_lower_bound {
+            return None;
+        }
+        let residual_deg = best.squares.map(|squares| (squares / f64::from(self.packets)).sqrt());
+        Some(FollowLag { delay: measured.delay, residual_deg, worst_deg: best.worst, packets: self.packets })
+    }
+
+    /// The delay that fits best of those that are compared; none where the arm has hardly moved.
+    pub(super) fn measured(&self) -> Option<MeasuredLag> {
+        self.fit().map(|(measured, _)| measured)
+    }
+
+    fn fit(&self) -> Option<(MeasuredLag, &Fit)> {
         let has_moved = (0..6).any(|joint| self.most.0[joint] - self.least.0[joint] >= MOVED_DEG);
         if self.packets < FEWEST_PACKETS || !has_moved {
             return None;
         }
         let sum = |fit: &Fit| fit.squares.iter().sum::<f64>();
         let (delay_ms, best) = (0u64..).zip(&self.fits).min_by(|one, other| sum(one.1).total_cmp(&sum(other.1)))?;
-        if delay_ms == MOST_MS as u64 {
-            return None;
-        }
-        let residual_deg = best.squares.map(|squares| (squares / f64::from(self.packets)).sqrt());
-        let delay = Duration::from_millis(delay_ms);
-        Some(FollowLag { delay, residual_deg, worst_deg: best.worst, packets: self.packets })
+        let measured =
+            MeasuredLag { delay: Duration::from_millis(delay_ms), is_lower_bound: delay_ms == MOST_MS as u64 };
+        Some((measured, best))
     }
 }
 

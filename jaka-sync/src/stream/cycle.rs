@@ -49,6 +49,9 @@ pub(super) fn run<S: MotionStatus>(
     let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
     let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
     let ended = session.send_all(&mut led, &mut supervision);
+    if let Err(error) = &ended {
+        targets.land_because(SessionEnd::of(error));
+    }
     let rest = &mut |course: &Course| {
         targets.landing(course.joints());
         (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints))

@@ -28,7 +28,8 @@ impl StreamHandle {
     /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the
+    /// stream lands or has ended: nobody would follow the target.
     pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
         self.give(Goal::Joints(target.into()), None)
     }
@@ -49,7 +50,8 @@ impl StreamHandle {
     /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast, [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a longer time, [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded).
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast, [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a longer time,
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
         self.give(Goal::Velocity(deg_s), Some(for_at_most))
     }
@@ -67,7 +69,7 @@ impl StreamHandle {
     /// Brakes the arm, and holds it.
     ///
     /// # Errors
-    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn rest(&self) -> Result<(), Error> {
         self.give(Goal::Rest, None)
     }
@@ -86,7 +88,7 @@ impl StreamHandle {
     /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they have within `timeout`.
     ///
     /// # Errors
-    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream has ended.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn wait_for_rest(&self, timeout: Duration) -> Result<bool, Error> {
         self.targets.wait_for_rest(timeout).map_err(SessionEnd::into_error)
     }

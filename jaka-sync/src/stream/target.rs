@@ -1,6 +1,6 @@
 //! What the arm is to do next, shared by the handles and the cycle's thread.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use jaka_motion::{Bound, Goal, Step};
@@ -17,7 +17,8 @@ pub(super) struct Targets {
     /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until the arm has come to rest, or the
     /// stream has ended.
     state: Watched<State>,
-    is_landing: AtomicBool,
+    /// Why the stream lands, once it does.
+    landing: OnceLock<SessionEnd>,
 }
 
 /// What the arm is to do, until when, and the number of that.
@@ -60,30 +61,46 @@ impl Targets {
     pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
         let order = Order { goal: Goal::Rest, until: None, number: 0 };
         let state = State { order, joints: start, is_at_rest: true, bound: None, ended: None };
-        Self { state: Watched::new(clock, state), is_landing: AtomicBool::new(false) }
+        Self { state: Watched::new(clock, state), landing: OnceLock::new() }
     }
 
-    /// Gives another goal; fails with why the stream has ended, if it has.
+    /// Gives another goal; fails with why the stream lands or has ended, if so.
     pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), SessionEnd> {
         let until = for_at_most.map(|time| self.state.clock().now() + time);
         let mut state = self.state.lock();
-        match &state.ended {
-            Some(because) => Err(because.clone()),
-            None if self.is_landing() => Err(SessionEnd::new(Cause::Stopped, "it lands")),
-            None => {
-                state.order = Order { goal, until, number: state.order.number + 1 };
-                state.is_at_rest = false;
-                Ok(())
-            }
+        if let Some(because) = self.ends_because(&state) {
+            return Err(because);
         }
+        state.order = Order { goal, until, number: state.order.number + 1 };
+        state.is_at_rest = false;
+        Ok(())
     }
 
+    /// Has the stream land.
     pub(super) fn land(&self) {
-        self.is_landing.store(true, Ordering::SeqCst);
+        self.land_because(SessionEnd::new(Cause::Stopped, "it lands"));
+    }
+
+    /// Takes no more goals, since the stream lands. Never waits for a lock.
+    pub(super) fn land_because(&self, end: SessionEnd) {
+        self.landing.get_or_init(|| end);
+        self.tell_landing();
     }
 
     pub(super) fn is_landing(&self) -> bool {
-        self.is_landing.load(Ordering::SeqCst)
+        self.landing.get().is_some()
+    }
+
+    /// Wakes the threads that wait for rest, unless a handle has the lock: then one of the next set-points does so.
+    fn tell_landing(&self) {
+        if let Some(_state) = self.state.try_lock() {
+            self.state.wake();
+        }
+    }
+
+    /// Why the stream takes no more goals, if so.
+    fn ends_because(&self, state: &State) -> Option<SessionEnd> {
+        state.ended.as_ref().or_else(|| self.landing.get()).cloned()
     }
 
     /// Where the joints are to be at the last set-point.
@@ -96,10 +113,11 @@ impl Targets {
         self.state.lock().bound.clone()
     }
 
-    /// Waits until the arm rests on the last goal that was given, or the stream has ended, of which it tells why.
+    /// Waits until the arm rests on the last goal that was given, or the stream lands or has ended, of which it tells
+    /// why.
     pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, SessionEnd> {
-        let found = self.state.wait_for(timeout, |state| match &state.ended {
-            Some(because) => Some(Err(because.clone())),
+        let found = self.state.wait_for(timeout, |state| match self.ends_because(state) {
+            Some(because) => Some(Err(because)),
             None => state.is_at_rest.then_some(Ok(true)),
         });
         found.unwrap_or(Ok(false))
@@ -131,6 +149,7 @@ impl Targets {
         if let (Some(joints), Some(mut state)) = (joints, self.state.try_lock()) {
             (state.joints, state.bound) = (joints, None);
         }
+        self.tell_landing();
     }
 
     /// The stream has landed: nothing waits for this thread any more.

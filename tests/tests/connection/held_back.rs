@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_sim::SimulatedClock;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Config, ErrorKind, Monitor, Snapshot, StatusProblem};
+use jaka_sync::{Config, ErrorKind, Monitor, Snapshot, StatusProblem, StatusStream};
 use jaka_tests::simulated::beside;
 use jaka_tests::{ClockedSocket, LONG};
 
@@ -132,5 +132,33 @@ fn packets_that_may_all_be_old_are_told() {
         let text = "the wait has ended, because it is not known any more whether the robot is in the expected state: status packets have \
                     just resumed after a silence, and may be old; try again in a moment";
         assert_eq!(error.to_string(), text);
+    });
+}
+
+/// Of a reader of packets, too.
+#[test]
+fn a_stream_tells_packets_that_may_have_been_held_back() {
+    let clock = SimulatedClock::new();
+    let config = Config::new().clock(&clock).stale_after(STALE_AFTER).reply_timeout(LONG).connect_timeout(LONG);
+    let (socket, mut stream) = ClockedSocket::accepted(&clock, |address| StatusStream::connect_with(&config, address));
+    let mut controller = Stamping { clock: &clock, socket, held: None };
+    let act = || {
+        controller.write_for(PERIOD * 4, false);
+        controller.held = Some(Vec::new());
+        controller.write_for(HELD, false);
+        controller.release();
+        controller.write_for(PERIOD * 10, false);
+    };
+    beside(&clock, act, || {
+        let mut last = (Duration::ZERO, false);
+        for _ in 0..4 + 30 + 10 {
+            let packet = stream.next_packet().expect("packets come again");
+            let written = Duration::from_secs_f64(packet.rapid_rate.expect("each packet has its time"));
+            let was_held = written >= PERIOD * 4 && written < PERIOD * 4 + HELD;
+            assert!(stream.follows_silence() || !was_held, "{written:?}");
+            assert!(!stream.follows_silence() || written >= PERIOD * 4, "{written:?}");
+            last = (written, stream.follows_silence());
+        }
+        assert!(last.0 >= PERIOD * 4 + HELD && !last.1, "{last:?}");
     });
 }

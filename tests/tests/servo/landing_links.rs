@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Fault, Port};
 use jaka_sync::{ErrorKind, Outcome, Robot, ServoConfig, ServoSession};
-use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, CYCLE};
+use jaka_tests::simulated::{beside, until};
+use jaka_tests::{Arm, CYCLE, LONG};
 use serde_json::Value;
 
 /// Period of status packets.
@@ -281,4 +281,73 @@ fn a_stop_waits_for_three_seconds_at_most_while_the_arm_brakes() {
     // 3 s are 375 cycles.
     assert!(names[..stop_at].iter().filter(|name| *name == "servo_j").count() > 370, "it was braked");
     assert!(!names[stop_at..].iter().any(|name| name == "servo_j"), "{names:?}");
+}
+
+/// A stop on a link whose replies are held.
+struct Stopped {
+    /// Time from the call until the controller has the stop.
+    came: Duration,
+    /// Time from the call until it returns.
+    took: Duration,
+    accepted: Result<(), jaka_sync::Error>,
+}
+
+/// Stops a slow session on a link that holds replies for this long from then on, while the session does something.
+fn stopped_without_replies(held: Duration, go_on: impl FnOnce(ServoSession<'_>)) -> Stopped {
+    let (arm, mut robot) = ready();
+    let (clock, stop) = (arm.clock().clone(), robot.stop_handle());
+    let mut session = robot.enter_servo_mode(&config()).expect("the arm is at rest");
+    for _ in 0..10 {
+        send(&mut session, 0.001).expect("answers come");
+    }
+    arm.link(Port::Command).to_client().hold();
+    send(&mut session, 0.001).expect("it goes out");
+    let since = clock.elapsed();
+    let passed = || clock.elapsed().saturating_sub(since);
+    let (mut came, mut stopped) = (Duration::ZERO, None);
+    let watch = || {
+        until(&clock, || requests(&arm).iter().any(|request| request["cmdName"] == "stop_program"));
+        came = passed();
+        clock.sleep(held.saturating_sub(came));
+        arm.link(Port::Command).to_client().release();
+    };
+    let stops = || {
+        let accepted = stop.stop();
+        stopped = Some((passed(), accepted));
+    };
+    beside(&clock, watch, || beside(&clock, stops, || go_on(session)));
+    let (took, accepted) = stopped.expect("the call has returned");
+    Stopped { came, took, accepted }
+}
+
+/// The stop is written at once, and learns its outcome as soon as there is one. Where none comes, the session resets
+/// the connection a second after it has asked to leave servo mode; a landing waits for the last answers before, as
+/// long again.
+#[test]
+fn a_stop_on_a_link_that_stalls_goes_out_at_once_and_waits_no_longer_than_the_session() {
+    let ms = Duration::from_millis;
+    let goes_on = |mut session: ServoSession<'_>| {
+        drop((0..2000).find_map(|_| send(&mut session, 0.001).err()).expect("it is stopped"));
+    };
+    let lands = |session: ServoSession<'_>| drop(session.land());
+    for (held, reset_while_it_goes_on, reset_while_it_lands) in
+        [(ms(300), None, None), (ms(1_500), Some(ms(1_100)), None), (LONG / 6, Some(ms(1_100)), Some(ms(2_100)))]
+    {
+        let cases = [
+            ("goes on", stopped_without_replies(held, goes_on), reset_while_it_goes_on),
+            ("lands", stopped_without_replies(held, lands), reset_while_it_lands),
+        ];
+        for (session, Stopped { came, took, accepted }, reset) in cases {
+            let told =
+                format!("{session}, replies held for {held:?}: came after {came:?}, took {took:?}: {accepted:?}");
+            assert!(came <= CYCLE, "{told}");
+            match reset {
+                None => assert!(accepted.is_ok() && took == held, "{told}"),
+                Some(reset) => {
+                    assert!(accepted.is_err_and(|error| error.is_disconnected() && error.may_have_run()), "{told}");
+                    assert!(took >= reset && took <= reset + CYCLE * 4, "{told}");
+                }
+            }
+        }
+    }
 }

@@ -7,7 +7,9 @@ use jaka_sim::{Builder, Controller, Port, SimulatedClock, Trip, Underrun};
 use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
 use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{ErrorKind, Explanation, Robot, ServoConfig, StreamConfig, StreamHandle, Unchecked};
+use jaka_sync::{
+    ErrorKind, Explanation, Numbering, Robot, RobotStop, ServoConfig, StreamConfig, StreamHandle, Unchecked,
+};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{beside, side_by_side};
 use jaka_tests::witness::curve::apart;
@@ -426,4 +428,68 @@ fn handles_tell_the_set_points_of_a_landing() {
     stream.land().expect_err("it was stopped");
     let (set_points, _) = positions(&arm, CYCLES);
     assert!(apart(&handle.joints().0, &set_points[set_points.len() - 1]) == 0.0);
+}
+
+/// Nobody would follow a goal that is given to it.
+#[test]
+fn a_stream_that_lands_because_of_an_error_takes_no_goals_from_when_it_begins_to_land() {
+    type Cause = fn(&Arm, &RobotStop);
+    let causes: [(&str, Cause); 3] = [
+        ("digital input 1", |arm, _| arm.set_state(|state| state.digital_inputs[0] = true)),
+        ("the last status packet came", |arm, _| arm.link(Port::Status).to_client().hold()),
+        ("stop", |_, stop| stop.stop().expect("the controller takes it")),
+    ];
+    for (because, cause) in causes {
+        let soon_stale = arm().config(|config| config.stale_after(Duration::from_millis(500)));
+        let (arm, mut robot) = ready_with(soon_stale, limits());
+        let (clock, stop) = (arm.clock(), robot.stop_handle());
+        let input = Numbering::FromOne.cabinet(1).rises();
+        let stream = robot.stream_until(&config(), input).expect("the arm is ready");
+        let handle = stream.handle();
+        speed_up(&handle, clock);
+        let refused = || {
+            let since = clock.elapsed();
+            let error = loop {
+                clock.sleep(Duration::from_millis(5));
+                match handle.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 20.0], Duration::from_millis(500)) {
+                    Ok(()) => assert!(clock.elapsed() - since < LONG, "{because}: it goes on"),
+                    Err(error) => break error,
+                }
+            };
+            assert!(matches!(error.kind(), ErrorKind::SessionEnded { .. }), "{because}: {error:?}");
+            assert!(error.to_string().contains(because), "{because}: {error}");
+            let since = clock.elapsed();
+            let error = handle.wait_for_rest(LONG).expect_err("it lands");
+            assert!(matches!(error.kind(), ErrorKind::SessionEnded { .. }), "{because}: {error:?}");
+            assert_eq!(clock.elapsed(), since, "{because}");
+            assert!(arm.state().servo_mode, "{because}: it has only begun to land");
+            handle.joints()[5]
+        };
+        let at_speed = beside(clock, || cause(&arm, &stop), refused);
+        stream.land().expect_err("it has landed because of an error");
+        assert!(handle.joints()[5] - at_speed > 0.5, "{because}: it was still to be braked");
+        assert!(arm.state().at_rest && !arm.state().servo_mode, "{because}");
+        assert_smooth(&set_points(&arm).0);
+    }
+}
+
+/// Also where the wait has begun before the landing.
+#[test]
+fn a_wait_for_rest_ends_when_the_landing_begins() {
+    let (arm, mut robot) = ready();
+    let clock = arm.clock();
+    let input = Numbering::FromOne.cabinet(1).rises();
+    let stream = robot.stream_until(&config(), input).expect("the arm is ready");
+    let handle = stream.handle();
+    speed_up(&handle, clock);
+    let trip = || {
+        clock.sleep(Duration::from_millis(20));
+        arm.set_state(|state| state.digital_inputs[0] = true);
+    };
+    let error = beside(clock, trip, || handle.wait_for_rest(LONG).expect_err("it lands"));
+    assert!(error.to_string().contains("digital input 1"), "{error}");
+    assert!(arm.state().servo_mode, "it has only begun to land");
+    let at_speed = handle.joints()[5];
+    stream.land().expect_err("the guard has ended it");
+    assert!(handle.joints()[5] - at_speed > 0.5, "it was still to be braked");
 }

@@ -1,15 +1,18 @@
 //! Packets at the requested rate.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use jaka_sync::{ErrorKind, StatusStream};
+use jaka_sync::{Config, Error, ErrorKind, StatusStream};
 use serde_json::Value;
 
+use super::now;
 use super::until::Until;
 use crate::failure::Failure;
 use crate::output;
 use crate::packed_status::PackedStatus;
+use crate::utc;
 
 /// A packet, ready to be printed.
 #[derive(Debug)]
@@ -20,6 +23,32 @@ pub(super) struct Packet {
     pub(super) json: Value,
 }
 
+/// What is due to be printed.
+#[derive(Debug)]
+pub(super) enum Due<T> {
+    Packet(T),
+    Overdue(Overdue),
+}
+
+/// A time without packets, after which the last one does not tell the present.
+#[derive(Debug)]
+pub(super) struct Overdue {
+    /// The Unix time at which it is told, in seconds.
+    pub(super) time: f64,
+    /// That at which the last packet was read.
+    since: f64,
+    lasts: Duration,
+    /// True if nothing was due in it before.
+    pub(super) is_news: bool,
+}
+
+impl fmt::Display for Overdue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let since = utc::date_and_time(Duration::from_secs_f64(self.since));
+        write!(f, "no status packet since {since}, for {:.1} s", self.lasts.as_secs_f64())
+    }
+}
+
 /// Packets from a stream, one each period, or all of them if that is zero; or the one that shows what is waited for.
 #[derive(Debug)]
 pub(super) struct Packets {
@@ -28,13 +57,32 @@ pub(super) struct Packets {
     period: Option<Duration>,
     until: Option<Until>,
     due: Option<Instant>,
+    silence: Silence,
     /// Fields that were reported not to fit.
     told: BTreeSet<String>,
 }
 
+/// How long packets stay away.
+#[derive(Debug)]
+struct Silence {
+    /// When the last packet was read, or the connection was made.
+    since: Instant,
+    /// The Unix time of the last packet, in seconds.
+    last: Option<f64>,
+    /// True once it was told.
+    was_told: bool,
+    /// Age at which a packet does not tell the present.
+    stale_after: Duration,
+    /// How long a packet may take.
+    patience: Duration,
+}
+
 impl Packets {
-    pub(super) fn new(stream: StatusStream, period: Option<Duration>, until: Option<Until>) -> Self {
-        Self { stream, period, until, due: None, told: BTreeSet::new() }
+    /// Packets of a stream that waits for [`POLL`](super::until::POLL) at most, connected to by this config.
+    pub(super) fn new(stream: StatusStream, config: &Config, period: Option<Duration>, until: Option<Until>) -> Self {
+        let (stale_after, patience) = (config.get_stale_after(), config.get_reply_timeout());
+        let silence = Silence { since: now(), last: None, was_told: false, stale_after, patience };
+        Self { stream, period, until, due: None, silence, told: BTreeSet::new() }
     }
 
     /// True if the last packet shows what is waited for.
@@ -43,26 +91,28 @@ impl Packets {
     }
 
     /// The next packet that is due, or that shows what is waited for.
-    pub(super) fn next(&mut self) -> Result<Packet, Failure> {
+    pub(super) fn next(&mut self) -> Result<Due<Packet>, Failure> {
         loop {
             let status: PackedStatus = match self.stream.next_packet_as() {
-                Err(error) if self.until.as_ref().is_some_and(|until| until.outlasts(&error)) => {
-                    self.until.as_ref().map_or(Ok(()), Until::check_time)?;
-                    continue;
-                }
-                read => read?,
+                Err(error) => match self.nothing_came(error)? {
+                    Some(overdue) => return Ok(Due::Overdue(overdue)),
+                    None => continue,
+                },
+                Ok(status) => status,
             };
+            self.came();
             let is_due = self.is_due();
             if !is_due && self.until.is_none() {
                 continue;
             }
             self.tell_unfit(&status);
             let json = status.json()?;
-            if let Some(until) = &mut self.until {
+            let may_be_old = self.stream.follows_silence();
+            if let Some(until) = self.until.as_mut().filter(|_| !may_be_old) {
                 until.packet(&json)?;
             }
             if is_due || self.is_last() {
-                return Ok(Packet { time: unix_time(), json });
+                return Ok(Due::Packet(Packet { time: unix_time(), json }));
             }
         }
     }
@@ -76,19 +126,65 @@ impl Packets {
     }
 
     /// The text of the next packet that is due, even if it does not fit the spec.
-    pub(super) fn next_text(&mut self) -> Result<String, Failure> {
+    pub(super) fn next_text(&mut self) -> Result<Due<String>, Failure> {
         loop {
             match self.stream.next_packet() {
-                Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => return Err(error.into()),
-                _ if self.is_due() => return Ok(self.stream.packet_text().unwrap_or_default().to_owned()),
-                _ => {}
+                Err(error) if !matches!(error.kind(), ErrorKind::UnexpectedStatus { .. }) => {
+                    if let Some(overdue) = self.nothing_came(error)? {
+                        return Ok(Due::Overdue(overdue));
+                    }
+                }
+                _ => {
+                    self.came();
+                    if self.is_due() {
+                        return Ok(Due::Packet(self.stream.packet_text().unwrap_or_default().to_owned()));
+                    }
+                }
             }
         }
     }
 
+    /// A packet has come.
+    fn came(&mut self) {
+        let silence = &mut self.silence;
+        let lasted = now().saturating_duration_since(silence.since);
+        (silence.since, silence.last) = (now(), Some(unix_time()));
+        if std::mem::take(&mut silence.was_told) && self.prints_all() {
+            let lasted = lasted.as_secs_f64();
+            output::warning(&format!(
+                "status packets come again, after {lasted:.1} s: the first ones may be old ones that the network had held back"
+            ));
+        }
+    }
+
+    /// No packet has come for a moment: what is due because of that, if something is. Fails where that lasts for too long.
+    fn nothing_came(&mut self, error: Error) -> Result<Option<Overdue>, Failure> {
+        let ErrorKind::StatusTimeout { address, .. } = error.kind() else { return Err(error.into()) };
+        let lasts = now().saturating_duration_since(self.silence.since);
+        if let Some(until) = self.until.as_ref().filter(|until| until.is_limited()) {
+            until.check_time()?;
+        } else if lasts >= self.silence.patience {
+            let (address, after) = (address.clone(), self.silence.patience);
+            return Err(Error::from(ErrorKind::StatusTimeout { address, after }).into());
+        }
+        let Some(since) = self.silence.last.filter(|_| lasts > self.silence.stale_after) else { return Ok(None) };
+        let is_due = if self.prints_all() { !self.silence.was_told } else { self.tick() };
+        let mut is_news = || !std::mem::replace(&mut self.silence.was_told, true);
+        Ok(is_due.then(|| Overdue { time: unix_time(), since, lasts, is_news: is_news() }))
+    }
+
     /// Whether the packet that has just come is due. Those before are read and dropped, so that none is old and the controller is not held up.
     fn is_due(&mut self) -> bool {
-        let (Some(period), now) = (self.period, Instant::now()) else { return false };
+        (self.prints_all() || !self.stream.follows_silence()) && self.tick()
+    }
+
+    fn prints_all(&self) -> bool {
+        self.period == Some(Duration::ZERO)
+    }
+
+    /// Whether something is due now.
+    fn tick(&mut self) -> bool {
+        let (Some(period), now) = (self.period, now()) else { return false };
         let is_due = self.due.is_none_or(|due| now >= due);
         if is_due {
             // The times are multiples of the period, unless one was missed. A period that is too long to count never ends.

@@ -7,7 +7,7 @@ use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use serde_json::Value;
 
-use super::packets::Packet;
+use super::packets::{Overdue, Packet};
 use crate::event;
 use crate::fields::{Field, Shape};
 use crate::number::fixed;
@@ -41,6 +41,12 @@ impl StatusTable {
         let table = self.rows(&packet.json);
         let Some((before, after)) = self.around else { return table };
         format!("{before}{}\n{table}{after}", utc::date_and_time(Duration::from_secs_f64(packet.time)))
+    }
+
+    /// What takes the place of a table where no packet is there that tells the present.
+    pub(super) fn without_packet(&self, overdue: &Overdue) -> String {
+        let (before, after) = self.around.unwrap_or_default();
+        format!("{before}{}\n{overdue}\n{after}", utc::date_and_time(Duration::from_secs_f64(overdue.time)))
     }
 
     fn rows(&self, packet: &Value) -> String {

@@ -2,9 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use jaka_sync::{Error, ErrorKind};
 use serde_json::Value;
 
+use super::now;
 use crate::condition::Condition;
 use crate::failure::Failure;
 
@@ -25,7 +25,7 @@ pub(super) struct Until {
 
 impl Until {
     pub(super) fn new(condition: Condition, limit: Option<Duration>) -> Self {
-        Self { condition, limit, since: Instant::now(), last: None, is_met: false }
+        Self { condition, limit, since: now(), last: None, is_met: false }
     }
 
     pub(super) fn is_met(&self) -> bool {
@@ -45,14 +45,16 @@ impl Until {
         self.check_time()
     }
 
-    /// True if no packet has come, which does not end the wait: the time does.
-    pub(super) fn outlasts(&self, error: &Error) -> bool {
-        self.limit.is_some() && matches!(error.kind(), ErrorKind::StatusTimeout { .. })
+    /// True if the time ends the wait, and no packets that stay away.
+    pub(super) fn is_limited(&self) -> bool {
+        self.limit.is_some()
     }
 
     /// Fails if the time is over.
     pub(super) fn check_time(&self) -> Result<(), Failure> {
-        let Some(limit) = self.limit.filter(|limit| self.since.elapsed() >= *limit) else { return Ok(()) };
+        let Some(limit) = self.limit.filter(|limit| now().saturating_duration_since(self.since) >= *limit) else {
+            return Ok(());
+        };
         let last = match &self.last {
             Some(last) => format!("the last packet: {last}"),
             None => "no status packet came".to_owned(),

@@ -20,10 +20,19 @@ pub(crate) struct SetPointGuard {
     force: Option<Force>,
 }
 
+/// Lag of an arm behind its set-points, as far as it is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct MeasuredLag {
+    pub(crate) delay: Duration,
+    /// True for the longest delay that is measured: the lag may be longer.
+    pub(crate) is_lower_bound: bool,
+}
+
 /// The limits of force in a guard.
 #[derive(Debug)]
 struct Force {
-    limits: Vec<ForceLimit>,
+    /// Limit of each condition of the guard, in their order; none for a condition of another kind.
+    limits: Vec<Option<ForceLimit>>,
     /// The longest time between two of the last packets.
     period: Duration,
 }
@@ -39,7 +48,7 @@ impl SetPointGuard {
     pub(crate) fn check<S: MotionStatus>(
         &self,
         monitor: &Monitor<S>,
-        lag: impl FnOnce() -> Option<Duration>,
+        lag: impl FnOnce() -> Option<MeasuredLag>,
     ) -> Result<(), Error> {
         self.check_tripped(lag)?;
         let age = fresh_status(monitor).map_err(unknown)?.age();
@@ -48,19 +57,27 @@ impl SetPointGuard {
     }
 
     /// Fails once the guard has tripped.
-    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<Duration>) -> Result<(), Error> {
+    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<MeasuredLag>) -> Result<(), Error> {
         match (self.armed.trip(), self.armed.broken()) {
-            (Some(trip), _) => Err(GuardTrip { lag: self.lag_beyond_reaction(lag()), ..trip }.into_error()),
+            (Some(trip), _) => {
+                let lag = self.lag_beyond_reaction(trip.condition, lag);
+                Err(GuardTrip { lag, ..trip }.into_error())
+            }
             (None, Some(problem)) => Err(unknown(problem)),
             (None, None) => Ok(()),
         }
     }
 
-    /// The arm's lag, where it is longer than the shortest reaction that a limit of force allows for.
-    fn lag_beyond_reaction(&self, lag: Option<Duration>) -> Option<LagBeyondReaction> {
-        let reaction = self.force.as_ref()?.limits.iter().map(|limit| limit.reaction).min()?;
-        let lag = lag?;
-        (lag > reaction).then_some(LagBeyondReaction { lag, reaction })
+    /// Lag of the arm, where a limit of force has tripped that allows for a shorter reaction, or perhaps for a shorter
+    /// one.
+    fn lag_beyond_reaction(
+        &self,
+        condition: usize,
+        lag: impl FnOnce() -> Option<MeasuredLag>,
+    ) -> Option<LagBeyondReaction> {
+        let reaction = self.force.as_ref()?.limits.get(condition)?.as_ref()?.reaction;
+        let MeasuredLag { delay, is_lower_bound } = lag()?;
+        (delay > reaction || is_lower_bound).then_some(LagBeyondReaction { lag: delay, is_lower_bound, reaction })
     }
 
     /// Fails once the guard has tripped, before anything that moves the arm was sent.
@@ -78,15 +95,14 @@ impl SetPointGuard {
 
     /// Fails where the tool goes on for too long after a contact somewhere on a trajectory.
     pub(crate) fn check_trajectory(&self, follower: &Follower, checker: &Checker) -> Result<(), Error> {
-        let Some(Force { limits, period }) = &self.force else { return Ok(()) };
-        limits.iter().try_for_each(|limit| {
-            let unbraked_s = limit.unbraked_s(*period, follower.period_s());
+        let Some(force) = &self.force else { return Ok(()) };
+        force.unbraked_s(follower.period_s()).try_for_each(|(limit, unbraked_s)| {
             let Some(worst) = follower.worst_overtravel(checker, unbraked_s, limit.overtravel_mm) else {
                 return Ok(());
             };
             let way_points = follower.trajectory().way_points();
             let after = way_points.partition_point(|way_point| way_point.time_s <= worst.time_s);
-            Err(not_guarded(limit.too_fast_along(after, &worst, *period)))
+            Err(not_guarded(limit.too_fast_along(after, &worst, force.period)))
         })
     }
 
@@ -115,7 +131,7 @@ impl SetPointGuard {
 
 impl Force {
     fn unbraked_s(&self, cycle_s: f64) -> impl Iterator<Item = (&ForceLimit, f64)> {
-        self.limits.iter().map(move |limit| (limit, limit.unbraked_s(self.period, cycle_s)))
+        self.limits.iter().flatten().map(move |limit| (limit, limit.unbraked_s(self.period, cycle_s)))
     }
 }
 
@@ -127,10 +143,10 @@ impl<S: MotionStatus> Robot<S> {
         let (link, patience) = (&self.client.link, self.monitor.stale_after);
         let no_status = |problem| link.attach(unknown(problem));
         self.status_now(patience).map_err(no_status)?;
-        let limits: Vec<_> = guard.force_limits().copied().collect();
-        let force = if limits.is_empty() {
+        let force = if guard.force_limits().next().is_none() {
             None
         } else {
+            let limits = guard.force_limit_of_each().map(Option::<&_>::copied).collect();
             let period =
                 self.packet_period(Duration::MAX).ok_or_else(|| link.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
             Some(Force { limits, period })

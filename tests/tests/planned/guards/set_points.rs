@@ -259,3 +259,69 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         assert!(found.lag >= lag && found.lag < lag + ms(40), "{found:?}");
     }
 }
+
+/// Runs down to the plane on a trajectory under a guard that consists of these limits.
+fn touched(lag: Duration, speed: f64, guard: Guard) -> FollowEnd {
+    let (arm, robot) = lagging_above_a_plane(lag, Duration::from_millis(8), 15.0);
+    let mut robot = limited(robot);
+    let trajectory = down(&arm, &robot, speed);
+    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+    let end = run.wait();
+    assert_eq!(end.cause, Cause::Guard, "{end}");
+    end
+}
+
+#[test]
+fn a_lag_is_compared_with_the_reaction_of_the_limit_that_tripped() {
+    let ms = Duration::from_millis;
+    // Forces of the plane stay far below this.
+    let never = || ForceLimit::new(ForceComponent::Force, 1e6);
+    let either = |one: ForceLimit, other: ForceLimit| Guard::from(one).or(other);
+    for (guard, tripped, expected) in [
+        (either(never().reaction(ms(20)), force(1.0).reaction(ms(120))), 1, None),
+        (either(never().reaction(ms(120)), force(1.0).reaction(ms(20))), 1, Some(ms(20))),
+        (either(force(1.0).reaction(ms(40)), never().reaction(ms(20))), 0, Some(ms(40))),
+        // Another condition stands before the limit.
+        (Guard::from(IO.cabinet(1).rises()).or(force(1.0).reaction(ms(20))), 1, Some(ms(20))),
+    ] {
+        let end = touched(ms(60), 4.0, guard);
+        let trip = trip(end.error.as_ref().expect("the guard has ended it"));
+        assert_eq!((trip.condition, trip.lag.map(|found| found.reaction)), (tripped, expected), "{end}");
+    }
+}
+
+#[test]
+fn no_lag_is_told_where_the_condition_that_tripped_has_no_reaction() {
+    let ms = Duration::from_millis;
+    let (arm, robot) = lagging_above_a_plane(ms(60), ms(8), 25.0);
+    let mut robot = limited(robot);
+    let trajectory = down(&arm, &robot, 4.0);
+    let guard = Guard::from(force(1.0).reaction(ms(20))).or(IO.cabinet(1).rises());
+    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+    arm.clock().sleep(Duration::from_secs(2));
+    arm.set_state(|state| state.digital_inputs[0] = true);
+    let end = run.wait();
+    assert_eq!(end.cause, Cause::Guard, "{end}");
+    let trip = trip(end.error.as_ref().expect("the guard has ended it"));
+    assert_eq!((trip.condition, trip.lag), (1, None), "{end}");
+}
+
+/// Delays of up to 500 ms are compared: a longer one is known to be at least that.
+#[test]
+fn a_lag_beyond_what_is_measured_is_told_as_at_least_that() {
+    let ms = Duration::from_millis;
+    for (lag, reaction, text) in [
+        (ms(700), ms(20), "at least 500ms behind its set-points, longer than the limit's reaction of 20ms"),
+        (ms(900), ms(600), "at least 500ms behind its set-points, perhaps longer than the limit's reaction of 600ms"),
+    ] {
+        let end = touched(lag, 1.0, force(1.0).reaction(reaction).into());
+        assert_eq!(end.lag, None, "{end}");
+        let error = end.error.as_ref().expect("the guard has ended it");
+        let found = trip(error).lag.expect("the arm lags");
+        assert_eq!((found.lag, found.is_lower_bound, found.reaction), (ms(500), true, reaction), "{end}");
+        assert!(error.to_string().contains(text), "{error}");
+    }
+    let end = touched(ms(60), 4.0, force(1.0).into());
+    let found = trip(end.error.as_ref().expect("the guard has ended it")).lag.expect("the arm lags");
+    assert!(!found.is_lower_bound && found.lag < ms(100), "{found:?}");
+}
