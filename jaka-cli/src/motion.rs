@@ -65,6 +65,6 @@ pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Fai
 /// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
 pub(crate) fn describe(end: &MotionEnd, line: &mut Value) {
     line["outcome"] = end.cause().name().into();
-    line["text"] = end.outcome.to_string().into();
+    line["text"] = end.to_string().into();
     line["waited_s"] = end.waited.as_secs_f64().into();
 }

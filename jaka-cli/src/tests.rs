@@ -1,6 +1,7 @@
 //! Commands that run in the test program, on arms in simulated time: each time in their output is exact.
 
 mod beyond;
+mod causes;
 mod check;
 mod document;
 mod follow;

@@ -1,8 +1,7 @@
 //! A pipeline of settings to a simulated controller in the same process, in real time: how long it takes. The time of
 //! processors is that of both.
 //!
-//! `cargo build -p jaka-tests --example pipeline && time target/debug/examples/pipeline 100000 256`: how many, and how
-//! many are outstanding.
+//! `cargo run -p jaka-tests --example pipeline -- 100000 256`: how many, and how many are outstanding.
 
 use std::time::Instant;
 

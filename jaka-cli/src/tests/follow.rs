@@ -20,7 +20,7 @@ fn trajectory(factor: f64) -> String {
     path.display().to_string()
 }
 
-fn words(factor: f64, options: &str) -> Vec<String> {
+pub(super) fn words(factor: f64, options: &str) -> Vec<String> {
     let line = format!("follow {} --model zu5 --yes {options}", trajectory(factor));
     line.split_whitespace().map(str::to_owned).collect()
 }

@@ -83,7 +83,7 @@ fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
     let json: Value = serde_json::from_str(&run.out).expect("it is one object");
     assert_eq!((run.code, &json["outcome"]), (4, &"commands_lost".into()), "{run:?}");
     for part in [
-        "it may go on",
+        "the arm may still move",
         "such as the vendor's app",
         "hint: use the emergency stop, or `jaka stop`, which takes the seat back",
     ] {

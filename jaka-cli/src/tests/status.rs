@@ -43,7 +43,7 @@ fn enabled(run: &Run) -> Vec<bool> {
 #[test]
 fn a_table_that_is_due_without_a_packet_says_since_when_none_has_come() {
     let run = run("status --watch -n 3 --fields enabled");
-    expect![[r#"
+    expect![["
         TIME
         enabled  true
 
@@ -60,7 +60,7 @@ fn a_table_that_is_due_without_a_packet_says_since_when_none_has_come() {
         enabled  false
 
         exit code 0
-    "#]]
+    "]]
     .assert_eq(&run.text());
 }
 
@@ -68,9 +68,9 @@ fn a_table_that_is_due_without_a_packet_says_since_when_none_has_come() {
 fn lines_of_packets_are_followed_by_a_warning_where_none_comes() {
     let run = run("status --watch -n 3 --fields enabled --format json");
     assert_eq!((enabled(&run), run.code), (vec![true, true, false], 0), "{run:?}");
-    expect![[r#"
+    expect![["
         warning: no status packet since TIME, for 0.9 s
-    "#]]
+    "]]
     .assert_eq(&run.err);
     for options in ["--raw", "--fields enabled --format csv"] {
         let other = self::run(&format!("status --watch -n 3 {options}"));
@@ -84,10 +84,10 @@ fn of_all_packets_those_that_may_be_old_are_announced() {
     let run = run("status --watch 0 -n 120 --raw");
     let enabled = enabled(&run);
     assert!(enabled.len() == 120 && !enabled[119], "{run:?}");
-    expect![[r#"
+    expect![["
         warning: no status packet since TIME, for 0.6 s
         warning: status packets come again, after 2.3 s: the first ones may be old ones that the network had held back
-    "#]]
+    "]]
     .assert_eq(&run.err);
 }
 

@@ -34,9 +34,9 @@ worded! {
         /// The emergency stop is pressed.
         EmergencyStop => "the emergency stop is pressed",
         /// The arm has no power any more.
-        NotPowered => "the arm has no power any more",
+        NotPowered => "the arm has no power",
         /// The arm is not enabled any more: another client has disabled it, or the controller.
-        NotEnabled => "the arm is not enabled any more",
+        NotEnabled => "the arm is not enabled",
         /// The controller reports an error that it did not report before the motion; or, if the arm is at rest but not at its target, a
         /// code that no table has. Warnings and information do not end a motion. The arm may still move: other fields of the status show
         /// whether it is stopped.
@@ -49,7 +49,7 @@ worded! {
             message: String,
         } => (reported(code, *event, message)),
         /// The motion has not ended within the timeout, and the arm may still move. Leave it, wait again, or stop it.
-        Deadline => "the motion has not ended in time; the arm may still move",
+        Deadline => "the motion has not ended in time",
         /// The guard of [`Robot::run_until`](crate::Robot::run_until) has tripped: the arm was stopped, or nothing was sent.
         Guard(trip: Arc<GuardTrip>) => "the guard tripped: {trip}",
         /// The command connection was lost: another client may have taken it over, or the controller has shut down. The motion may go on, and
@@ -70,26 +70,27 @@ worded! {
     }
 }
 
+// Each text begins with the fact of the cause.
+
 fn reported(code: &str, event: Option<ControllerEvent>, message: &str) -> String {
+    let fact = Cause::ControllerError;
     match event {
-        Some(event) => format!("the controller reports {event}: {message}"),
-        None => format!("the controller reports code {code}: {message}"),
+        Some(event) => format!("{fact}: {event}: {message}"),
+        None => format!("{fact}: code {code}: {message}"),
     }
 }
 
 fn connection_lost(address: &str, cause: &Disconnect) -> String {
-    let hint = cause.seat_hint();
-    format!(
-        "the command connection to {address} was lost during the motion: it may go on, and cannot be stopped over this connection{hint}: \
-         {cause}"
-    )
+    let (fact, hint) = (Cause::CommandsLost, cause.seat_hint());
+    format!("{fact} ({address}{hint}): {cause}")
 }
 
 fn status_lost(cause: Option<&Disconnect>, unreadable: Option<&DecodeError>) -> String {
+    let fact = Cause::StatusLost;
     match (cause, unreadable) {
-        (None, None) => "status packets stopped coming; the arm may still move".to_owned(),
-        (None, Some(source)) => format!("status packets cannot be read; the arm may still move: {source}"),
-        (Some(cause), _) => format!("the status connection ended; the arm may still move: {cause}"),
+        (None, None) => fact.to_string(),
+        (None, Some(source)) => format!("{fact}: {source}"),
+        (Some(cause), _) => format!("{fact}: the status connection ended: {cause}"),
     }
 }
 

@@ -115,11 +115,18 @@ causes! {
     /// The request is wrong, or something on this machine.
     Failed "failed" Program "it could not be done" SeeError,
     /// There was nothing to wait for.
-    NoMotion "no_motion" Done "there was nothing to wait for" None,
+    NoMotion "no_motion" Done "there was nothing to wait for: no motion of this robot was accepted" None,
     /// The arm is at rest, and it is not known whether it is at its target.
-    AtRest "at_rest" Done "the arm is at rest, and it is not known whether it is at its target" None,
+    AtRest "at_rest" Done "the arm is at rest, but it is not known whether it is at its target" None,
     /// The arm is at its target.
     Reached "reached" Done "the motion has reached its target" None,
+}
+
+impl Cause {
+    /// Writes the fact and what more is known, which may begin with the fact itself.
+    pub(crate) fn fmt_with(self, known: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if known.starts_with(self.fact()) { f.write_str(known) } else { write!(f, "{self}: {known}") }
+    }
 }
 
 impl fmt::Display for Cause {

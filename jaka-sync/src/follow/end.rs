@@ -64,9 +64,10 @@ impl fmt::Display for FollowEnd {
         match self.error.as_ref().map(Error::kind) {
             None => self.cause.fmt(f)?,
             // Another set-point was not sent, which the end says.
-            Some(ErrorKind::NotAcknowledged { outcome }) => outcome.fmt(f)?,
-            Some(ErrorKind::NotReady { explanation }) => explanation.fmt(f)?,
-            Some(kind) => kind.fmt(f)?,
+            Some(ErrorKind::NotAcknowledged { outcome }) => self.cause.fmt_with(&outcome.to_string(), f)?,
+            Some(ErrorKind::NotReady { explanation }) => self.cause.fmt_with(&explanation.to_string(), f)?,
+            Some(ErrorKind::Refused { refusal, .. }) => self.cause.fmt_with(&refusal.to_string(), f)?,
+            Some(kind) => self.cause.fmt_with(&kind.to_string(), f)?,
         }
         if self.cause == Cause::Reached {
             return Ok(());

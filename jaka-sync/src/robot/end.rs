@@ -67,7 +67,10 @@ impl MotionEnd {
 /// The fact: how it ended, and what became of the stop and of the query for the position.
 impl fmt::Display for MotionEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.outcome.fmt(f)?;
+        self.cause().fmt_with(&self.outcome.to_string(), f)?;
+        if self.stop.is_none() && self.outcome.consequence().may_move() {
+            f.write_str("; the arm may still move")?;
+        }
         match &self.stop {
             Some(Ok(())) => f.write_str("; the arm was told to stop")?,
             Some(Err(error)) => {

@@ -124,8 +124,9 @@ fn servo() -> ServoConfig {
 fn act(way: Way, robot: &mut Robot, arm: &Arm) -> (Cause, String) {
     let of = |error: Error| (error.cause(), format!("{error}"));
     let motion = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 300.0], 20.0).acceleration(100.0);
-    let motion_end =
-        |end: jaka_sync::MotionEnd| (end.cause(), end.reached().map_or_else(|e| e.to_string(), |()| String::new()));
+    let motion_end = |end: jaka_sync::MotionEnd| {
+        (end.cause(), end.reached().map_or_else(|error| error.to_string(), |()| String::new()))
+    };
     match way {
         Way::Run => robot.run(&motion, LONG).map_or_else(of, motion_end),
         Way::GuardedRun => robot.run_until(&motion, guard(), LONG).map_or_else(of, motion_end),
@@ -199,7 +200,10 @@ fn an_event_has_the_same_cause_in_each_way_of_moving() {
             for _ in 0..runs() {
                 let after = Duration::from_micros(u64::from(random.below(1_500_000)) + 500_000);
                 let (found, text) = cell(event, way, after);
-                if found != cause {
+                // The other ways end with errors, of which the cause is asked.
+                let has_text = !matches!(way, Way::Run | Way::GuardedRun | Way::Trajectory)
+                    || text.starts_with(&cause.to_string());
+                if found != cause || !has_text {
                     wrong.push(format!("{event:?} in {way:?} after {after:?}: {found:?}, not {cause:?}: {text}"));
                 }
             }
