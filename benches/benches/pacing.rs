@@ -12,7 +12,7 @@ use jaka_benches::system::child::{Addresses, Server};
 use jaka_benches::system::figures::median;
 use jaka_benches::system::report::{self, Target};
 use jaka_benches::system::{options, process};
-use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig, ServoReport};
+use jaka_sync::{Client, Config, Monitor, Report, Robot, ServoConfig};
 
 const PERIOD: Duration = Duration::from_millis(8);
 
@@ -100,7 +100,7 @@ impl Way {
         }
         let run_time = start.elapsed();
         self.ran(start, cpu, &late);
-        let report = session.land()?;
+        let report = session.land()?.report;
         self.late.extend(lateness(&report));
         self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())?.saturating_sub(report.cycles);
         self.most_outstanding = self.most_outstanding.max(report.most_outstanding);
@@ -134,7 +134,7 @@ impl Way {
 }
 
 /// The lateness of each set-point, which the report has in whole microseconds: rounded up here.
-fn lateness(report: &ServoReport) -> impl Iterator<Item = f64> {
+fn lateness(report: &Report) -> impl Iterator<Item = f64> {
     #[expect(clippy::cast_precision_loss)]
     let share = |cycle: u64| cycle as f64 / report.cycles.saturating_sub(1).max(1) as f64;
     (0..report.cycles).map(move |cycle| micros(report.lateness(share(cycle))) + 1.0)

@@ -5,7 +5,7 @@ use std::time::Duration;
 use clap::Args;
 use jaka_motion::{Limits, Trajectory};
 use jaka_sync::proto::Command;
-use jaka_sync::{Error, FollowConfig, FollowEnd, Motion, Robot};
+use jaka_sync::{End, Error, FollowConfig, Motion, Robot};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
@@ -104,7 +104,7 @@ impl Act {
         trajectory: &Trajectory,
         limits: Limits,
         config: &FollowConfig,
-    ) -> Result<FollowEnd, Failure> {
+    ) -> Result<End, Failure> {
         let mut robot = self.target.robot()?.with_limits(limits)?;
         let stop = robot.stop_handle();
         self.under_way.set(Stage::Moving(stop.clone()));

@@ -77,8 +77,6 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::Usage(_) | Failure::CommandLine(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
-        Failure::NotReached(not_reached) => of_cause(not_reached.end().cause()),
-        Failure::NotCompleted(not_completed) => of_cause(not_completed.end().cause),
         Failure::NotStopped(_) => NOT_STOPPED,
         Failure::NotInTime(_) => DEADLINE,
         Failure::NotSent(_) => NOT_MOVED,
@@ -103,6 +101,7 @@ const OF_CAUSES: &[(Cause, u8)] = &[
     (Cause::Reached, 0),
     (Cause::NoMotion, MAY_HAVE_RUN),
     (Cause::AtRest, AT_REST),
+    (Cause::Landed, 0),
     (Cause::Stopped, STOPPED),
     (Cause::ProtectiveStop, PROTECTIVE_STOP),
     (Cause::EmergencyStop, EMERGENCY_STOP),
@@ -136,7 +135,9 @@ fn of_cause(cause: Cause) -> u8 {
 
 /// The exit code for an error of the robot: it says what a script can do about it.
 fn exit_code(error: &Error) -> u8 {
-    if error.may_have_run() {
+    if let ErrorKind::NotReached { end } = error.kind() {
+        of_cause(end.cause())
+    } else if error.may_have_run() {
         MAY_HAVE_RUN
     } else if error.is_refused() {
         REFUSED

@@ -8,7 +8,7 @@ use std::path::Path;
 use itertools::Itertools as _;
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{CauseGroup, Error, ErrorKind, Explanation, NotCompleted, NotReached, Refusal, Remedy};
+use jaka_sync::{CauseGroup, Error, ErrorKind, Explanation, Refusal, Remedy};
 
 use crate::command_line;
 
@@ -30,10 +30,6 @@ pub(crate) enum Failure {
         /// Why it did, as far as the robot's status shows.
         explanation: Option<Box<Explanation>>,
     },
-    /// A motion was accepted, and did not end at its target.
-    NotReached(NotReached),
-    /// A trajectory was begun, and not completed.
-    NotCompleted(NotCompleted),
     /// A stop was not taken, or that is not known.
     NotStopped(Box<Failure>),
     /// What was waited for did not come in time.
@@ -100,9 +96,10 @@ impl Failure {
             Self::Refused { explanation: Some(explanation), .. } => explanation.cause(),
             // Other errors say themselves what helps.
             Self::Robot(error) if error.cause().group() == CauseGroup::Robot => error.cause(),
-            Self::Robot(error) if matches!(error.kind(), ErrorKind::NotAcknowledged { .. }) => error.cause(),
-            Self::NotReached(not_reached) => not_reached.end().cause(),
-            Self::NotCompleted(not_completed) => not_completed.end().cause,
+            Self::Robot(error) => match error.kind() {
+                ErrorKind::NotAcknowledged { .. } | ErrorKind::NotReached { .. } => error.cause(),
+                _ => return None,
+            },
             _ => return None,
         };
         verb(cause.remedy())
@@ -158,8 +155,6 @@ impl fmt::Display for Failure {
                 // The fact alone: remedies are hints.
                 kind => kind.fmt(f),
             },
-            Self::NotReached(not_reached) => not_reached.end().fmt(f),
-            Self::NotCompleted(not_completed) => not_completed.end().fmt(f),
             Self::Refused { refusal, explanation: Some(explanation), .. } => {
                 write!(f, "{refusal}\nThe reason: {explanation}")
             }
@@ -183,8 +178,6 @@ impl StdError for Failure {
         match self {
             // Its text is part of this one.
             Self::Robot(error) => error.source(),
-            Self::NotReached(not_reached) => not_reached.source(),
-            Self::NotCompleted(not_completed) => not_completed.source(),
             Self::Local { source, .. } => Some(source),
             Self::NotStopped(failure) => Some(&**failure),
             _ => None,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_spec::Spec;
-use jaka_sync::{Error, MotionEnd, Robot};
+use jaka_sync::{Cause, End, Error, Robot};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -33,10 +33,10 @@ impl Form {
 /// It was not accepted.
 pub(crate) fn end(
     robot: &mut Robot,
-    motion: impl FnOnce(&mut Robot) -> Result<MotionEnd, Error>,
+    motion: impl FnOnce(&mut Robot) -> Result<End, Error>,
     spec: &Spec,
     under_way: &UnderWay,
-) -> Result<MotionEnd, Failure> {
+) -> Result<End, Failure> {
     under_way.set(Stage::Moving(robot.stop_handle()));
     let ended = motion(robot);
     under_way.set(Stage::Answered);
@@ -47,24 +47,24 @@ pub(crate) fn end(
 ///
 /// # Errors
 /// It did not end at its target.
-pub(crate) fn print(command: &str, end: MotionEnd, form: Form) -> Result<(), Failure> {
+pub(crate) fn print(command: &str, end: End, form: Form) -> Result<(), Failure> {
     match form {
         Form::Json => {
             let mut line = json!({"command": command});
             describe(&end, &mut line);
             output::json(&format!("{line}\n"))?;
         }
-        Form::Text if end.outcome.is_reached() => {
-            output::line(&format!("{}, after {:.1} s", end.outcome, end.waited.as_secs_f64()))?;
+        Form::Text if end.cause() == Cause::Reached => {
+            output::line(&format!("{end}, after {:.1} s", end.report.waited.as_secs_f64()))?;
         }
         Form::Text => {}
     }
-    end.reached().map_err(Failure::NotReached)
+    Ok(end.reached()?)
 }
 
 /// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
-pub(crate) fn describe(end: &MotionEnd, line: &mut Value) {
+pub(crate) fn describe(end: &End, line: &mut Value) {
     line["outcome"] = end.cause().name().into();
     line["text"] = end.to_string().into();
-    line["waited_s"] = end.waited.as_secs_f64().into();
+    line["waited_s"] = end.report.waited.as_secs_f64().into();
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
 use jaka_sync::proto::wire::Writer;
-use jaka_sync::{Outcome, ServoConfig, ServoSession};
+use jaka_sync::{Cause, ServoConfig, ServoSession};
 use jaka_tests::{Arm, LONG, recorded};
 use serde_json::{Value, json};
 
@@ -238,7 +238,7 @@ fn late_set_points_ends_of_motions_and_stops_are_told() {
         robot.run(&to(10.0), LONG).expect("it is accepted").reached().expect("nothing is in its way");
         robot.start(&to(40.0)).expect("it is accepted");
         robot.stop_handle().stop().expect("it is accepted");
-        assert!(matches!(robot.wait(LONG).outcome, Outcome::Stopped));
+        assert!(robot.wait(LONG).cause() == Cause::Stopped);
     });
     let mut text = Writer::new();
     recording.write(&mut text);

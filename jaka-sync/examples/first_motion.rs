@@ -30,7 +30,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     // By 5 deg from where it is, at 5 deg/s and 20 deg/s².
     let turn = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 5.0).acceleration(20.0);
     let end = robot.run(&turn, Duration::from_secs(30))?;
-    println!("{} ({:.1?})", end.outcome, end.waited);
+    println!("{end} ({:.1?})", end.report.waited);
     let after = robot.client().get_joint_pos()?.joint_position.0;
     println!("joint 6 was at {:.2} deg and is at {:.2}", before[5], after[5]);
     Ok(end.reached()?)

@@ -45,7 +45,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     sleep(Duration::from_secs(1));
     run.resume()?;
     let end = run.wait();
-    let lag = end.lag.map(|lag| lag.delay);
+    let lag = end.report.trajectory.as_ref().and_then(|trajectory| trajectory.lag).map(|lag| lag.delay);
     println!("{} set-points, {} late by half a period, lag {lag:?}", end.report.cycles, end.report.late_cycles);
-    Ok(end.completed()?)
+    Ok(end.reached()?)
 }

@@ -25,7 +25,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     robot.power_up(Duration::from_secs(60))?;
 
     let turn = |by: f64, speed: f64| JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, by], speed).acceleration(60.0);
-    println!("{}", robot.run(&turn(5.0, 20.0), Duration::from_secs(30))?.outcome);
+    println!("{}", robot.run(&turn(5.0, 20.0), Duration::from_secs(30))?);
     let down = MoveL::relative([0.0, 0.0, -500.0, 0.0, 0.0, 0.0], 100.0);
     for refused in [robot.start(&turn(5.0, 90.0)), robot.start(&turn(500.0, 20.0)), robot.start(&down)] {
         println!("{}", refused.err().ok_or("a motion beyond a limit was sent")?);

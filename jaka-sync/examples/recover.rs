@@ -13,7 +13,7 @@ use std::time::Duration;
 use common::Target;
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{MotionEnd, Outcome, Robot};
+use jaka_sync::{Cause, End, Robot};
 
 const MOTION: Duration = Duration::from_secs(20);
 
@@ -39,7 +39,7 @@ fn there_and_back(robot: &mut Robot, target: &Target) -> Result<(), Box<dyn Erro
     println!("Joint 1 moves by 10 deg");
     let end = run_into_something(robot, target, start, away)?;
     report(&end);
-    if matches!(end.outcome, Outcome::ProtectiveStop) {
+    if end.cause() == Cause::ProtectiveStop {
         refused(robot, away);
         recover(robot, target)?;
         println!("On to the target: nothing is sent again on its own");
@@ -63,7 +63,7 @@ fn run_into_something(
     target: &Target,
     start: JointPosition,
     away: JointPosition,
-) -> Result<MotionEnd, Box<dyn Error>> {
+) -> Result<End, Box<dyn Error>> {
     if let Some(controller) = &target.controller {
         let far = start.0[0] + 3.0;
         controller.when(move |state| state.joint_position.0[0] > far, jaka_sim::Controller::collide)?;
@@ -72,8 +72,8 @@ fn run_into_something(
 }
 
 /// What the end of a motion tells.
-fn report(end: &MotionEnd) {
-    println!("  after {:.1?}: {}", end.waited, end.outcome);
+fn report(end: &End) {
+    println!("  after {:.1?}: {end}", end.report.waited);
     let Some(last) = end.packets.last() else { return };
     let joint_1 = last.status.joint_actual_position.map_or(f64::NAN, |joints| joints.0[0]);
     let code = last.status.error_code.as_deref().unwrap_or("none");

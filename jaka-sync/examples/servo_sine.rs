@@ -42,7 +42,7 @@ fn run() -> Result<(), Box<dyn Error>> {
             if time < end { ControlFlow::Continue(sine(start, time)) } else { ControlFlow::Break(()) }
         },
     )?;
-    let report = session.land()?;
+    let report = session.land()?.report;
     println!(
         "  {} set-points, {} accepted, {} refused, {} unanswered, {} late, at most {} answers outstanding",
         report.cycles, report.accepted, report.refused, report.unanswered, report.late_cycles, report.most_outstanding

@@ -35,7 +35,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         session.send_joints([start[0], start[1], start[2], start[3], start[4], start[5] + angle])?;
     }
     let lasted = clock.elapsed().saturating_sub(since);
-    let report = session.land()?;
+    let report = session.land()?.report;
     println!("{} set-points in {lasted:?}, {} of them late", report.cycles, report.late_cycles);
     println!(
         "status packets each {:?}, jitter {:?}",

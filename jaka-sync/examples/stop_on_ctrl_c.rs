@@ -15,7 +15,7 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
-use jaka_sync::{Outcome, Robot, RobotStop};
+use jaka_sync::{Cause, Robot, RobotStop};
 
 fn main() -> ExitCode {
     common::end(run())
@@ -86,10 +86,10 @@ fn swing(robot: &mut Robot, stop: &Stop) -> Result<(), Box<dyn Error>> {
             robot.client().stop_program()?;
         }
         let end = robot.wait(Duration::from_secs(15));
-        println!("  {} ({:.1?})", end.outcome, end.waited);
-        match end.outcome {
-            Outcome::Reached => {}
-            Outcome::Stopped => break,
+        println!("  {end} ({:.1?})", end.report.waited);
+        match end.cause() {
+            Cause::Reached => {}
+            Cause::Stopped => break,
             // Also after the deadline, when the arm may still move: `main` stops it.
             _ => return Ok(end.reached()?),
         }

@@ -34,7 +34,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         stream.set_joints(target)?;
         sleep(Duration::from_millis(50 + u64::from(n * 37 % 60)));
     }
-    let report = stream.land()?;
+    let report = stream.land()?.report;
     println!("{} set-points, {} late by half a period", report.cycles, report.late_cycles);
     Ok(())
 }

@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Outcome, Robot, RobotStop};
+use jaka_sync::{Cause, Robot, RobotStop};
 
 /// An error that can leave its thread.
 type Failure = Box<dyn Error + Send + Sync>;
@@ -91,9 +91,9 @@ impl Cell {
         // The other's stop may have come just before the motion was accepted: this ends in a stop of both once more.
         self.check()?;
         let end = robot.wait(Duration::from_secs(15));
-        println!("{name}: joint 1 to {:.1} deg: {} ({:.1?})", joint_position.0[0], end.outcome, end.waited);
-        match end.outcome {
-            Outcome::Stopped => Err("was stopped".into()),
+        println!("{name}: joint 1 to {:.1} deg: {end} ({:.1?})", joint_position.0[0], end.report.waited);
+        match end.cause() {
+            Cause::Stopped => Err("was stopped".into()),
             // Also after the deadline: `work` then stops both.
             _ => end.reached().map_err(Into::into),
         }

@@ -36,6 +36,6 @@ fn run() -> Result<(), Box<dyn Error>> {
         // Not given again, it ends.
         stream.wait_for_rest(Duration::from_secs(5))?;
     }
-    println!("{} set-points", stream.land()?.cycles);
+    println!("{} set-points", stream.land()?.report.cycles);
     Ok(())
 }

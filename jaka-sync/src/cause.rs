@@ -3,7 +3,7 @@
 mod explanation;
 mod not_guarded;
 mod not_shown;
-mod outcome;
+mod occurrence;
 mod remedy;
 mod table;
 mod trip;
@@ -16,8 +16,8 @@ pub(crate) use self::not_shown::Field;
 pub use self::not_shown::NotShown;
 #[cfg(feature = "stream")]
 pub(crate) use self::not_shown::shown_joints;
-pub(crate) use self::outcome::Consequence;
-pub use self::outcome::Outcome;
+pub(crate) use self::occurrence::Consequence;
+pub use self::occurrence::{Evidence, Occurrence};
 pub use self::remedy::Remedy;
 pub use self::table::{Cause, CauseGroup};
 pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};

@@ -1,5 +1,6 @@
-//! Why a call failed: what each kind of error is, what it means for the command, and the messages that led to it.
+//! Errors, their kinds, the messages that led to them, and ends of motions.
 
+mod end;
 mod exchanges;
 mod kind;
 
@@ -10,9 +11,12 @@ use jaka_proto::check::{InvalidArgument, NotSent};
 use jaka_proto::recording::Entry;
 use jaka_proto::{NotInFirmware, Refusal};
 
+pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
 use crate::Cause;
+#[cfg(feature = "stream")]
+use crate::cause::Occurrence;
 
 /// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -56,6 +60,12 @@ impl Error {
     /// Cause of the end of moving, or why moving is kept back: the same for an event in each way of moving.
     pub fn cause(&self) -> Cause {
         self.kind().cause()
+    }
+
+    /// Cause and the evidence for it.
+    #[cfg(feature = "stream")]
+    pub(crate) fn occurrence(&self) -> Occurrence {
+        Occurrence { cause: self.cause(), evidence: self.kind().evidence() }
     }
 
     /// True if the controller may have carried out the command although the call failed.
@@ -107,6 +117,27 @@ impl Error {
     /// connection. The alternate form of the error, `{:#}`, shows them below its text.
     pub fn exchanges(&self) -> &[Entry] {
         &self.0.exchanges
+    }
+
+    /// Error of an end that is not what was commanded.
+    fn not_reached(end: End) -> Self {
+        let exchanges = end.error.as_ref().map_or_else(Vec::new, |error| error.exchanges().to_vec());
+        Self::from(ErrorKind::NotReached { end: Box::new(end) }).with_exchanges(exchanges)
+    }
+
+    /// True for the trip of a guard alone.
+    fn is_trip(&self) -> bool {
+        matches!(self.kind(), ErrorKind::GuardTripped { .. })
+    }
+
+    /// Text in an end, which says itself that nothing more was sent.
+    fn in_end(&self) -> String {
+        match self.kind() {
+            ErrorKind::NotAcknowledged { occurrence } => occurrence.to_string(),
+            ErrorKind::NotReady { explanation } => explanation.to_string(),
+            ErrorKind::Refused { refusal, .. } => refusal.to_string(),
+            kind => kind.to_string(),
+        }
     }
 
     pub(crate) fn kind_mut(&mut self) -> &mut ErrorKind {

@@ -3,7 +3,6 @@
 mod approach;
 mod config;
 mod cycle;
-mod end;
 mod handle;
 mod orders;
 mod start;
@@ -16,14 +15,13 @@ use jaka_motion::Trajectory;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::config::FollowConfig;
-pub use self::end::{FollowEnd, NotCompleted};
 pub use self::handle::{FollowHandle, FollowProgress};
 use self::orders::Orders;
 #[cfg(doc)]
 use crate::ErrorKind;
 use crate::robot::SetPointGuard;
 use crate::servo_thread::ServoThread;
-use crate::{Error, Guard, MotionStatus, Robot};
+use crate::{End, Error, Guard, MotionStatus, Robot};
 
 /// A robot that follows a [`Trajectory`], from [`Robot::start_follow`].
 ///
@@ -35,7 +33,7 @@ use crate::{Error, Guard, MotionStatus, Robot};
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
 /// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
 ///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
-///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`FollowEnd::has_left_curve`].
+///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
 ///
 /// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow
@@ -58,14 +56,14 @@ use crate::{Error, Guard, MotionStatus, Robot};
 /// run.set_speed_scale(0.5)?;
 /// run.pause()?;
 /// run.resume()?;
-/// run.wait().completed()?;
+/// run.wait().reached()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use = "dropping a run stops it; `wait` waits for its end"]
 #[derive(Debug)]
 pub struct FollowRun<'r, S: MotionStatus = RobotStatus> {
     handle: FollowHandle,
-    thread: ServoThread<FollowEnd>,
+    thread: ServoThread<End>,
     robot: PhantomData<&'r mut Robot<S>>,
 }
 
@@ -77,8 +75,8 @@ impl<S: MotionStatus> Robot<S> {
     /// The arm must be where the trajectory starts: see [`FollowConfig::approach`].
     ///
     /// # Errors
-    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`FollowEnd`].
-    pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<FollowEnd, Error> {
+    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`End`].
+    pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<End, Error> {
         Ok(self.start_follow(trajectory, &FollowConfig::new().deadline(deadline))?.wait())
     }
 
@@ -145,8 +143,8 @@ impl<S: MotionStatus> FollowRun<'_, S> {
     }
 
     /// Waits until the arm is at rest, or it is known that it cannot be brought to rest.
-    pub fn wait(mut self) -> FollowEnd {
-        self.thread.join().unwrap_or_else(|error| FollowEnd::lost(error, &self.handle.progress()))
+    pub fn wait(mut self) -> End {
+        self.thread.join().unwrap_or_else(|error| self.handle.lost(error))
     }
 }
 

@@ -21,6 +21,7 @@ mod ports;
 mod receive;
 mod reconnect;
 mod recorder;
+mod report;
 mod robot;
 mod servo_session;
 #[cfg(feature = "stream")]
@@ -40,14 +41,15 @@ pub use call::Call;
 #[cfg(feature = "motion")]
 pub use cause::Unchecked;
 pub use cause::{
-    Cause, CauseGroup, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Outcome, Remedy, TripReason,
+    Cause, CauseGroup, Evidence, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Occurrence, Remedy,
+    TripReason,
 };
 pub use client::Client;
 pub use config::Config;
 pub use disconnect::Disconnect;
-pub use error::{Error, ErrorKind};
+pub use error::{End, Error, ErrorKind, Phase, Rest};
 #[cfg(feature = "stream")]
-pub use follow::{FollowConfig, FollowEnd, FollowHandle, FollowProgress, FollowRun, NotCompleted};
+pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};
 /// A simulated clock, for tests. Needs the feature `simulated-clock`.
 #[cfg(feature = "simulated-clock")]
 pub use jaka_clock::{self, SimulatedClock};
@@ -74,17 +76,18 @@ pub use monitor::{Monitor, MonitorStatistics, Subscription};
 pub use pipeline::Pipeline;
 pub use reconnect::Reconnect;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
+pub use report::Report;
+#[cfg(feature = "stream")]
+pub use report::{FollowLag, TrajectoryReport};
 #[cfg(feature = "motion")]
 pub use robot::LimitPolicy;
 pub use robot::{
-    AnalogCondition, AnalogInput, ForceComponent, ForceLimit, Guard, Input, InputCondition, Motion, MotionEnd,
-    MotionStatus, NotReached, Numbering, Path, PowerStep, Robot, RobotStop, Target, TcpBox,
+    AnalogCondition, AnalogInput, ForceComponent, ForceLimit, Guard, Input, InputCondition, Motion, MotionStatus,
+    Numbering, Path, PowerStep, Robot, RobotStop, Target, TcpBox,
 };
 #[cfg(feature = "preflight")]
 pub use robot::{CheckItem, Finding, Preflight, Verdict};
-#[cfg(feature = "stream")]
-pub use servo_session::FollowLag;
-pub use servo_session::{ServoConfig, ServoReport, ServoSession};
+pub use servo_session::{ServoConfig, ServoSession};
 pub use snapshot::Snapshot;
 pub use status_problem::StatusProblem;
 pub use status_stream::StatusStream;

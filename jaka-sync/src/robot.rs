@@ -1,7 +1,6 @@
 //! A client and a monitor together: motions that are waited for.
 
 mod batch;
-mod end;
 mod explain;
 mod guard;
 mod inputs;
@@ -35,7 +34,6 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::MotionStep;
 
 use self::batch::{Batch, Begin, Frames};
-pub use self::end::{MotionEnd, NotReached};
 pub(crate) use self::guard::Armed;
 pub use self::guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 #[cfg(feature = "stream")]
@@ -50,15 +48,15 @@ use self::position::Query;
 pub use self::power::PowerStep;
 #[cfg(feature = "preflight")]
 pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
-pub(crate) use self::rest::Rest;
+pub(crate) use self::rest::Stillness;
 pub use self::status::MotionStatus;
 pub use self::stops::RobotStop;
 use self::target::Goal;
 pub use self::target::Target;
 use self::wait::{Grace, Wait};
-use crate::cause::Consequence;
+use crate::cause::{Consequence, Occurrence};
 use crate::clock::Clock;
-use crate::{Call, Client, Command, Config, Error, ErrorKind, Monitor, Outcome, address};
+use crate::{Call, Cause, Client, Command, Config, End, Error, ErrorKind, Monitor, Report, Rest, address};
 
 /// How long the news may take that settles the cause of an end: the next packet, or the end of the other connection.
 const SETTLING: Duration = Duration::from_millis(250);
@@ -236,7 +234,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
-    /// was accepted is reported by the [`MotionEnd`].
+    /// was accepted is reported by the [`End`].
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]
@@ -244,7 +242,7 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "move_l")]
     #[doc(alias = "movej")]
     #[doc(alias = "movel")]
-    pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<MotionEnd, Error> {
+    pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<End, Error> {
         let since = self.clock().stopwatch();
         self.send(motion, timeout, None)?;
         Ok(self.wait(since.left_of(timeout)))
@@ -318,10 +316,10 @@ impl<S: MotionStatus> Robot<S> {
         });
     }
 
-    /// Waits for the end of all motions that were started; at once, with [`Outcome::NoMotion`], if there are none. Once the command connection is lost, no
-    /// longer than until the next status packet: [`Outcome::ConnectionLost`].
+    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once the command connection is lost, no
+    /// longer than until the next status packet: [`Cause::CommandsLost`].
     #[doc(alias = "wait_complete")]
-    pub fn wait(&mut self, timeout: Duration) -> MotionEnd {
+    pub fn wait(&mut self, timeout: Duration) -> End {
         let mut end = self.wait_unless(timeout, &|| false);
         self.settle_cause(&mut end);
         self.report(&end);
@@ -329,59 +327,59 @@ impl<S: MotionStatus> Robot<S> {
         end
     }
 
-    /// The same, and gives up waiting once it is to, with [`Outcome::Deadline`]. Its end is yet to be reported.
-    fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> MotionEnd {
+    /// The same, and gives up waiting once it is to, with [`Cause::Deadline`]. Its end is yet to be reported.
+    fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> End {
         let since = self.clock().stopwatch();
         let Some(batch) = self.batch.take() else {
-            let (waited, packets) = (Duration::ZERO, Vec::new());
-            return MotionEnd { outcome: Outcome::NoMotion, waited, packets, not_answered: None, stop: None };
+            return End::new(Cause::NoMotion, Rest::NotSeen, Report::of_wait(Duration::ZERO));
         };
         let mut wait = Wait::new(batch, self.client.link.frame_changes(), self.grace);
-        let outcome = self.watch(&mut wait, timeout, gives_up);
-        self.rests = wait.failure.is_none() && outcome.is_at_rest();
-        let consequence = outcome.consequence();
+        let (occurrence, rest) = self.watch(&mut wait, timeout, gives_up);
+        let (cause, consequence) = (occurrence.cause, occurrence.consequence());
+        self.rests = rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest);
         if consequence.latches() {
-            self.latch.set(&outcome);
+            self.latch.set(&occurrence);
         }
         if consequence == Consequence::GoesOn {
             // The motions may go on: they can be waited for again.
             self.batch = Some(wait.batch);
         }
-        let (waited, packets) = (since.passed(), wait.packets.into());
-        // A connection that is lost is the outcome.
-        let not_answered = wait.failure.filter(|failure| !failure.is_disconnected());
-        let not_answered = not_answered.or_else(|| self.unanswered().filter(|_| matches!(outcome, Outcome::Deadline)));
-        MotionEnd { outcome, waited, packets, not_answered, stop: None }
+        let mut end = End::new(occurrence, rest, Report::of_wait(since.passed()));
+        end.packets = wait.packets.into();
+        // A connection that is lost is the cause.
+        end.error = wait.failure.filter(|failure| !failure.is_disconnected());
+        end.error = end.error.or_else(|| self.unanswered().filter(|_| cause == Cause::Deadline));
+        end
     }
 
     /// Settles the cause where packets stay away: a controller that has gone answers nothing either. Under a guard the
     /// stop settles it.
-    fn settle_cause(&mut self, end: &mut MotionEnd) {
-        if !matches!(end.outcome, Outcome::StatusLost { .. }) {
+    fn settle_cause(&mut self, end: &mut End) {
+        if end.occurrence.cause != Cause::StatusLost {
             return;
         }
         let Err(error) = self.client.call_within(&GetRobotState::new(), SETTLING) else { return };
         match error.kind() {
             ErrorKind::Disconnected { address, cause, .. } => {
-                end.outcome = Outcome::ConnectionLost { address: address.clone(), cause: Arc::clone(cause) };
+                end.occurrence = Occurrence::commands_lost(address.clone(), Arc::clone(cause));
             }
-            _ => end.not_answered = end.not_answered.take().or(Some(error)),
+            _ => end.error = end.error.take().or(Some(error)),
         }
     }
 
     /// Records how motions ended, if there were some.
-    fn record(&self, end: &MotionEnd) {
-        let step = match &end.outcome {
-            Outcome::NoMotion => return,
-            Outcome::Reached | Outcome::AtRest => MotionStep::Done,
+    fn record(&self, end: &End) {
+        let step = match end.occurrence.cause {
+            Cause::NoMotion => return,
+            Cause::Reached | Cause::AtRest => MotionStep::Done,
             _ => MotionStep::Failed,
         };
-        self.client.link.record_motion(step, || end.outcome.to_string());
+        self.client.link.record_motion(step, || end.occurrence.to_string());
     }
 
     /// The program is told of the stops that have ended a motion, if they have.
-    fn report(&mut self, end: &MotionEnd) {
-        if matches!(end.outcome, Outcome::Stopped) {
+    fn report(&mut self, end: &End) {
+        if end.occurrence.cause == Cause::Stopped {
             self.latch.report_stops();
         }
     }
@@ -416,8 +414,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// What must be acknowledged before the arm moves again, if something must.
     ///
-    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`MotionEnd`] has reported.
-    pub fn unacknowledged(&self) -> Option<Outcome> {
+    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has reported.
+    pub fn unacknowledged(&self) -> Option<Occurrence> {
         self.latch.unacknowledged()
     }
 

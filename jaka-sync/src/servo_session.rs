@@ -7,7 +7,6 @@ mod departure;
 mod enter;
 #[cfg(feature = "stream")]
 mod generated;
-mod histogram;
 #[cfg(feature = "stream")]
 mod lag;
 mod land;
@@ -17,7 +16,6 @@ mod pace;
 mod rates;
 #[cfg(feature = "realtime")]
 mod realtime;
-mod report;
 mod session;
 mod session_end;
 mod set_point;
@@ -34,11 +32,8 @@ pub(crate) use self::generated::{
     SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, generator, no_limits, not_generated,
 };
 #[cfg(feature = "stream")]
-pub use self::lag::FollowLag;
-#[cfg(feature = "stream")]
 pub(crate) use self::lag::LagFit;
 use self::rates::Rates;
-pub use self::report::ServoReport;
 pub use self::session::ServoSession;
 #[cfg(feature = "stream")]
 pub(crate) use self::session_end::SessionEnd;

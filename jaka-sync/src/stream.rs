@@ -18,7 +18,7 @@ use crate::ErrorKind;
 use crate::robot::SetPointGuard;
 use crate::servo_session::check_at_least;
 use crate::servo_thread::ServoThread;
-use crate::{Error, Guard, MotionStatus, Robot, ServoConfig, ServoReport};
+use crate::{End, Error, Guard, MotionStatus, Robot, ServoConfig};
 
 /// How a [`Stream`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,15 +98,15 @@ impl StreamConfig {
 /// stream.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;
 /// stream.wait_for_rest(Duration::from_secs(10))?;
 /// stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 10.0], Duration::from_millis(500))?;
-/// let report = stream.land()?;
-/// println!("{} set-points", report.cycles);
+/// let end = stream.land()?;
+/// println!("{} set-points", end.report.cycles);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use = "dropping a stream ends it; `land` does so, too, and reports"]
 #[derive(Debug)]
 pub struct Stream<'r, S: MotionStatus = RobotStatus> {
     handle: StreamHandle,
-    thread: ServoThread<Result<ServoReport, Error>>,
+    thread: ServoThread<Result<End, Error>>,
     robot: PhantomData<&'r mut Robot<S>>,
 }
 
@@ -163,7 +163,7 @@ impl<S: MotionStatus> Stream<'_, S> {
     ///
     /// # Errors
     /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
-    pub fn land(mut self) -> Result<ServoReport, Error> {
+    pub fn land(mut self) -> Result<End, Error> {
         self.handle.targets.land();
         self.thread.join()?
     }

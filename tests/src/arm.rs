@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_proto::wire::Decode;
 use jaka_sim::{Controller, Delays, SimulatedClock, State};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, Monitor, Robot, StatusStream};
+use jaka_sync::{Client, Config, End, Monitor, Robot, StatusStream, TrajectoryReport};
 
 use crate::standstill::Standstill;
 
@@ -15,6 +15,14 @@ pub const LONG: Duration = Duration::from_secs(60);
 
 /// Period of the controller.
 pub const CYCLE: Duration = Duration::from_millis(8);
+
+/// Report of the trajectory that has ended.
+///
+/// # Panics
+/// It is the end of another motion.
+pub fn followed(end: &End) -> &TrajectoryReport {
+    end.report.trajectory.as_ref().expect("it is the end of a trajectory")
+}
 
 /// A simulated arm. It is powered, enabled and at rest unless its [`ArmBuilder`] says otherwise, and switches without
 /// delay.

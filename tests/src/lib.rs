@@ -18,7 +18,7 @@ mod skipped;
 pub mod soak;
 mod standstill;
 
-pub use arm::{Arm, ArmBuilder, CYCLE, LONG};
+pub use arm::{Arm, ArmBuilder, CYCLE, LONG, followed};
 pub use hand_fed::{ClockedSocket, HandFed, accepted};
 pub use jaka_witness as witness;
 pub use random_messages::{any_object, any_request, any_request_of};

@@ -35,7 +35,7 @@ fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
         session.send_joint_offset([0.0; 6])?;
     }
     let due = since.elapsed().as_nanos() / PERIOD.as_nanos();
-    let report = session.land()?;
+    let report = session.land()?.report;
     Ok(Tally {
         cycles: report.cycles,
         lost: u64::try_from(due).unwrap_or_default().saturating_sub(report.cycles),

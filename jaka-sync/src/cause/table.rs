@@ -27,9 +27,9 @@ macro_rules! causes {
     ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident,)+) => {
         /// Way in which moving has ended, or is kept back.
         ///
-        /// The same event has the same cause in each way of moving: motions ([`MotionEnd::cause`](crate::MotionEnd::cause)),
-        /// servo sessions, streams, trajectories and waits ([`Error::cause`](crate::Error::cause)). What is known besides
-        /// stands with the end or the error.
+        /// The same event has the same cause in each way of moving: motions,
+        /// servo sessions, streams and trajectories ([`End::cause`](crate::End::cause)), and waits
+        /// ([`Error::cause`](crate::Error::cause)). What is known besides stands with the end or the error.
         ///
         /// # Precedence
         /// An event has consequences: an arm that loses its power refuses set-points, and its controller may close
@@ -118,14 +118,45 @@ causes! {
     NoMotion "no_motion" Done "there was nothing to wait for: no motion of this robot was accepted" None,
     /// The arm is at rest, and it is not known whether it is at its target.
     AtRest "at_rest" Done "the arm is at rest, but it is not known whether it is at its target" None,
+    /// The program has ended set-points, and the arm was braked to rest.
+    Landed "landed" Done "the set-points have ended, and the arm is at rest" None,
     /// The arm is at its target.
     Reached "reached" Done "the motion has reached its target" None,
 }
 
 impl Cause {
-    /// Writes the fact and what more is known, which may begin with the fact itself.
-    pub(crate) fn fmt_with(self, known: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if known.starts_with(self.fact()) { f.write_str(known) } else { write!(f, "{self}: {known}") }
+    /// True for a state of the robot that packets show, or that they show none: under a guard it is told before the stop
+    /// that the guard has sent. Each cause is named, so that a new one does not compile before it is decided.
+    pub(crate) fn is_of_status(self) -> bool {
+        match self {
+            Self::EmergencyStop
+            | Self::ProtectiveStop
+            | Self::NotPowered
+            | Self::NotEnabled
+            | Self::ControllerError
+            | Self::SoftLimit
+            | Self::NoRemoteControl
+            | Self::ServoMode
+            | Self::StatusLost => true,
+            Self::CommandsLost
+            | Self::Moving
+            | Self::Guard
+            | Self::Stopped
+            | Self::Unanswered
+            | Self::NotShown
+            | Self::Deadline
+            | Self::SetPointLate
+            | Self::Departed
+            | Self::Refused
+            | Self::BeyondLimit
+            | Self::NotAtStart
+            | Self::RestNotSeen
+            | Self::Failed
+            | Self::NoMotion
+            | Self::AtRest
+            | Self::Landed
+            | Self::Reached => false,
+        }
     }
 }
 

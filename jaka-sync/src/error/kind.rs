@@ -11,8 +11,11 @@ use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
 use super::Error;
+use super::end::{End, Phase};
+#[cfg(feature = "stream")]
+use crate::Evidence;
 use crate::worded::worded;
-use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, Remedy, StatusProblem};
+use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
 
 worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
@@ -122,8 +125,8 @@ worded! {
             /// What was waited for, in words.
             what: String,
             /// What happened.
-            outcome: Outcome,
-        } => "the wait has ended before {what}: {outcome}",
+            occurrence: Occurrence,
+        } => "the wait has ended before {what}: {occurrence}",
         /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
         /// again when the robot's state is known.
         CommandsLost {
@@ -141,6 +144,11 @@ worded! {
             /// Why not, and what helps.
             reason: NotGuarded,
         } => "`{command}` was not sent under a guard: {reason}",
+        /// A motion, a landing or a trajectory has not ended as it was commanded: see [`End::reached`].
+        NotReached {
+            /// The end, with what led to it.
+            end: Box<End>,
+        } => "{end}",
         /// The guard of a motion has tripped.
         GuardTripped {
             /// Which condition, by which packet, and what followed.
@@ -263,8 +271,8 @@ worded! {
         /// [`Robot::acknowledge`](crate::Robot::acknowledge).
         NotAcknowledged {
             /// What happened.
-            outcome: Outcome,
-        } => "not sent: {outcome}",
+            occurrence: Occurrence,
+        } => "not sent: {occurrence}",
         /// A stop of the program's own has ended a call that sends one step after the other, such as
         /// [`Robot::power_up`](crate::Robot::power_up): no further step was sent.
         Stopped {
@@ -337,7 +345,8 @@ impl ErrorKind {
             // Reset here, because set-points were not answered.
             Self::Disconnected { cause, .. } if matches!(**cause, Disconnect::Reset { .. }) => Cause::Unanswered,
             Self::Disconnected { command: Some(_), .. } | Self::CommandsLost { .. } => Cause::CommandsLost,
-            Self::WaitBroken { outcome, .. } => outcome.cause(),
+            Self::WaitBroken { occurrence, .. } => occurrence.cause,
+            Self::NotReached { end } => end.cause(),
             Self::Disconnected { command: None, .. }
             | Self::WaitEnded { .. }
             | Self::StatusUnknown { .. }
@@ -348,7 +357,7 @@ impl ErrorKind {
             Self::NotStopped { first, stopping } => first.cause().min(stopping.cause()),
             Self::SetPointLate { .. } => Cause::SetPointLate,
             Self::SessionEnded { cause, .. } => *cause,
-            Self::NotAcknowledged { outcome } => outcome.cause(),
+            Self::NotAcknowledged { occurrence } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
             Self::StateTimeout { .. } => Cause::Deadline,
             Self::ServoModeNotLeft { first, leaving } => {
@@ -376,9 +385,28 @@ impl ErrorKind {
         }
     }
 
+    /// Evidence for the cause, besides the error.
+    #[cfg(feature = "stream")]
+    pub(super) fn evidence(&self) -> Evidence {
+        match self {
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
+            Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
+            Self::NotReached { end } => end.evidence().clone(),
+            Self::Disconnected { address, command: Some(_), cause, .. } => {
+                Evidence::Commands { address: address.clone(), cause: Arc::clone(cause) }
+            }
+            Self::RestNotSeen { first: Some(first), .. }
+            | Self::NotLanded { first, .. }
+            | Self::ServoModeNotLeft { first: Some(first), .. }
+            | Self::NotStopped { first, .. } => first.kind().evidence(),
+            _ => Evidence::None,
+        }
+    }
+
     /// Remedy that the text does not have itself.
     pub(super) fn remedy(&self) -> Remedy {
         match self {
+            Self::NotReached { end } => end.remedy(),
             Self::Refused { explanation: Some(_), .. }
             | Self::NotReady { .. }
             | Self::NotAcknowledged { .. }
@@ -414,9 +442,10 @@ impl ErrorKind {
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => {
                 (Group::Other, false, problem.source())
             }
-            Self::NotAcknowledged { outcome } | Self::WaitBroken { outcome, .. } => {
-                (Group::Other, false, outcome.source())
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => {
+                (Group::Other, false, occurrence.source())
             }
+            Self::NotReached { end } => (Group::of(end.cause()), end.phase() != Phase::NotSent, end.source()),
             Self::Thread { source } => (Group::Other, false, Some(source)),
             Self::UnexpectedStatus { source } => (Group::Other, false, Some(source)),
             Self::NotReady { .. }
@@ -440,6 +469,11 @@ impl ErrorKind {
 }
 
 impl Group {
+    /// Group of an end by this cause.
+    fn of(cause: Cause) -> Self {
+        if cause == Cause::CommandsLost { Self::Disconnected } else { Self::Other }
+    }
+
     /// That of an error that tells of another one after which nothing more could be sent.
     fn after(last: &Error) -> Self {
         if last.is_disconnected() { Self::Disconnected } else { Self::Other }

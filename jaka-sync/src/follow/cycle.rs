@@ -8,14 +8,13 @@ use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
 
 use super::approach::Approach;
-use super::end::FollowEnd;
 use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::clock::Clock;
 use crate::robot::SetPointGuard;
 use crate::servo_session::{LagFit, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Cause, Error, MotionStatus, Robot, ServoSession};
+use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession, TrajectoryReport};
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
 pub(super) fn run<S: MotionStatus>(
@@ -24,7 +23,7 @@ pub(super) fn run<S: MotionStatus>(
     guard: Option<&SetPointGuard>,
     orders: &Arc<Orders>,
     begun: &Begun<()>,
-) -> Option<FollowEnd> {
+) -> Option<End> {
     // Ends the run for its handles, also where this thread panics.
     let _ends = OnDrop(|| orders.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     let refused = |error: Error| {
@@ -49,10 +48,10 @@ pub(super) fn run<S: MotionStatus>(
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
-    if end.error.is_none() && end.cause != Cause::Reached {
+    if end.error.is_none() && end.cause() != Cause::Reached {
         robot.client().link.record_motion(MotionStep::Failed, || end.to_string());
     }
-    orders.end(SessionEnd::new(end.cause, end.to_string()));
+    orders.end(SessionEnd::new(end.cause(), end.to_string()));
     Some(end)
 }
 
@@ -102,7 +101,7 @@ impl<'o> Way<'o> {
         mut session: ServoSession<'_, S>,
         ended: Result<(), Error>,
         supervision: &Supervision<'_>,
-    ) -> FollowEnd {
+    ) -> End {
         let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
             Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
             Err(error) => {
@@ -112,22 +111,21 @@ impl<'o> Way<'o> {
         };
         // No trajectory time passes any more, whatever the last set-points were.
         self.orders.followed(self.follower.time_s(), 0.0);
-        let cause = match &error {
-            Some(error) => error.cause(),
-            None if self.follower.is_at_end() && session.report.rest_was_seen => Cause::Reached,
-            None if self.follower.is_at_end() => Cause::RestNotSeen,
-            None if self.is_overdue => Cause::Deadline,
-            None => Cause::Stopped,
+        let occurrence = match &error {
+            Some(error) => error.occurrence(),
+            None if self.follower.is_at_end() && session.rest.was_seen() => Cause::Reached.into(),
+            None if self.follower.is_at_end() => Cause::RestNotSeen.into(),
+            None if self.is_overdue => Cause::Deadline.into(),
+            None => Cause::Stopped.into(),
         };
-        FollowEnd {
-            cause,
+        let trajectory = TrajectoryReport {
             reached: Duration::from_secs_f64(self.follower.time_s()),
             duration: self.follower.trajectory().duration(),
             has_left_curve,
             lag: supervision.lag(),
-            report: std::mem::take(&mut session.report),
-            error,
-        }
+        };
+        let report = session.take_report().of_trajectory(trajectory);
+        End { error, ..End::new(occurrence, session.rest, report) }
     }
 
     /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::config::check_scale;
 use super::orders::Orders;
-use crate::Error;
+use crate::{Cause, End, Error, Report, Rest, TrajectoryReport};
 
 /// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
 #[derive(Debug, Clone)]
@@ -72,6 +72,19 @@ impl FollowHandle {
     /// True once the run has ended: then [`FollowRun::wait`](super::FollowRun::wait) returns at once.
     pub fn has_ended(&self) -> bool {
         self.orders.ended().is_some()
+    }
+
+    /// End of a run whose thread has panicked, which ends the session straight on.
+    pub(super) fn lost(&self, error: Error) -> End {
+        let progress = self.progress();
+        let trajectory = TrajectoryReport {
+            reached: progress.time,
+            duration: progress.duration,
+            has_left_curve: progress.rate > 0.0,
+            lag: None,
+        };
+        let report = Report::default().of_trajectory(trajectory);
+        End { error: Some(error), ..End::new(Cause::Failed, Rest::NotSeen, report) }
     }
 
     fn check_open(&self) -> Result<(), Error> {

@@ -9,7 +9,7 @@ use super::inputs::{AnalogCondition, InputCondition};
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Robot};
 use super::{SETTLING, trouble};
-use crate::{Cause, Error, ErrorKind, Outcome, Snapshot, StatusProblem, TripReason};
+use crate::{Cause, Error, ErrorKind, Occurrence, Snapshot, StatusProblem, TripReason};
 
 /// What happens to the robot during a wait. What was so before does not end it: a program may wait for the button that
 /// powers the arm.
@@ -19,7 +19,7 @@ struct News {
     code: Option<String>,
     stops: u64,
     /// What has happened, once something has.
-    found: Option<Outcome>,
+    found: Option<Occurrence>,
 }
 
 impl News {
@@ -27,13 +27,13 @@ impl News {
         let newest = robot.monitor.last_known_packet().map(|newest| S::snapshot(&newest));
         let code = newest.as_ref().and_then(|newest| trouble::code(&newest.status)).map(str::to_owned);
         let mut news = Self { shown: None, code, stops: robot.latch.stops.taken(), found: None };
-        news.shown = newest.and_then(|newest| news.of(&newest)).map(|outcome| outcome.cause());
+        news.shown = newest.and_then(|newest| news.of(&newest)).map(|occurrence| occurrence.cause);
         news
     }
 
-    fn of(&self, packet: &Snapshot) -> Option<Outcome> {
+    fn of(&self, packet: &Snapshot) -> Option<Occurrence> {
         match trouble::news(&packet.status, self.code.as_deref())? {
-            trouble::News::Ends(outcome) => Some(outcome),
+            trouble::News::Ends(occurrence) => Some(occurrence),
             trouble::News::AtRest(_) => None,
         }
     }
@@ -41,11 +41,11 @@ impl News {
     /// True once something has happened.
     fn have_come<S: MotionStatus>(&mut self, robot: &Robot<S>) -> bool {
         if self.found.is_none() && robot.latch.stops.taken() > self.stops {
-            self.found = Some(Outcome::Stopped);
+            self.found = Some(Cause::Stopped.into());
         }
         if let (None, Ok(newest)) = (&self.found, robot.monitor.fresh_packet()) {
             let shown = self.of(&S::snapshot(&newest));
-            let cause = shown.as_ref().map(Outcome::cause);
+            let cause = shown.as_ref().map(|occurrence| occurrence.cause);
             self.found = shown.filter(|_| cause != self.shown);
             self.shown = cause;
         }
@@ -109,8 +109,8 @@ impl<S: MotionStatus> Robot<S> {
                 if let Some(cause) = link.broken() {
                     return Err(commands_lost(cause));
                 }
-                if let Some(outcome) = news.into_inner().found {
-                    return Err(attach(ErrorKind::WaitBroken { what, outcome }));
+                if let Some(occurrence) = news.into_inner().found {
+                    return Err(attach(ErrorKind::WaitBroken { what, occurrence }));
                 }
                 let packets = self.monitor.statistics().packets.saturating_sub(before);
                 let says = guard.conditions.iter().find_map(|condition| condition.says(&newest));

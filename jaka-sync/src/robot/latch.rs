@@ -7,17 +7,17 @@ use super::stops::Stops;
 use super::{MotionStatus, trouble};
 use crate::clock::Clock;
 use crate::sync::lock;
-use crate::{Error, ErrorKind, Monitor, Outcome};
+use crate::{Cause, Error, ErrorKind, Monitor, Occurrence};
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, a packet that tells
-/// nothing because its own type has panicked, and stops of handles that no [`MotionEnd`](super::MotionEnd) has reported.
+/// nothing because its own type has panicked, and stops of handles that no [`End`](crate::End) has reported.
 ///
 /// A clone sees all that sets it later, but not what is reported or acknowledged later.
 #[derive(Debug, Clone)]
 pub(crate) struct Latch {
     /// Set by the monitor's thread, too. Locked after the link's state, and nothing else is locked under it: the order of locks stands
     /// at [`Link`](crate::link::Link).
-    outcome: Arc<Mutex<Option<Outcome>>>,
+    occurrence: Arc<Mutex<Option<Occurrence>>>,
     /// The stops of the robot's handles.
     pub(crate) stops: Arc<Stops>,
     /// The number of the latest stop that has been reported to the program.
@@ -27,18 +27,18 @@ pub(crate) struct Latch {
 impl Latch {
     /// A latch that each stop sets that a packet of the monitor shows, for as long as the robot lives.
     pub(super) fn new<S: MotionStatus>(monitor: &Monitor<S>, clock: &Clock) -> Self {
-        let latch = Self { outcome: Arc::default(), stops: Arc::new(Stops::new(clock)), reported: 0 };
-        let outcome = Arc::downgrade(&latch.outcome);
+        let latch = Self { occurrence: Arc::default(), stops: Arc::new(Stops::new(clock)), reported: 0 };
+        let occurrence = Arc::downgrade(&latch.occurrence);
         monitor.observe_first(move |snapshot| {
-            let Some(outcome) = outcome.upgrade() else {
+            let Some(occurrence) = occurrence.upgrade() else {
                 return ControlFlow::Break(());
             };
             let packet = S::snapshot(snapshot);
             // A packet that tells nothing may have shown a stop.
             let panicked = packet.panicked().cloned();
-            let lost = panicked.map(|source| Outcome::StatusLost { cause: None, unreadable: Some(source) });
-            if let Some(found) = trouble::stop(&packet.status).or(lost) {
-                put(&outcome, found);
+            let lost = panicked.map(|source| Occurrence::status_lost(None, Some(source)));
+            if let Some(found) = trouble::stop(&packet.status).map(|stop| stop.cause().into()).or(lost) {
+                put(&occurrence, found);
             }
             ControlFlow::Continue(())
         });
@@ -46,29 +46,29 @@ impl Latch {
     }
 
     /// Sets it. What has set it first stays, but a stop that a packet shows takes the place of a lost status.
-    pub(super) fn set(&self, outcome: &Outcome) {
-        put(&self.outcome, outcome.clone());
+    pub(super) fn set(&self, occurrence: &Occurrence) {
+        put(&self.occurrence, occurrence.clone());
     }
 
     /// What must be acknowledged, if something must.
-    pub(super) fn unacknowledged(&self) -> Option<Outcome> {
-        lock(&self.outcome).clone().or_else(|| self.stops.pending(self.reported))
+    pub(super) fn unacknowledged(&self) -> Option<Occurrence> {
+        lock(&self.occurrence).clone().or_else(|| self.stops.pending(self.reported))
     }
 
     /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
-    pub(crate) fn unacknowledged_stop(&self) -> Option<Outcome> {
-        let shown = lock(&self.outcome).clone().filter(|outcome| !is_lost(outcome));
+    pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
+        let shown = lock(&self.occurrence).clone().filter(|occurrence| !is_lost(occurrence));
         shown.or_else(|| self.stops.pending(self.reported))
     }
 
     /// Fails while something must be acknowledged.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        self.unacknowledged().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
+        self.unacknowledged().map_or(Ok(()), |occurrence| Err(ErrorKind::NotAcknowledged { occurrence }.into()))
     }
 
     /// Clears it. A stop that is on its way still keeps motions back.
     pub(super) fn acknowledge(&mut self) {
-        *lock(&self.outcome) = None;
+        *lock(&self.occurrence) = None;
         self.reported = self.stops.begun();
     }
 
@@ -100,13 +100,13 @@ impl Latch {
     }
 }
 
-fn put(latched: &Mutex<Option<Outcome>>, found: Outcome) {
+fn put(latched: &Mutex<Option<Occurrence>>, found: Occurrence) {
     let mut latched = lock(latched);
     if latched.as_ref().is_none_or(|first| is_lost(first) && !is_lost(&found)) {
         *latched = Some(found);
     }
 }
 
-fn is_lost(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::StatusLost { .. })
+fn is_lost(occurrence: &Occurrence) -> bool {
+    occurrence.cause == Cause::StatusLost
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{MotionStatus, Robot, trouble};
-use crate::{Error, ErrorKind, Explanation, Monitor, Outcome, Snapshot, StatusProblem};
+use crate::{Cause, Error, ErrorKind, Monitor, Snapshot, StatusProblem};
 
 impl<S: MotionStatus> Robot<S> {
     /// The newest packet, if it is fresh and can be read. If none has come lately, waits a little for one.
@@ -52,8 +52,8 @@ impl<S: MotionStatus> Robot<S> {
             }
             match latch.unacknowledged_stop() {
                 None => Ok(()),
-                Some(Outcome::Stopped) if !latch.has_sent_stop() => Ok(()),
-                Some(outcome) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
+                Some(found) if found.cause == Cause::Stopped && !latch.has_sent_stop() => Ok(()),
+                Some(occurrence) => Err(ErrorKind::NotAcknowledged { occurrence }.into()),
             }
         }
     }
@@ -63,7 +63,8 @@ impl<S: MotionStatus> Robot<S> {
         let (latch, braking) = (self.latch.clone(), self.braking_gate());
         move || {
             braking()?;
-            latch.unacknowledged_stop().map_or(Ok(()), |outcome| Err(ErrorKind::NotAcknowledged { outcome }.into()))
+            let stop = latch.unacknowledged_stop();
+            stop.map_or(Ok(()), |occurrence| Err(ErrorKind::NotAcknowledged { occurrence }.into()))
         }
     }
 }
@@ -85,12 +86,8 @@ fn readable<S: MotionStatus>(
 
 /// The newest packet counts, even if what earlier packets showed has been acknowledged.
 fn check_stops(newest: &Snapshot) -> Result<(), Error> {
-    let explanation = match trouble::stop(&newest.status) {
-        None => return Ok(()),
-        Some(Outcome::EmergencyStop) => Explanation::EmergencyStop,
-        Some(_) => Explanation::ProtectiveStop,
-    };
-    Err(ErrorKind::NotReady { explanation }.into())
+    let stop = trouble::stop(&newest.status);
+    stop.map_or(Ok(()), |stop| Err(ErrorKind::NotReady { explanation: stop.explanation() }.into()))
 }
 
 pub(super) fn unknown(problem: StatusProblem) -> Error {

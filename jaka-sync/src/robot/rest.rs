@@ -10,9 +10,9 @@ use crate::Snapshot;
 /// How far apart two packets must be that show rest where it is not known at which joint positions.
 const APART: Duration = Duration::from_millis(100);
 
-/// Whether status packets show an arm at rest that is held by its last set-point.
+/// Stillness of an arm that is held by its last set-point, by status packets.
 #[derive(Debug)]
-pub(crate) struct Rest {
+pub(crate) struct Stillness {
     /// Packets from before do not count.
     since: Instant,
     /// Where it is held, if that is known.
@@ -21,7 +21,7 @@ pub(crate) struct Rest {
     first: Option<(JointPosition, Instant, u64)>,
 }
 
-impl Rest {
+impl Stillness {
     pub(crate) fn new(since: Instant, held: Option<JointPosition>) -> Self {
         Self { since, held, first: None }
     }

@@ -10,9 +10,10 @@ use super::guard::{Guard, longest_silence};
 use super::readiness::unknown;
 use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
-use super::{Motion, MotionEnd, MotionStatus, Path, Robot};
+use super::{Motion, MotionStatus, Path, Robot};
+use crate::cause::Occurrence;
 use crate::sync::Watched;
-use crate::{Error, ErrorKind, GuardTrip, NotGuarded, Outcome, TripReason};
+use crate::{End, Error, ErrorKind, GuardTrip, NotGuarded, Report, Rest, TripReason};
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);
@@ -30,7 +31,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// Since nobody judges the guard after this call, the arm is stopped in each way out in which it may still move: at the deadline, when
     /// the command connection is lost, which no stop passes any more, when the status is lost or stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
-    /// [`MotionEnd::stop`] tells whether the stop was accepted.
+    /// [`End::stop`] tells whether the stop was accepted.
     ///
     /// ```no_run
     /// use std::time::Duration;
@@ -55,7 +56,7 @@ impl<S: MotionStatus> Robot<S> {
         motion: &M,
         guard: impl Into<Guard>,
         timeout: Duration,
-    ) -> Result<MotionEnd, Error> {
+    ) -> Result<End, Error> {
         let (since, guard) = (self.clock().stopwatch(), guard.into());
         guard.check("run_until")?;
         self.client.link.check_open(M::INFO.name)?;
@@ -127,50 +128,36 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// The end where the guard has tripped before the motion went out.
-    fn not_begun(&self, guard: &Guard, trip: GuardTrip, waited: Duration) -> Result<MotionEnd, Error> {
+    fn not_begun(&self, guard: &Guard, trip: GuardTrip, waited: Duration) -> Result<End, Error> {
         if let TripReason::NotShown(reason) = trip.reason {
             return Err(self.client.link.attach(ErrorKind::NotShown { what: guard.to_string(), reason }.into()));
         }
         let packets = vec![Arc::clone(&trip.packet)];
-        let outcome = Outcome::Guard(Arc::new(trip.before_start()));
-        Ok(MotionEnd { outcome, waited, packets, not_answered: None, stop: None })
+        let occurrence = Occurrence::trip(trip.before_start());
+        Ok(End { packets, ..End::new(occurrence, Rest::NotSeen, Report::of_wait(waited)) })
     }
 
     /// How the motion ended, by the wait for it and by what the sentry did; and a stop where the arm may still move.
-    fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: MotionEnd, stopped: Option<Stopped>) -> MotionEnd {
-        let may_move = end.outcome.consequence().may_move();
+    fn end_of_guarded(&mut self, sentry: &Sentry<S>, mut end: End, stopped: Option<Stopped>) -> End {
+        let may_move = end.occurrence.consequence().may_move();
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&sentry.stop, None))) else {
             self.report(&end);
             return end;
         };
         let is_accepted = self.take(&stopped.stop);
         // What packets show against the arm itself counts before that.
-        let is_by_sentry = match end.outcome {
-            Outcome::Deadline
-            | Outcome::Stopped
-            | Outcome::Reached
-            | Outcome::AtRest
-            | Outcome::NoMotion
-            | Outcome::Guard(_)
-            | Outcome::ConnectionLost { .. } => true,
-            Outcome::ProtectiveStop
-            | Outcome::EmergencyStop
-            | Outcome::NotPowered
-            | Outcome::NotEnabled
-            | Outcome::ControllerError { .. }
-            | Outcome::StatusLost { .. } => false,
-        };
-        match stopped.why.filter(|_| is_by_sentry) {
+        match stopped.why.filter(|_| !end.occurrence.cause.is_of_status()) {
             Some(Why::Trip(trip)) => {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
                 let rest = if is_accepted { self.comes_to_rest(REST) } else { Ok(false) };
                 self.rests = matches!(rest, Ok(true));
-                end.outcome = Outcome::Guard(Arc::new(GuardTrip { reaction, is_at_rest: self.rests, ..trip }));
-                end.not_answered = rest.err();
+                end.occurrence = Occurrence::trip(GuardTrip { reaction, is_at_rest: self.rests, ..trip });
+                end.rest = if self.rests { Rest::Answers } else { Rest::NotSeen };
+                end.error = rest.err();
             }
             Some(Why::Blind(problem)) => {
-                end.outcome = lost(problem);
-                self.latch.set(&end.outcome);
+                end.occurrence = lost(problem);
+                self.latch.set(&end.occurrence);
             }
             None => {}
         }

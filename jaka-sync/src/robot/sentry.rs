@@ -13,8 +13,9 @@ use super::guard::Armed;
 use super::stops::Sent;
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Robot, RobotStop};
+use crate::cause::Occurrence;
 use crate::monitor::Waker;
-use crate::{Error, GuardTrip, Monitor, Outcome, StatusProblem};
+use crate::{Error, GuardTrip, Monitor, StatusProblem};
 
 /// Stops the arm where the guard trips, or the status is no longer known.
 #[derive(Debug)]
@@ -129,10 +130,13 @@ impl<S: MotionStatus> Drop for OnWatch<'_, S> {
 }
 
 /// How a motion ends whose status is not known any more.
-pub(super) fn lost(problem: StatusProblem) -> Outcome {
+pub(super) fn lost(problem: StatusProblem) -> Occurrence {
     match problem {
-        StatusProblem::Ended { cause } => Outcome::StatusLost { cause: Some(cause), unreadable: None },
-        StatusProblem::Unreadable { source } => Outcome::StatusLost { cause: None, unreadable: Some(source) },
-        _ => Outcome::StatusLost { cause: None, unreadable: None },
+        StatusProblem::Ended { cause } => Occurrence::status_lost(Some(cause), None),
+        StatusProblem::Unreadable { source } => Occurrence::status_lost(None, Some(source)),
+        StatusProblem::Missing { .. }
+        | StatusProblem::Stale { .. }
+        | StatusProblem::Resuming
+        | StatusProblem::Reconnecting => Occurrence::status_lost(None, None),
     }
 }

@@ -9,7 +9,7 @@ use crate::clock::Clock;
 use crate::monitor::Waker;
 use crate::stop::WrittenStop;
 use crate::sync::Watched;
-use crate::{Error, Outcome, StopHandle};
+use crate::{Cause, Error, Occurrence, StopHandle};
 
 /// The stops that were asked for through handles, by their numbers from 1.
 #[derive(Debug)]
@@ -65,8 +65,8 @@ impl Stops {
     }
 
     /// A stop that keeps motions back: one that is on its way, or one after the last that was reported to the program.
-    pub(super) fn pending(&self, told: u64) -> Option<Outcome> {
-        (self.is_under_way() || self.begun() != told).then_some(Outcome::Stopped)
+    pub(super) fn pending(&self, told: u64) -> Option<Occurrence> {
+        (self.is_under_way() || self.begun() != told).then(|| Cause::Stopped.into())
     }
 
     /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
@@ -142,7 +142,7 @@ pub(super) struct Sent {
 }
 
 /// Stops the arm of a [`Robot`](super::Robot) from another thread, and ends its wait as soon as the controller has accepted the
-/// stop. Unless a [`MotionEnd`](super::MotionEnd) has reported the stop by [`Outcome::Stopped`], the next motion is refused until
+/// stop. Unless an [`End`](crate::End) has reported the stop by [`Cause::Stopped`], the next motion is refused until
 /// [`Robot::acknowledge`](super::Robot::acknowledge). While a stop is on its way, every motion is refused.
 ///
 /// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then fails.

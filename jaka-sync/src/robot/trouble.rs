@@ -2,39 +2,62 @@
 
 use jaka_proto::messages::status::RobotStatus;
 
-use crate::{ControllerEvent, Outcome, Severity};
+use crate::{Cause, ControllerEvent, Explanation, Occurrence, Severity};
 
 /// What a packet shows against a motion.
 #[derive(Debug)]
 pub(super) enum News {
     /// The motion has ended.
-    Ends(Outcome),
+    Ends(Occurrence),
     /// It counts only once the arm is at rest: a code that is in no table.
-    AtRest(Outcome),
+    AtRest(Occurrence),
+}
+
+/// A stop that a packet shows.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Stop {
+    Emergency,
+    Protective,
+}
+
+impl Stop {
+    pub(super) fn cause(self) -> Cause {
+        match self {
+            Self::Emergency => Cause::EmergencyStop,
+            Self::Protective => Cause::ProtectiveStop,
+        }
+    }
+
+    pub(super) fn explanation(self) -> Explanation {
+        match self {
+            Self::Emergency => Explanation::EmergencyStop,
+            Self::Protective => Explanation::ProtectiveStop,
+        }
+    }
 }
 
 /// What a packet says against a motion; of events only one that was not shown before.
 pub(super) fn news(status: &RobotStatus, code_before: Option<&str>) -> Option<News> {
     if let Some(stop) = stop(status) {
-        return Some(News::Ends(stop));
+        return Some(News::Ends(stop.cause().into()));
     }
     let (severity, report) = event(status, code_before).unzip();
     match (severity, report) {
         (Some(Severity::Error), Some(report)) => Some(News::Ends(report)),
-        _ if status.powered_on == Some(false) => Some(News::Ends(Outcome::NotPowered)),
-        _ if status.enabled == Some(false) => Some(News::Ends(Outcome::NotEnabled)),
+        _ if status.powered_on == Some(false) => Some(News::Ends(Cause::NotPowered.into())),
+        _ if status.enabled == Some(false) => Some(News::Ends(Cause::NotEnabled.into())),
         (Some(Severity::Unknown), Some(report)) => Some(News::AtRest(report)),
         _ => None,
     }
 }
 
 /// An event that was not shown before, with its severity; a code that cannot be read is unknown.
-fn event(status: &RobotStatus, code_before: Option<&str>) -> Option<(Severity, Outcome)> {
+fn event(status: &RobotStatus, code_before: Option<&str>) -> Option<(Severity, Occurrence)> {
     let code = code(status).filter(|code| Some(*code) != code_before)?;
     let event = status.event().ok().flatten();
     let severity = event.map_or(Severity::Unknown, ControllerEvent::severity);
     let message = status.error_message.clone().unwrap_or_default();
-    Some((severity, Outcome::ControllerError { code: code.to_owned(), event, message }))
+    Some((severity, Occurrence::event(code, event, message)))
 }
 
 /// The code of the event that the status shows, as it is written; none where it shows none.
@@ -43,10 +66,10 @@ pub(super) fn code(status: &RobotStatus) -> Option<&str> {
 }
 
 /// A stop that keeps the arm from moving until it has been acknowledged.
-pub(super) fn stop(status: &RobotStatus) -> Option<Outcome> {
+pub(super) fn stop(status: &RobotStatus) -> Option<Stop> {
     match status {
-        RobotStatus { emergency_stop: Some(true), .. } => Some(Outcome::EmergencyStop),
-        RobotStatus { protective_stop: Some(true), .. } => Some(Outcome::ProtectiveStop),
+        RobotStatus { emergency_stop: Some(true), .. } => Some(Stop::Emergency),
+        RobotStatus { protective_stop: Some(true), .. } => Some(Stop::Protective),
         _ => None,
     }
 }

@@ -18,7 +18,7 @@ use jaka_proto::messages::types::JointPosition;
 use super::batch::Batch;
 use super::target::{Goal, Nearness, Place, Quantity};
 use super::trouble::{self, News};
-use crate::{Error, Outcome, Snapshot};
+use crate::{Cause, Error, Occurrence, Rest, Snapshot};
 
 /// How many packets are kept to show what led to an end.
 const KEPT: usize = 10;
@@ -44,7 +44,7 @@ pub(super) struct Wait {
     in_position: Option<bool>,
     is_paused: bool,
     /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
-    unknown_code: Option<Outcome>,
+    unknown_code: Option<Occurrence>,
     /// When the last query was sent.
     asked: Option<Instant>,
     /// Whether packets said by then that the arm had left and was in position again.
@@ -131,8 +131,8 @@ impl Wait {
         self.batch.has_left && self.in_position == Some(true) && !self.is_paused
     }
 
-    /// Takes a packet: the outcome, if it shows one.
-    pub(super) fn packet(&mut self, snapshot: &Arc<Snapshot>) -> Option<Outcome> {
+    /// Takes a packet: the end and the rest, if it shows one.
+    pub(super) fn packet(&mut self, snapshot: &Arc<Snapshot>) -> Option<(Occurrence, Rest)> {
         let is_seen = self.packets.back().is_some_and(|last| last.number >= snapshot.number);
         if is_seen || snapshot.received <= self.batch.accepted {
             return None;
@@ -142,14 +142,14 @@ impl Wait {
         }
         self.packets.push_back(Arc::clone(snapshot));
         match trouble::news(&snapshot.status, self.batch.code_before.as_deref()) {
-            Some(News::Ends(outcome)) => return Some(outcome),
-            Some(News::AtRest(outcome)) => self.unknown_code = Some(outcome),
+            Some(News::Ends(occurrence)) => return Some((occurrence, Rest::NotSeen)),
+            Some(News::AtRest(occurrence)) => self.unknown_code = Some(occurrence),
             None => {}
         }
-        self.see_rest(&snapshot.status, snapshot.received)
+        self.see_rest(&snapshot.status, snapshot.received).map(|occurrence| (occurrence, Rest::Packets))
     }
 
-    fn see_rest(&mut self, status: &RobotStatus, received: Instant) -> Option<Outcome> {
+    fn see_rest(&mut self, status: &RobotStatus, received: Instant) -> Option<Occurrence> {
         self.is_paused = status.paused == Some(true);
         self.in_position = status.in_position;
         if !self.may_rest() {
@@ -166,7 +166,7 @@ impl Wait {
     }
 
     /// Rest as packets alone show it, which is never more than rest.
-    fn see_still(&mut self, joints: Option<JointPosition>, received: Instant, counted: u32) -> Option<Outcome> {
+    fn see_still(&mut self, joints: Option<JointPosition>, received: Instant, counted: u32) -> Option<Occurrence> {
         let is_same = |first: Option<JointPosition>| match (first, joints) {
             (Some(first), Some(joints)) => Place::Joints(first).is_still(&Place::Joints(joints)),
             (first, joints) => first.is_none() && joints.is_none(),
@@ -182,8 +182,8 @@ impl Wait {
         (self.failure.is_some() && self.batch.has_left && lasts).then(|| self.at_rest(Nearness::Unknown))
     }
 
-    /// Takes the answer to a query that was sent at `asked` and came at `received`: the outcome, if it shows one.
-    pub(super) fn answer(&mut self, place: Place, asked: Instant, received: Instant) -> Option<Outcome> {
+    /// Takes the answer to a query that was sent at `asked` and came at `received`: the end, if it shows one.
+    pub(super) fn answer(&mut self, place: Place, asked: Instant, received: Instant) -> Option<Occurrence> {
         if asked <= self.batch.accepted {
             return None;
         }
@@ -191,7 +191,7 @@ impl Wait {
         let nearness = self.nearness(&place);
         let has_ended = self.had_ended && self.has_ended() && self.batch.is_simple();
         if has_ended && nearness == Nearness::There && (self.is_exact(&place) || self.agrees(&place, asked)) {
-            return Some(Outcome::Reached);
+            return Some(Cause::Reached.into());
         }
         if !self.may_rest() {
             return None;
@@ -223,12 +223,12 @@ impl Wait {
         self.failure = Some(failure);
     }
 
-    fn at_rest(&mut self, nearness: Nearness) -> Outcome {
+    fn at_rest(&mut self, nearness: Nearness) -> Occurrence {
         match (nearness, self.unknown_code.take()) {
-            (Nearness::There, _) => Outcome::Reached,
-            (_, Some(outcome)) => outcome,
-            (Nearness::Elsewhere, None) => Outcome::Stopped,
-            (Nearness::Within | Nearness::Unknown, None) => Outcome::AtRest,
+            (Nearness::There, _) => Cause::Reached.into(),
+            (Nearness::Elsewhere | Nearness::Within | Nearness::Unknown, Some(occurrence)) => occurrence,
+            (Nearness::Elsewhere, None) => Cause::Stopped.into(),
+            (Nearness::Within | Nearness::Unknown, None) => Cause::AtRest.into(),
         }
     }
 

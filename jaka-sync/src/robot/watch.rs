@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::position::Answer;
 use super::wait::Wait;
 use super::{MotionStatus, Robot};
-use crate::{Disconnect, Outcome, Snapshot};
+use crate::{Cause, Disconnect, Occurrence, Rest, Snapshot};
 
 /// How long the wait for an answer lasts before packets and stops are checked again.
 const SLICE: Duration = Duration::from_millis(10);
@@ -14,7 +14,7 @@ const SLICE: Duration = Duration::from_millis(10);
 /// What packets and stops lead to.
 #[derive(Debug)]
 enum Next {
-    Ended(Outcome),
+    Ended(Occurrence, Rest),
     /// It is time to send a query, or to check for its answer.
     Query,
 }
@@ -30,7 +30,12 @@ struct Heard {
 impl<S: MotionStatus> Robot<S> {
     /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error, a lost connection and the deadline end
     /// the wait at once, also while an answer is outstanding; and so does `gives_up`, as the deadline does.
-    pub(super) fn watch(&mut self, wait: &mut Wait, timeout: Duration, gives_up: &dyn Fn() -> bool) -> Outcome {
+    pub(super) fn watch(
+        &mut self,
+        wait: &mut Wait,
+        timeout: Duration,
+        gives_up: &dyn Fn() -> bool,
+    ) -> (Occurrence, Rest) {
         let since = self.clock().stopwatch();
         let mut heard = Heard { at: since.began, number: 0, unreadable: None };
         loop {
@@ -40,17 +45,19 @@ impl<S: MotionStatus> Robot<S> {
             let found = self.monitor.watch(patience, |newest| {
                 let newest = newest.map(S::snapshot);
                 let next = self.observe(newest.as_ref(), wait, &mut heard);
-                next.or_else(|| gives_up().then_some(Next::Ended(Outcome::Deadline)))
+                next.or_else(|| gives_up().then(|| Next::ended(Cause::Deadline)))
             });
             match found {
-                Ok(Some(Next::Ended(outcome))) => return self.told(outcome),
-                Err(_) => return Outcome::StatusLost { cause: self.monitor.disconnect_cause(), unreadable: None },
-                Ok(_) if left.is_zero() => return Outcome::Deadline,
-                Ok(_) if self.clock().elapsed(heard.at) >= self.silence => return heard.lost(),
+                Ok(Some(Next::Ended(occurrence, rest))) => return self.told(occurrence, rest),
+                Err(_) => {
+                    return (Occurrence::status_lost(self.monitor.disconnect_cause(), None), Rest::NotSeen);
+                }
+                Ok(_) if left.is_zero() => return (Cause::Deadline.into(), Rest::NotSeen),
+                Ok(_) if self.clock().elapsed(heard.at) >= self.silence => return (heard.lost(), Rest::NotSeen),
                 Ok(_) => {}
             }
-            if let Some(outcome) = self.look_up(wait, left) {
-                return self.told(outcome);
+            if let Some(cause) = self.look_up(wait, left) {
+                return self.told(cause, Rest::Answers);
             }
         }
     }
@@ -66,16 +73,15 @@ impl<S: MotionStatus> Robot<S> {
     /// Checks the newest packet, the stops, and whether the connection lives on which the arm could be stopped: what is next, if they show it.
     fn observe(&self, newest: Option<&Arc<Snapshot>>, wait: &mut Wait, heard: &mut Heard) -> Option<Next> {
         if self.latch.has_unreported_stop() {
-            return Some(Next::Ended(Outcome::Stopped));
+            return Some(Next::ended(Cause::Stopped));
         }
         let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| wait.packet(newest));
         match (shown, self.lost()) {
             // That the arm rests, packets alone do not prove.
-            (None | Some(Outcome::AtRest), Some(cause)) => {
-                let address = self.client.link.address();
-                Some(Next::Ended(Outcome::ConnectionLost { address, cause }))
+            (None | Some((Occurrence { cause: Cause::AtRest, .. }, _)), Some(cause)) => {
+                Some(Next::ended(Occurrence::commands_lost(self.client.link.address(), cause)))
             }
-            (Some(outcome), _) => Some(Next::Ended(outcome)),
+            (Some((occurrence, rest)), _) => Some(Next::Ended(occurrence, rest)),
             (None, None) => (self.query.is_some() || wait.query(self.clock().now()).is_some()).then_some(Next::Query),
         }
     }
@@ -87,7 +93,7 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// Queries the arm's position, if it is time, and takes the answer, if it has come.
-    fn look_up(&mut self, wait: &mut Wait, left: Duration) -> Option<Outcome> {
+    fn look_up(&mut self, wait: &mut Wait, left: Duration) -> Option<Occurrence> {
         if self.query.is_none() {
             let quantity = wait.query(self.clock().now())?;
             wait.asked(self.clock().now());
@@ -105,10 +111,17 @@ impl<S: MotionStatus> Robot<S> {
         }
     }
 
-    /// The outcome as the program is told it. If the target is not known, the arm may be at rest because of a stop whose reply has not come.
-    fn told(&self, outcome: Outcome) -> Outcome {
-        let is_stopping = self.latch.stops.is_under_way() && matches!(outcome, Outcome::AtRest);
-        if is_stopping { Outcome::Stopped } else { outcome }
+    /// The end as the program is told it. If the target is not known, the arm may be at rest because of a stop whose
+    /// reply has not come.
+    fn told(&self, occurrence: Occurrence, rest: Rest) -> (Occurrence, Rest) {
+        let is_stopping = self.latch.stops.is_under_way() && occurrence.cause == Cause::AtRest;
+        (if is_stopping { Cause::Stopped.into() } else { occurrence }, rest)
+    }
+}
+
+impl Next {
+    fn ended(occurrence: impl Into<Occurrence>) -> Self {
+        Self::Ended(occurrence.into(), Rest::NotSeen)
     }
 }
 
@@ -128,8 +141,8 @@ impl Heard {
         true
     }
 
-    fn lost(self) -> Outcome {
+    fn lost(self) -> Occurrence {
         let unreadable = self.unreadable.as_ref().and_then(|packet| packet.unreadable());
-        Outcome::StatusLost { cause: None, unreadable }
+        Occurrence::status_lost(None, unreadable)
     }
 }

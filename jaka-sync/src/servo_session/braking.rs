@@ -1,6 +1,7 @@
 //! Decision on braking by the first news of trouble.
 
-use crate::{Error, ErrorKind, Outcome, StatusProblem};
+use crate::cause::Occurrence;
+use crate::{Cause, Error, ErrorKind, Evidence, StatusProblem};
 
 /// What a session does with an arm at speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +17,7 @@ impl Braking {
     /// compile before it is decided.
     pub(super) fn after(error: &Error) -> Self {
         match error.kind() {
-            ErrorKind::NotAcknowledged { outcome } => Self::after_outcome(outcome),
+            ErrorKind::NotAcknowledged { occurrence } => Self::after_occurrence(occurrence),
             ErrorKind::StatusUnknown { problem } => Self::after_problem(problem),
             // A refusal may be of one set-point alone: braking does not wait for the packet that says more.
             ErrorKind::Refused { .. }
@@ -56,27 +57,54 @@ impl Braking {
             | ErrorKind::SessionEnded { .. }
             | ErrorKind::Stopped { .. }
             | ErrorKind::NotStopped { .. }
+            | ErrorKind::NotReached { .. }
             | ErrorKind::ServoModeNotLeft { .. }
             | ErrorKind::RestNotSeen { .. }
             | ErrorKind::NotLanded { .. } => Self::Leave,
         }
     }
 
-    fn after_outcome(outcome: &Outcome) -> Self {
-        match outcome {
+    fn after_occurrence(occurrence: &Occurrence) -> Self {
+        match occurrence.evidence {
+            // The motion of another call was stopped.
+            Evidence::Trip(_) => Self::Leave,
+            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
+                Self::after_cause(occurrence.cause)
+            }
+        }
+    }
+
+    fn after_cause(cause: Cause) -> Self {
+        match cause {
             // A stop of the program's own goes out once the arm is braked.
-            Outcome::Stopped | Outcome::StatusLost { .. } => Self::Land,
-            Outcome::ProtectiveStop
-            | Outcome::EmergencyStop
-            | Outcome::NotPowered
-            | Outcome::NotEnabled
-            | Outcome::ControllerError { .. }
-            | Outcome::ConnectionLost { .. }
-            | Outcome::Guard(_)
-            | Outcome::Deadline
-            | Outcome::Reached
-            | Outcome::AtRest
-            | Outcome::NoMotion => Self::Leave,
+            Cause::Stopped
+            | Cause::StatusLost
+            // Of one set-point, or of this program: the controller follows others.
+            | Cause::Refused
+            | Cause::NotShown
+            | Cause::SetPointLate
+            | Cause::Departed
+            | Cause::BeyondLimit
+            | Cause::NotAtStart
+            | Cause::Failed => Self::Land,
+            Cause::EmergencyStop
+            | Cause::ProtectiveStop
+            | Cause::CommandsLost
+            | Cause::NotPowered
+            | Cause::NotEnabled
+            | Cause::ControllerError
+            | Cause::SoftLimit
+            | Cause::NoRemoteControl
+            | Cause::ServoMode
+            | Cause::Moving
+            | Cause::Guard
+            | Cause::Unanswered
+            | Cause::Deadline
+            | Cause::RestNotSeen
+            | Cause::NoMotion
+            | Cause::AtRest
+            | Cause::Landed
+            | Cause::Reached => Self::Leave,
         }
     }
 

@@ -9,8 +9,8 @@ use jaka_proto::messages::types::Switch;
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
-use super::{MOST_STEPS, ServoConfig, ServoReport, ServoSession};
-use crate::{Error, ErrorKind, Explanation, MotionStatus, Robot};
+use super::{MOST_STEPS, ServoConfig, ServoSession};
+use crate::{Error, ErrorKind, Explanation, MotionStatus, Report, Rest, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {
     /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
@@ -35,10 +35,12 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         }
         let mut session = Self {
             pace: Pace::new(robot.clock(), config.period(), config.busy_wait),
+            since: robot.clock().stopwatch(),
             robot,
             config: config.clone(),
             course: Course::unknown(),
-            report: ServoReport::default(),
+            report: Report::of_set_points(),
+            rest: Rest::NotSeen,
             refusal: None,
             begun: None,
             is_open: true,

@@ -4,24 +4,8 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::messages::types::JointPosition;
 
+use crate::FollowLag;
 use crate::robot::MeasuredLag;
-
-/// How an arm followed its set-points, by the joints of status packets.
-///
-/// The delay is the one with which set-points and packets agree best, by the sum of the squares of all joints' differences. It is measured from sending a set-point
-/// to receiving a packet: the link's and the packets' own delay are part of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct FollowLag {
-    /// The delay that fits best, in steps of 1 ms.
-    pub delay: Duration,
-    /// How far each joint was from its delayed set-points, in degrees: the root of the mean of the squares.
-    pub residual_deg: [f64; 6],
-    /// How far each joint was from them at most, in degrees.
-    pub worst_deg: [f64; 6],
-    /// How many packets were compared.
-    pub packets: u32,
-}
 
 /// Delays from 0 to this are compared, in ms.
 const MOST_MS: usize = 500;

@@ -10,8 +10,9 @@ use super::braking::Braking;
 use super::course::Course;
 use super::rates::Rates;
 use super::set_point::{SetPoint, Step};
-use crate::robot::Rest;
-use crate::{Error, ErrorKind, MotionStatus, Outcome};
+use crate::cause::Occurrence;
+use crate::robot::Stillness;
+use crate::{Cause, Error, ErrorKind, MotionStatus, Rest};
 
 /// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its set-points is at rest
 /// by then.
@@ -78,7 +79,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.brake(braking, refused).and_then(|()| self.hold(refused))
         } else {
             // It was entered at rest.
-            self.report.rest_was_seen = true;
+            self.rest = Rest::Packets;
             Ok(())
         };
         self.robot.latch.stops.expect_set_point(None);
@@ -115,15 +116,15 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         // A stop of the program's own can go out now.
         self.robot.latch.stops.expect_set_point(None);
         let since = self.robot.clock().stopwatch();
-        let (mut rest, mut is_held) = (Rest::new(since.began, self.course.held_joints()), true);
+        let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
         loop {
             if is_held && self.robot.latch.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
-                (rest, is_held) = (Rest::new(self.robot.clock().now(), None), false);
+                (stillness, is_held) = (Stillness::new(self.robot.clock().now(), None), false);
             }
             let packet = self.robot.monitor().last_known_packet();
-            if packet.is_some_and(|packet| rest.is_seen(&S::snapshot(&packet))) {
-                self.report.rest_was_seen = true;
+            if packet.is_some_and(|packet| stillness.is_seen(&S::snapshot(&packet))) {
+                self.rest = Rest::Packets;
                 return Ok(());
             }
             let is_blind = self.robot.monitor().fresh_packet().is_err();
@@ -151,11 +152,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                 }
             }
             // After a stop of the program's own nothing goes out; packets may still show rest.
-            (None | Some(Outcome::Stopped), _) => {
+            (None | Some(Occurrence { cause: Cause::Stopped, .. }), _) => {
                 self.pace.wait();
                 Ok(())
             }
-            (Some(outcome), _) => Err(ErrorKind::NotAcknowledged { outcome }.into()),
+            (Some(occurrence), _) => Err(ErrorKind::NotAcknowledged { occurrence }.into()),
         }
     }
 

@@ -8,15 +8,15 @@ use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 use jaka_proto::recording::MotionStep;
 
+use super::ServoSession;
 #[cfg(feature = "stream")]
 use super::Supervision;
 use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::session_end::SessionEnd;
-use super::{ServoReport, ServoSession};
 use crate::link::Sent;
-use crate::{Disconnect, Error, ErrorKind, Explanation, MotionStatus};
+use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, MotionStatus, Report};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -32,13 +32,13 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// no status packet showed the arm at rest. Servo mode is left in any case, if possible; [`ErrorKind::ServoModeNotLeft`] if it cannot
     /// be left, or that is not known, with the session's own error if there is one. [`ErrorKind::SessionEnded`] if the session had ended
     /// before.
-    pub fn land(mut self) -> Result<ServoReport, Error> {
+    pub fn land(mut self) -> Result<End, Error> {
         if let Some(end) = self.ended.take() {
             return Err(end.into_error());
         }
         let landed = self.come_to_rest();
         self.leave_landed(landed, None)?;
-        Ok(std::mem::take(&mut self.report))
+        Ok(self.landed())
     }
 
     /// The same, braked in another way. A guard that trips before the arm is at rest is an error, too.
@@ -46,6 +46,18 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub(crate) fn land_by(&mut self, braking: BrakingPath<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
         self.leave_landed(landed, supervision.check_tripped().err())
+    }
+
+    /// End of a session that has landed because the program said so, with its report.
+    pub(crate) fn landed(&mut self) -> End {
+        let cause = if self.rest.was_seen() { Cause::Landed } else { Cause::RestNotSeen };
+        End::new(cause, self.rest, self.take_report())
+    }
+
+    /// Report of a session that has ended.
+    pub(crate) fn take_report(&mut self) -> Report {
+        self.report.waited = self.since.passed();
+        std::mem::take(&mut self.report)
     }
 
     /// After a landing, during which a guard may have tripped.
@@ -62,7 +74,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (first, Ok(())) => first.map_or(Ok(()), Err),
             (first, Err(leaving)) => Err(not_left(first, leaving)),
         };
-        let rest = if self.report.rest_was_seen { "is at rest" } else { "was not seen at rest" };
+        let rest = if self.rest.was_seen() { "is at rest" } else { "was not seen at rest" };
         let link = &self.robot.client().link;
         match &ended {
             Ok(()) => link.record_motion(MotionStep::Done, || format!("the set-points have ended, and the arm {rest}")),

@@ -12,15 +12,16 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
 
+use super::ServoConfig;
 use super::course::Course;
 use super::pace::{Cycle, Pace};
 #[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
 use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
-use super::{ServoConfig, ServoReport};
+use crate::clock::Stopwatch;
 use crate::link::{Answers, Gate};
-use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
+use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
 /// counted, not waited for.
@@ -73,7 +74,7 @@ use crate::{Error, ErrorKind, MotionStatus, Robot, Snapshot};
 /// for _ in 0..125 {
 ///     session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
 /// }
-/// let report = session.land()?;
+/// let report = session.land()?.report;
 /// println!("{} set-points, 99 % within {:?}", report.cycles, report.lateness(0.99));
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
@@ -84,7 +85,11 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) pace: Pace,
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
     pub(super) course: Course,
-    pub(crate) report: ServoReport,
+    pub(crate) report: Report,
+    /// Rest of the arm at its last set-point, before servo mode is left.
+    pub(crate) rest: Rest,
+    /// Time since servo mode was entered.
+    pub(super) since: Stopwatch,
     pub(super) refusal: Option<Error>,
     /// Cycle that has begun, while its set-point has not gone out.
     pub(super) begun: Option<Cycle>,
@@ -104,7 +109,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     /// Report of the session so far; the whole one once the session has ended.
-    pub fn report(&self) -> &ServoReport {
+    pub fn report(&self) -> &Report {
         &self.report
     }
 

@@ -12,7 +12,7 @@ use crate::servo_session::{
     Course, LagFit, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
 };
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Cause, Error, MotionStatus, Robot, ServoReport, ServoSession};
+use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession};
 
 /// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.
 pub(super) fn run<S: MotionStatus>(
@@ -20,7 +20,7 @@ pub(super) fn run<S: MotionStatus>(
     config: &StreamConfig,
     guard: Option<&SetPointGuard>,
     begun: &Begun<(Arc<Targets>, Generator)>,
-) -> Option<Result<ServoReport, Error>> {
+) -> Option<Result<End, Error>> {
     // The caller has the error from here, and not from the thread.
     let refused = |error: Error| {
         begun.give(Err(error));
@@ -57,13 +57,13 @@ pub(super) fn run<S: MotionStatus>(
         (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints))
     };
     let result = match ended {
-        Ok(()) => session.land_by(rest, &supervision).map(|()| std::mem::take(&mut session.report)),
+        Ok(()) => session.land_by(rest, &supervision).map(|()| session.landed()),
         Err(error) => Err(session.end_by(error, rest)),
     };
     if let Some(joints) = session.last_joints() {
         targets.landed(joints);
     }
-    targets.end(result.as_ref().map_or_else(SessionEnd::of, |_| SessionEnd::new(Cause::Stopped, "it has landed")));
+    targets.end(result.as_ref().map_or_else(SessionEnd::of, |_| SessionEnd::new(Cause::Landed, "it has landed")));
     Some(result)
 }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use jaka_sim::{Controller, Delays};
 use jaka_sync::motion::JointMove;
-use jaka_sync::{Config, Outcome, Robot, ServoConfig};
+use jaka_sync::{Cause, Config, Robot, ServoConfig};
 
 /// Timeout for what must happen, however busy the machine is.
 const LONG: Duration = Duration::from_secs(60);
@@ -64,7 +64,7 @@ fn each_set_point_of_a_servo_session_arrives() {
     for _ in 0..25 {
         session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("servo mode is on");
     }
-    let report = session.land().expect("the arm comes to rest");
+    let report = session.land().expect("the arm comes to rest").report;
     assert_eq!((report.cycles, report.refused, report.unanswered), (25, 0, 0));
     let is_set_point = |request: &&String| request.contains(r#""servo_j""#);
     let received = controller.requests().iter().filter(is_set_point).count();
@@ -89,7 +89,7 @@ fn a_stop_of_another_thread_ends_a_motion() {
         stopping.join().expect("it does not panic").expect("the stop is accepted");
         end
     });
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     assert!(end.reached().is_err());
     // The outcome says that the stop was accepted; the arm may still be braking then.
     wait_for_rest(&controller);

@@ -12,7 +12,7 @@ use jaka_sync::program::{LoadProgram, SetRapidRate};
 use jaka_sync::servo::SetServoMode;
 use jaka_sync::types::JointPosition;
 use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
-use jaka_sync::{Command, Error, MotionEnd, Outcome};
+use jaka_sync::{Cause, Command, End, Error, Evidence};
 use serde_json::{Value, json};
 
 use super::account::Fate;
@@ -209,21 +209,21 @@ fn motion(arm: &mut Arm, session: &mut Session) {
 }
 
 /// While a motion is waited for, the robot asks where the arm is, from time to time; what has been reached was answered.
-fn note_questions(session: &mut Session, end: &MotionEnd) {
-    let fate = if end.outcome.is_reached() { Fate::Seen } else { Fate::Perhaps };
+fn note_questions(session: &mut Session, end: &End) {
+    let fate = if end.cause() == Cause::Reached { Fate::Seen } else { Fate::Perhaps };
     // The first at once, and one where the times are not exact.
-    let most = end.waited.as_millis() / QUESTION_PERIOD.as_millis() + 2;
+    let most = end.report.waited.as_millis() / QUESTION_PERIOD.as_millis() + 2;
     session.connection.note_repeated(text(&GetJointPos::new()), fate, usize::try_from(most).unwrap_or(usize::MAX));
-    if matches!(end.outcome, Outcome::StatusLost { .. } | Outcome::ConnectionLost { .. }) {
+    if matches!(end.evidence(), Evidence::Status { .. } | Evidence::Commands { .. }) {
         // Which of them it is is settled by a question.
         session.connection.note(text(&GetRobotState::new()), Fate::Perhaps);
     }
 }
 
-fn check_end(arm: &mut Arm, session: &mut Session, end: &MotionEnd, target: JointPosition) {
-    arm.tally.one(ended(&end.outcome));
-    match &end.outcome {
-        Outcome::Reached => {
+fn check_end(arm: &mut Arm, session: &mut Session, end: &End, target: JointPosition) {
+    arm.tally.one(ended(end.cause()));
+    match end.cause() {
+        Cause::Reached => {
             let reply = raw(arm, session, GetJointPos::INFO.name, json!({})).map(|reply| reply.to_string());
             let reply = reply.map(|reply| read_payload::<GetJointPosReply>(GetJointPos::INFO, &reply));
             match reply {
@@ -232,10 +232,10 @@ fn check_end(arm: &mut Arm, session: &mut Session, end: &MotionEnd, target: Join
                 None => {}
             }
         }
-        Outcome::AtRest if end.not_answered.is_none() => {
+        Cause::AtRest if end.error.is_none() => {
             arm.find(&format!("the target of a motion is known, and its end is said to be unknown: {end:?}"));
         }
-        Outcome::NoMotion => arm.find("a motion was accepted, and there is said to be none"),
+        Cause::NoMotion => arm.find("a motion was accepted, and there is said to be none"),
         _ => {}
     }
 }
@@ -247,14 +247,14 @@ fn check_position(arm: &mut Arm, target: JointPosition, found: JointPosition) {
     }
 }
 
-fn ended(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::Reached => "motions reached",
-        Outcome::AtRest => "motions at rest somewhere",
-        Outcome::Stopped => "motions stopped",
-        Outcome::Deadline => "motions at their deadline",
-        Outcome::StatusLost { .. } => "motions without status",
-        Outcome::ConnectionLost { .. } => "motions without connection",
+fn ended(cause: Cause) -> &'static str {
+    match cause {
+        Cause::Reached => "motions reached",
+        Cause::AtRest => "motions at rest somewhere",
+        Cause::Stopped => "motions stopped",
+        Cause::Deadline => "motions at their deadline",
+        Cause::StatusLost => "motions without status",
+        Cause::CommandsLost => "motions without connection",
         _ => "motions ended otherwise",
     }
 }

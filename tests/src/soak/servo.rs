@@ -7,7 +7,7 @@ use jaka_sync::kinematics::{GetJointPos, GetTcpPos};
 use jaka_sync::power::GetRobotState;
 use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
 use jaka_sync::types::Switch;
-use jaka_sync::{Command, Error, ErrorKind, Explanation, ServoConfig, ServoReport, ServoSession};
+use jaka_sync::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, ServoSession};
 use serde_json::json;
 
 use super::account::{Connection, Fate};
@@ -37,7 +37,7 @@ type Sent = (String, Fate, usize);
 #[derive(Debug)]
 struct Outcome {
     sent: Vec<Sent>,
-    result: Result<Option<ServoReport>, Error>,
+    result: Result<Option<Report>, Error>,
 }
 
 /// A session of some set-points, each with a number. In every other one set-points may be unanswered for as long as it lasts.
@@ -63,7 +63,7 @@ fn note(connection: &mut Connection, sent: Vec<Sent>) {
     }
 }
 
-fn ended(result: &Result<Option<ServoReport>, Error>) -> &'static str {
+fn ended(result: &Result<Option<Report>, Error>) -> &'static str {
     match result.as_ref().map_err(Error::kind) {
         Ok(Some(_)) => "servo sessions finished",
         Ok(None) => "servo sessions dropped",
@@ -75,7 +75,7 @@ fn ended(result: &Result<Option<ServoReport>, Error>) -> &'static str {
 }
 
 /// A session that does not say otherwise has left servo mode.
-fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Option<ServoReport>, Error>) {
+fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Option<Report>, Error>) {
     // One that was dropped says nothing.
     arm.in_servo_mode =
         matches!(result.as_ref().map_err(Error::kind), Ok(None) | Err(ErrorKind::ServoModeNotLeft { .. }));
@@ -166,7 +166,7 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
         sent.push((text(&ServoJ::relative([0.0; 6]).step_count(1)), Fate::Perhaps, usize::MAX));
     }
     arm.tally.add("set-points", u64::try_from(set_points).unwrap_or_default());
-    let finished = if arm.random.one_in(4) { None } else { Some(servo.land()) };
+    let finished = if arm.random.one_in(4) { None } else { Some(servo.land().map(|end| end.report)) };
     let (result, left) = leave(failed, finished);
     if let Ok(Some(report)) = &result {
         check(arm, report, set_points);
@@ -193,10 +193,7 @@ fn set_point(result: &Result<(), Error>) -> Fate {
 }
 
 /// What a session ended with, by its first error and how it was finished, if it was; and whether servo mode was left.
-fn leave(
-    failed: Option<Error>,
-    finished: Option<Result<ServoReport, Error>>,
-) -> (Result<Option<ServoReport>, Error>, Fate) {
+fn leave(failed: Option<Error>, finished: Option<Result<Report, Error>>) -> (Result<Option<Report>, Error>, Fate) {
     let known = |error: &Error| {
         if matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen }
     };
@@ -214,7 +211,7 @@ fn leave(
     }
 }
 
-fn check(arm: &mut Arm, report: &ServoReport, sent: usize) {
+fn check(arm: &mut Arm, report: &Report, sent: usize) {
     let answers = report.accepted + report.refused + report.unanswered;
     if report.cycles + report.landing_cycles != answers || usize::try_from(report.cycles) != Ok(sent) {
         arm.find(&format!("of {sent} set-points, {report:?}"));

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
 use jaka_sim::{Controller, Fault, Firmware};
-use jaka_sync::{Client, Error, ErrorKind, FirmwareVersion, Motion, NotInFirmware, Outcome, Target};
+use jaka_sync::{Cause, Client, Error, ErrorKind, FirmwareVersion, Motion, NotInFirmware, Target};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
@@ -139,6 +139,6 @@ fn a_motion_that_the_controller_does_not_have_is_not_waited_for() {
     robot.client().check_firmware().expect("the simulator says its version");
     missing(robot.start(&PLAIN));
     assert!(robot.run(&PLAIN, LONG).is_err_and(|error| error.is_not_in_firmware()));
-    assert!(matches!(robot.wait(Duration::ZERO).outcome, Outcome::NoMotion));
+    assert!(robot.wait(Duration::ZERO).cause() == Cause::NoMotion);
     assert_eq!(controller.requests().len(), 1);
 }

@@ -11,7 +11,7 @@ use jaka_proto::text::is_visible;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{ErrorCode, FirmwareVersion, Refusal};
 use jaka_sim::Fault;
-use jaka_sync::{Disconnect, Error, ErrorKind, Explanation, Outcome, Recorder};
+use jaka_sync::{Cause, Disconnect, Error, ErrorKind, Evidence, Explanation, Occurrence, Recorder};
 use jaka_tests::Arm;
 
 /// A character of each kind that a terminal or an editor acts on.
@@ -46,8 +46,8 @@ fn no_error_shows_a_controller_s_text_raw() {
         ErrorKind::UnexpectedStatus { source },
     ];
     for cause in causes {
-        let outcome = Outcome::StatusLost { cause: Some(Arc::clone(&cause)), unreadable: None };
-        kinds.push(ErrorKind::NotAcknowledged { outcome });
+        let lost = Evidence::Status { cause: Some(Arc::clone(&cause)), unreadable: None };
+        kinds.push(ErrorKind::NotAcknowledged { occurrence: Occurrence::new(Cause::StatusLost, lost) });
         kinds.push(ErrorKind::Disconnected {
             address: HOSTILE.to_owned(),
             command: Some(command.clone()),
@@ -55,14 +55,14 @@ fn no_error_shows_a_controller_s_text_raw() {
             cause: Arc::clone(&cause),
         });
         let (address, what) = (HOSTILE.to_owned(), HOSTILE.to_owned());
-        kinds.push(ErrorKind::NotAcknowledged {
-            outcome: Outcome::ConnectionLost { address: address.clone(), cause: Arc::clone(&cause) },
-        });
+        let lost = Evidence::Commands { address: address.clone(), cause: Arc::clone(&cause) };
+        kinds.push(ErrorKind::NotAcknowledged { occurrence: Occurrence::new(Cause::CommandsLost, lost) });
         kinds.push(ErrorKind::CommandsLost { address, what, cause });
     }
-    let outcome = Outcome::ControllerError { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
-    assert_visible("an outcome", &outcome.to_string());
-    kinds.push(ErrorKind::NotAcknowledged { outcome });
+    let event = Evidence::Event { code: HOSTILE.to_owned(), event: None, message: HOSTILE.to_owned() };
+    let occurrence = Occurrence::new(Cause::ControllerError, event);
+    assert_visible("an occurrence", &occurrence.to_string());
+    kinds.push(ErrorKind::NotAcknowledged { occurrence });
     let errors: Vec<Error> = kinds.into_iter().map(Error::from).collect();
     for error in &errors {
         let sources = std::iter::successors(Some(error as &dyn StdError), |&error| error.source());

@@ -7,7 +7,7 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::Controller;
 use jaka_sync::motion::JointMove;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{ErrorKind, MotionStatus, Outcome, Robot, ServoConfig};
+use jaka_sync::{Cause, ErrorKind, Evidence, MotionStatus, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;
 
@@ -59,15 +59,17 @@ fn motions_are_kept_back_by_a_packet_whose_type_panics_and_by_the_stops_after_it
     pass_packet(&controller, true);
     pass_packet(&controller, false);
     let error = robot.start(&motion()).expect_err("that packet may have shown a stop");
-    let ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { unreadable: Some(source), .. } } = error.kind()
-    else {
-        panic!("{error:?}")
-    };
+    let ErrorKind::NotAcknowledged { occurrence } = error.kind() else { panic!("{error:?}") };
+    let Evidence::Status { unreadable: Some(source), .. } = &occurrence.evidence else { panic!("{error:?}") };
     assert!(source.to_string().contains("a panic"), "{source}");
     controller.collide();
     robot.monitor().wait_until(|packet| packet.0.protective_stop == Some(true), LONG).expect("packets show it");
     robot.monitor().next_packet().expect("packets come");
-    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)), "{:?}", robot.unacknowledged());
+    assert!(
+        robot.unacknowledged().is_some_and(|found| found.cause == Cause::ProtectiveStop),
+        "{:?}",
+        robot.unacknowledged()
+    );
     controller.set_state(|state| {
         state.protective_stop = false;
         (state.powered, state.enabled) = (true, true);

@@ -8,7 +8,7 @@ use jaka_sim::Controller;
 use jaka_sync::motion::JointMove;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, ErrorKind, Monitor, Outcome};
+use jaka_sync::{Cause, Command, ErrorKind, Monitor};
 use jaka_tests::{Arm, LONG};
 
 fn page() -> String {
@@ -106,7 +106,7 @@ fn nothing_is_sent_on_its_own() {
     let motion = JointMove::absolute(joint_position, 20.0);
     robot.start(&motion).expect("it is reachable");
     controller.collide();
-    assert!(matches!(robot.wait(LONG).outcome, Outcome::ProtectiveStop));
+    assert!(robot.wait(LONG).cause() == Cause::ProtectiveStop);
     controller.press_emergency_stop();
     controller.release_emergency_stop();
     let error = robot.start(&motion).expect_err("nobody has looked");

@@ -9,8 +9,8 @@ use jaka_sim::{Direction, Port, StatusFault};
 use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::{
-    Cause, Error, ErrorKind, FollowConfig, GuardTrip, MotionEnd, Numbering, Outcome as Ended, Robot, ServoConfig,
-    StreamConfig, TripReason,
+    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Numbering, Robot, ServoConfig, StreamConfig,
+    TripReason,
 };
 use jaka_tests::simulated::{beside, clock_of};
 
@@ -107,7 +107,7 @@ impl<'t> Arm<'t> {
         clock_of(&self.controller).sleep(time);
     }
 
-    fn motion(&self, robot: &mut Robot) -> MotionEnd {
+    fn motion(&self, robot: &mut Robot) -> End {
         let target = [START[0], START[1], START[2] + FAR, START[3], START[4], START[5]];
         let motion = JointMove::absolute(target, FAR / SECONDS).acceleration(MOST);
         let clock = clock_of(&self.controller);
@@ -124,9 +124,9 @@ impl<'t> Arm<'t> {
         self.strike();
         let end = run.wait();
         let state = self.controller.state();
-        assert!(!end.is_at_rest() || state.at_rest, "{}: {end}: {state:?}", self.what());
+        assert!(!end.rest.was_seen() || state.at_rest, "{}: {end}: {state:?}", self.what());
         let error = end.error.as_ref().unwrap_or_else(|| panic!("{}: {end}", self.what()));
-        let expected = match end.cause {
+        let expected = match end.cause() {
             Cause::Guard => error_kinds(error).any(|kind| matches!(kind, ErrorKind::GuardTripped { .. })),
             Cause::StatusLost => !self.has_packets(),
             Cause::CommandsLost | Cause::Unanswered | Cause::Refused | Cause::Failed => !self.has_replies(),
@@ -156,15 +156,15 @@ impl<'t> Arm<'t> {
     }
 
     /// What is true of the end of each, whatever befell it.
-    fn judge_motion(&self, end: &MotionEnd) {
-        let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.outcome, end.stop), self.controller.state());
-        match &end.outcome {
-            Ended::Guard(trip) => {
+    fn judge_motion(&self, end: &End) {
+        let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.cause(), end.stop), self.controller.state());
+        match end.evidence() {
+            Evidence::Trip(trip) => {
                 assert!(self.is_true(trip), "{what}");
                 assert!(!trip.is_at_rest || state.at_rest, "{what}: {state:?}");
             }
-            Ended::StatusLost { .. } => assert!(!self.has_packets(), "{what}"),
-            Ended::ConnectionLost { .. } => assert!(!self.has_replies(), "{what}"),
+            Evidence::Status { .. } => assert!(!self.has_packets(), "{what}"),
+            Evidence::Commands { .. } => assert!(!self.has_replies(), "{what}"),
             _ => panic!("{what}"),
         }
         let accepted = end.stop.as_ref().unwrap_or_else(|| panic!("{what}: nobody has stopped it"));

@@ -6,7 +6,7 @@ use jaka_sim::Port;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Command, ErrorKind, Outcome as Ended, Robot};
+use jaka_sync::{Cause as Ended, Command, End, ErrorKind, Evidence, Robot};
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
@@ -64,7 +64,7 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
     robot.monitor().wait_until(|status| status.in_position == Some(false), PATIENCE).expect("the arm moves");
     cell.strike(GetJointPos::INFO.name);
     let timeout = cell.patience(expected);
-    let first = cell.ends(timeout, expected, || Ok(outcome(cell, &robot.wait(timeout).outcome, motion.joint_position)));
+    let first = cell.ends(timeout, expected, || Ok(outcome(cell, &robot.wait(timeout), motion.joint_position)));
     cell.lift();
     if expected == Outcome::StatusLost {
         assert_latched(cell, &mut robot);
@@ -83,23 +83,24 @@ fn motion(cell: &Cell<'_>) -> JointMove {
 /// Moves the arm.
 fn moves(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome) -> Outcome {
     let (motion, timeout) = (motion(cell), cell.patience(expected));
-    cell.ends(timeout, expected, || Ok(outcome(cell, &robot.run(&motion, timeout)?.outcome, motion.joint_position)))
+    cell.ends(timeout, expected, || Ok(outcome(cell, &robot.run(&motion, timeout)?, motion.joint_position)))
 }
 
 /// A motion that has reached its target is there, and at rest.
-fn outcome(cell: &Cell<'_>, ended: &Ended, target: JointPosition) -> Outcome {
-    match ended {
-        Ended::Reached => {
+fn outcome(cell: &Cell<'_>, end: &End, target: JointPosition) -> Outcome {
+    match (end.evidence(), end.cause()) {
+        (Evidence::Commands { cause, .. }, _) => Outcome::Broken(Cause::of(cause)),
+        (Evidence::Status { .. }, _) => Outcome::StatusLost,
+        (Evidence::None, Ended::Reached) => {
             let state = cell.controller.state();
             let off = state.joint_position.max_distance(&target);
             assert!(off <= CLOSE, "{cell}: the arm is at {:?}, and not at {target:?}", state.joint_position);
             assert!(state.tcp_speed == 0.0, "{cell}: the arm moves");
             Outcome::Ok
         }
-        Ended::ConnectionLost { cause, .. } => Outcome::Broken(Cause::of(cause)),
-        Ended::StatusLost { .. } => Outcome::StatusLost,
-        Ended::Deadline => Outcome::Deadline,
-        other => panic!("{cell}: no fault may end a motion with {other:?}"),
+        // A query may be outstanding at the deadline.
+        (Evidence::None, Ended::Deadline | Ended::Unanswered) => Outcome::Deadline,
+        other => panic!("{cell}: no fault may end a motion with {other:?}: {end:?}"),
     }
 }
 

@@ -105,7 +105,7 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     if let Some(error) = failed {
         return Err(error);
     }
-    let report = finished?;
+    let report = finished?.report;
     let set_points = SET_POINTS as u64 + report.landing_cycles;
     let received = cell.received(ServoJ::INFO.name) - sent;
     assert_eq!(received as u64, set_points, "{cell}: a set-point was not sent");

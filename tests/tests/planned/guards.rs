@@ -16,8 +16,8 @@ use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{
-    Command, ErrorKind, Guard, GuardTrip, MotionEnd, MotionStatus, NotShown, Numbering, Outcome, Robot, TcpBox,
-    TripReason,
+    Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, MotionStatus, NotShown, Numbering, Occurrence, Robot,
+    TcpBox, TripReason,
 };
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, ArmBuilder, HandFed, LONG};
@@ -90,7 +90,7 @@ fn wait_for_motion(arm: &Arm) {
 }
 
 /// Runs the motion under a guard, and does something once the arm moves.
-fn disturbed(arm: &Arm, robot: &mut Robot, guard: impl Into<Guard> + Send, disturb: impl FnOnce() + Send) -> MotionEnd {
+fn disturbed(arm: &Arm, robot: &mut Robot, guard: impl Into<Guard> + Send, disturb: impl FnOnce() + Send) -> End {
     let disturb = || {
         wait_for_motion(arm);
         disturb();
@@ -106,7 +106,7 @@ fn assert_stopped_on_the_way(arm: &Arm) {
     assert_eq!(count(arm, StopProgram::INFO.name), 1, "{:?}", names(arm));
 }
 
-fn trip(end: MotionEnd) -> Arc<GuardTrip> {
+fn trip(end: End) -> Arc<GuardTrip> {
     end.guarded().unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -124,7 +124,7 @@ fn a_guard_that_holds_before_the_start_sends_nothing() {
     for (guard, expected) in guards.into_iter().zip([0, 1, 0, 0]) {
         let text = guard.to_string();
         let end = robot.run_until(&motion(), guard, LONG).expect("that is an end");
-        let Outcome::Guard(trip) = &end.outcome else { panic!("{text}: {end:?}") };
+        let Evidence::Trip(trip) = end.evidence() else { panic!("{text}: {end:?}") };
         assert!(trip.is_before_start && trip.reaction.is_none() && end.stop.is_none(), "{end:?}");
         assert_eq!((trip.condition, trip.packet.number), (expected, 1), "{text}");
     }
@@ -227,7 +227,7 @@ fn what_cannot_be_judged_stops_the_motion() {
         false
     });
     let end = robot.run_until(&motion(), panics, LONG).expect("the motion is accepted");
-    let Outcome::Guard(trip) = &end.outcome else { panic!("{end:?}") };
+    let Evidence::Trip(trip) = end.evidence() else { panic!("{end:?}") };
     assert_eq!(trip.reason, TripReason::Panicked);
     assert!(end.guarded().is_err(), "it is not known whether it holds");
     assert_stopped_on_the_way(&arm);
@@ -235,7 +235,7 @@ fn what_cannot_be_judged_stops_the_motion() {
     let (arm, mut robot) = ready();
     let unfit = || arm.set_status([("din".to_owned(), "on".into())]);
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), unfit);
-    let Outcome::Guard(trip) = &end.outcome else { panic!("{end:?}") };
+    let Evidence::Trip(trip) = end.evidence() else { panic!("{end:?}") };
     assert!(matches!(trip.reason, TripReason::NotShown(NotShown::Unfit { .. })), "{trip:?}");
     assert_stopped_on_the_way(&arm);
 }
@@ -245,16 +245,19 @@ fn a_status_that_is_silent_or_lost_stops_the_motion() {
     let (arm, mut robot) = ready();
     let silent = || arm.status_fault(StatusFault::Silent);
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), silent);
-    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{end:?}");
+    assert!(matches!(end.evidence(), Evidence::Status { cause: None, .. }), "{end:?}");
     assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1);
     let error = robot.start(&motion()).expect_err("nobody has looked");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } }), "{error:?}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::StatusLost, .. } }),
+        "{error:?}"
+    );
 
     let (arm, mut robot) = ready();
     let lost = || arm.status_fault(StatusFault::CloseAfter(0));
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), lost);
-    assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_), .. }), "{end:?}");
+    assert!(matches!(end.evidence(), Evidence::Status { cause: Some(_), .. }), "{end:?}");
     assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1);
 }
@@ -264,7 +267,7 @@ fn the_deadline_stops_the_motion() {
     let (arm, mut robot) = ready();
     let end = robot.run_until(&motion(), IO.cabinet(1).rises(), Duration::from_millis(800));
     let end = end.expect("the motion is accepted");
-    assert!(matches!(end.outcome, Outcome::Deadline) && matches!(end.stop, Some(Ok(()))), "{end:?}");
+    assert!(end.cause() == Cause::Deadline && matches!(end.stop, Some(Ok(()))), "{end:?}");
     let text = end.reached().expect_err("it was not").to_string();
     assert!(text.ends_with("; the arm was told to stop"), "{text}");
     until(arm.clock(), || arm.state().at_rest);
@@ -295,7 +298,7 @@ fn a_stop_that_is_refused_is_told_at_once() {
     let high = || arm.set_state(|state| state.digital_inputs[0] = true);
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), high);
     assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{end:?}");
-    assert!(matches!(&end.outcome, Outcome::Guard(trip) if !trip.is_at_rest), "{end:?}");
+    assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{end:?}");
     let text = end.guarded().expect_err("the arm may still move").to_string();
     assert!(text.contains("the stop that followed was not accepted, so the arm may still move"), "{text}");
     let error = robot.start(&motion()).expect_err("nobody has looked");
@@ -308,10 +311,13 @@ fn wait_for_stop(arm: &Arm) {
 }
 
 /// A stop of the program's own keeps the next motion back, unless the end has reported it.
-fn assert_kept_back(robot: &mut Robot, end: &MotionEnd) {
-    assert!(matches!(robot.unacknowledged(), Some(Outcome::Stopped)), "{end:?}");
+fn assert_kept_back(robot: &mut Robot, end: &End) {
+    assert!(robot.unacknowledged().is_some_and(|found| found.cause == Cause::Stopped), "{end:?}");
     let error = robot.start(&motion()).expect_err("nobody has looked");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::Stopped }), "{error:?}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::Stopped, .. } }),
+        "{error:?}"
+    );
     robot.acknowledge();
     assert!(robot.unacknowledged().is_none());
 }
@@ -326,7 +332,7 @@ fn a_stop_of_the_program_while_the_guard_stops_the_arm_keeps_the_next_motion_bac
         wait_for_stop(&arm);
         stop.stop().expect("the controller accepts it");
     });
-    assert!(matches!(end.outcome, Outcome::Guard(_)), "{end:?}");
+    assert!(end.cause() == Cause::Guard, "{end:?}");
     assert_kept_back(&mut robot, &end);
     drop(robot);
 
@@ -339,7 +345,7 @@ fn a_stop_of_the_program_while_the_guard_stops_the_arm_keeps_the_next_motion_bac
     };
     let run = || robot.run_until(&motion(), IO.cabinet(5).rises(), Duration::from_secs(2)).expect("it is accepted");
     let end = beside(arm.clock(), stop, run);
-    assert!(matches!(end.outcome, Outcome::Deadline) && matches!(end.stop, Some(Ok(()))), "{end:?}");
+    assert!(end.cause() == Cause::Deadline && matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_kept_back(&mut robot, &end);
 }
 
@@ -355,7 +361,7 @@ fn a_stop_of_the_program_that_an_end_by_the_guard_does_not_report_keeps_the_next
         };
         beside(arm.clock(), trip, || stop.stop().expect("the controller accepts it"));
     });
-    assert!(matches!(end.outcome, Outcome::Guard(_)), "{end:?}");
+    assert!(end.cause() == Cause::Guard, "{end:?}");
     assert_kept_back(&mut robot, &end);
 }
 
@@ -369,7 +375,7 @@ fn a_refused_motion_is_an_error_and_a_protective_stop_goes_first() {
     assert_eq!(count(&arm, StopProgram::INFO.name), 0);
     let collide = || arm.collide();
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), collide);
-    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{end:?}");
+    assert!(end.cause() == Cause::ProtectiveStop, "{end:?}");
 }
 
 /// Packets of a type of the user's own, which says what it means by code that panics at the end.
@@ -397,7 +403,7 @@ fn a_type_of_packets_that_panics_leaves_no_motion_without_its_guard() {
     let (monitor, client) = (arm.monitor::<Odd>(), arm.client());
     let mut robot = Robot::<Odd>::with_monitor(client, monitor);
     let end = robot.run_until(&motion(), Guard::when("never", |_| false), LONG).expect("the motion is accepted");
-    assert!(matches!(end.outcome, Outcome::StatusLost { unreadable: Some(_), .. }), "{end:?}");
+    assert!(matches!(end.evidence(), Evidence::Status { unreadable: Some(_), .. }), "{end:?}");
     assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1, "{:?}", names(&arm));
 }

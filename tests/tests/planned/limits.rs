@@ -10,7 +10,7 @@ use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::frames::SetToolOffsets;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::Pose;
-use jaka_sync::{ErrorKind, Explanation, LimitPolicy, Outcome, Robot, ServoConfig, Unchecked};
+use jaka_sync::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, ServoConfig, Unchecked};
 use jaka_tests::{Arm, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
@@ -121,7 +121,7 @@ fn a_queued_motion_is_checked_from_where_the_one_before_ends() {
     let error = robot.start(&turn(3, 40.0)).expect_err("to 180 deg");
     assert!(error.to_string().contains("joint 3 would be at 180 deg; limit 175"), "{error}");
     robot.start(&turn(3, 30.0)).expect("to 170 deg");
-    assert!(robot.wait(LONG).outcome.is_at_rest());
+    robot.wait(LONG).at_rest().expect("nothing stops it");
     assert!((arm.state().joint_position.0[2] - 170.0).abs() < 1e-6);
     assert_eq!(motions(&arm).len(), 2);
 }
@@ -143,7 +143,7 @@ fn a_motion_that_cannot_be_checked_is_not_sent() {
     robot.client().set_tool_id(0).expect("it is accepted");
     let queued = reason(robot.start(&turn(6, 5.0)).expect_err("the frame has changed"));
     assert!(matches!(queued, Unchecked::FramesInQueue), "{queued:?}");
-    assert!(robot.wait(LONG).outcome.is_at_rest());
+    robot.wait(LONG).at_rest().expect("nothing stops it");
     robot.run(&turn(6, 5.0), LONG).expect("it is accepted").reached().expect("it ends there");
 }
 
@@ -254,7 +254,7 @@ fn without_limits_nothing_is_checked() {
     let before = arm.requests().len();
     let end =
         robot.run(&JointMove::absolute([10.0, 100.0, 80.0, 90.0, -90.0, 5.0], 30.0), LONG).expect("it is accepted");
-    assert!(matches!(end.outcome, Outcome::Reached));
+    assert!(end.cause() == Cause::Reached);
     let queries = arm.requests().len() - before - 1;
     assert!(queries <= 5, "{queries} queries");
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_sim::SimulatedClock;
 use jaka_sync::motion::JointMove;
-use jaka_sync::{Disconnect, ErrorKind, InputCondition, Numbering, Outcome, Robot};
+use jaka_sync::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Numbering, Robot};
 use jaka_tests::simulated::beside;
 use jaka_tests::{ClockedSocket, HandFed, LONG};
 
@@ -95,14 +95,11 @@ fn a_motion_whose_seat_is_lost_says_so_at_once() {
         let (clock, controller, mut robot) = robot();
         let stop = robot.stop_handle();
         let end = lose_the_seat(&clock, controller, loss, true, || robot.run(&turn(), LONG)).expect("it was accepted");
-        assert!(
-            matches!(&end.outcome, Outcome::ConnectionLost { cause, .. } if is_by_peer(cause)),
-            "{loss:?}: {end:?}"
-        );
-        assert!(end.not_answered.is_none() && end.packets.len() > 1, "{loss:?}: {end:?}");
+        assert!(matches!(end.evidence(), Evidence::Commands { cause, .. } if is_by_peer(cause)), "{loss:?}: {end:?}");
+        assert!(end.error.is_none() && end.packets.len() > 1, "{loss:?}: {end:?}");
         // It may go on, so that it can be waited for again, which is told the same. No other is sent, and no stop can
         // be.
-        assert!(matches!(robot.wait(LONG).outcome, Outcome::ConnectionLost { .. }), "{loss:?}");
+        assert!(robot.wait(LONG).cause() == Cause::CommandsLost, "{loss:?}");
         for error in [robot.run(&turn(), LONG).expect_err("nothing can be sent"), stop.stop().expect_err("nor a stop")]
         {
             assert!(error.is_disconnected() && !error.may_have_run(), "{loss:?}: {error:?}");
@@ -120,7 +117,7 @@ fn a_motion_under_a_guard_whose_seat_is_lost_says_so_at_once() {
         let (clock, controller, mut robot) = robot();
         let wait = || robot.run_until(&turn(), input(), LONG);
         let end = lose_the_seat(&clock, controller, loss, true, wait).expect("it was accepted");
-        assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{loss:?}: {end:?}");
+        assert!(end.cause() == Cause::CommandsLost, "{loss:?}: {end:?}");
         let stop = end.stop.expect("nobody judges the guard any longer").expect_err("it cannot be sent");
         assert!(stop.is_disconnected() && !stop.may_have_run(), "{loss:?}: {stop:?}");
     }
@@ -159,8 +156,8 @@ fn a_stop_that_fails_ends_no_wait() {
     };
     let end = beside(&clock, refuse, || robot.run(&turn(), timeout)).expect("it was accepted");
     assert!(stopped.is_err_and(|error| error.is_refused()));
-    assert!(matches!(end.outcome, Outcome::Deadline), "{end:?}");
-    assert_eq!(end.waited, timeout);
+    assert!(end.cause() == Cause::Deadline, "{end:?}");
+    assert_eq!(end.report.waited, timeout);
 }
 
 #[test]
@@ -186,6 +183,6 @@ fn a_reply_that_comes_twice_does_not_keep_a_stop_back() {
     let end = beside(&clock, reply_twice, || robot.run(&turn(), LONG)).expect("it was accepted");
     // Which of two replies is whose is not known any more.
     assert!(stopped.is_err_and(|error| error.may_have_run()));
-    assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{end:?}");
-    assert_eq!(end.waited, while_it_moves * 2);
+    assert!(end.cause() == Cause::CommandsLost, "{end:?}");
+    assert_eq!(end.report.waited, while_it_moves * 2);
 }

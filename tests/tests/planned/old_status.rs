@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_sim::{Fault, Habit, Port};
 use jaka_sync::motion::{JointMove, LineMode, MoveC, MoveL};
 use jaka_sync::types::Pose;
-use jaka_sync::{Error, ErrorKind, Monitor, Outcome, Robot, ServoConfig};
+use jaka_sync::{Cause, End, Error, ErrorKind, Monitor, Robot, ServoConfig};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 
@@ -56,13 +56,9 @@ fn sent(arm: &Arm, name: &str) -> usize {
 }
 
 /// Asserts that the arm is at rest where a wait ends with rest.
-fn assert_rests(arm: &Arm, outcome: &Outcome) {
+fn assert_rests(arm: &Arm, end: &End) {
     let state = arm.state();
-    assert!(
-        state.at_rest,
-        "{outcome:?} while it moves at joint 1 {}, z {}",
-        state.joint_position.0[0], state.tcp_pose.z
-    );
+    assert!(state.at_rest, "{end} while it moves at joint 1 {}, z {}", state.joint_position.0[0], state.tcp_pose.z);
 }
 
 #[test]
@@ -72,8 +68,8 @@ fn old_packets_alone_say_of_no_arm_that_it_rests() {
     robot.start(&to(40.0, 10.0)).expect("accepted");
     arm.inject_for("get_joint_pos", Fault::Close);
     let end = robot.wait(ms(2500));
-    if end.outcome.is_at_rest() {
-        assert_rests(&arm, &end.outcome);
+    if end.rest.was_seen() {
+        assert_rests(&arm, &end);
     }
 }
 
@@ -89,8 +85,8 @@ fn refused_queries_and_old_packets_are_no_rest() {
         );
     }
     let end = robot.wait(ms(2500));
-    if end.outcome.is_at_rest() {
-        assert_rests(&arm, &end.outcome);
+    if end.rest.was_seen() {
+        assert_rests(&arm, &end);
     }
 }
 
@@ -100,8 +96,8 @@ fn a_slow_motion_with_old_status_is_not_stopped() {
     delayed(&arm, ms(3000));
     robot.start(&up(5.0, 0.1)).expect("accepted");
     let end = robot.wait(ms(2500));
-    if !matches!(end.outcome, Outcome::Deadline) {
-        assert_rests(&arm, &end.outcome);
+    if end.cause() != Cause::Deadline {
+        assert_rests(&arm, &end);
     }
 }
 
@@ -111,8 +107,8 @@ fn a_slow_motion_with_old_status_is_not_reached() {
     delayed(&arm, ms(3000));
     robot.start(&up(0.4, 0.1)).expect("accepted");
     let end = robot.wait(ms(2500));
-    if !matches!(end.outcome, Outcome::Deadline) {
-        assert_rests(&arm, &end.outcome);
+    if end.cause() != Cause::Deadline {
+        assert_rests(&arm, &end);
     }
 }
 
@@ -121,9 +117,9 @@ fn packets_of_the_motion_before_do_not_end_this_one() {
     let (arm, mut robot) = ready();
     delayed(&arm, ms(1500));
     let end = robot.run(&to(5.0, 40.0), LONG).expect("accepted");
-    assert!(end.outcome.is_reached());
+    assert!(end.cause() == Cause::Reached);
     let end = robot.run(&up(1.2, 0.5), LONG).expect("accepted");
-    assert_rests(&arm, &end.outcome);
+    assert_rests(&arm, &end);
 }
 
 #[test]
@@ -132,9 +128,9 @@ fn packets_of_the_motion_before_do_not_end_this_one_by_default() {
     delayed(&arm, ms(800));
     for round in 0..3 {
         let first = robot.run(&to(f64::from(round % 2) * 3.0 + 1.0, 40.0), LONG).expect("accepted");
-        assert!(first.outcome.is_reached(), "{:?}", first.outcome);
+        assert!(first.cause() == Cause::Reached, "{:?}", first.cause());
         let end = robot.run(&up(0.9, 1.0), LONG).expect("accepted");
-        assert_rests(&arm, &end.outcome);
+        assert_rests(&arm, &end);
     }
 }
 
@@ -274,10 +270,10 @@ fn a_relative_motion_after_a_stop_is_not_measured_from_a_moving_arm() {
         stop.stop().expect("taken");
     };
     let stopped = beside(clock, stop, || robot.run(&slow, LONG).expect("accepted"));
-    assert!(matches!(stopped.outcome, Outcome::Stopped), "{:?}", stopped.outcome);
+    assert!(stopped.cause() == Cause::Stopped, "{:?}", stopped.cause());
     let by = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0);
     let end = robot.run(&by, LONG).expect("accepted");
-    assert!(!matches!(end.outcome, Outcome::Stopped), "nobody stopped it");
+    assert!(end.cause() != Cause::Stopped, "nobody stopped it");
 }
 
 #[test]
@@ -330,7 +326,7 @@ fn an_answer_from_before_the_arm_had_left_ends_no_motion() {
     };
     let end = beside(clock, stop, || beside(clock, release, || robot.wait(ms(9000))));
     let state = arm.state();
-    if end.outcome.is_reached() {
+    if end.cause() == Cause::Reached {
         assert!(state.tcp_pose.distance_mm(&end_pose) < 0.5 && state.at_rest);
     }
 }
@@ -394,7 +390,7 @@ fn a_stop_that_fails_keeps_the_next_motion_back_also_where_another_was_reported(
     };
     beside(arm.clock(), || *first = one.stop(), stop_again);
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     let result = robot.start(&to(5.0, 40.0));
     // Of which of the two the reply was lost cannot be told.
     assert!(stopped.iter().any(Result::is_err), "{stopped:?}");

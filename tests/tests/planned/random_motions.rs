@@ -11,9 +11,7 @@ use std::time::Duration;
 use jaka_sim::{Delays, Habit, Port, State};
 use jaka_sync::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
-use jaka_sync::{
-    Command, Error, ErrorKind, MotionEnd, Outcome, Robot, RobotStop, ServoConfig, ServoSession, StopHandle,
-};
+use jaka_sync::{Cause, Command, Error, ErrorKind, Robot, RobotStop, ServoConfig, ServoSession, StopHandle};
 use jaka_tests::Arm;
 use jaka_tests::simulated::{beside, until};
 use proptest::prelude::RngCore;
@@ -298,16 +296,16 @@ fn one_batch(rig: &mut Rig, number: u32) {
     let run = || {
         let started: Vec<_> = batch.iter().map(|(motion, _)| start(robot, motion)).take_while_ok();
         let end = robot.wait(LONG);
-        if end.outcome.is_reached() && started.iter().all(Result::is_ok) {
+        if end.cause() == Cause::Reached && started.iter().all(Result::is_ok) {
             check_reached(&arm.state(), batch.last().map(|(_, end)| end), &what);
         }
         (started, end)
     };
     let (started, end) = beside(arm.clock(), || trouble.run(arm), || stopped_by(&stops, arm, (&own, &foreign), run));
     check_end(&end, !stops.is_empty(), &what);
-    rig.tally.reached += u32::from(matches!(end.outcome, Outcome::Reached));
-    rig.tally.at_rest += u32::from(matches!(end.outcome, Outcome::AtRest));
-    rig.tally.stopped += u32::from(matches!(end.outcome, Outcome::Stopped));
+    rig.tally.reached += u32::from(end.cause() == Cause::Reached);
+    rig.tally.at_rest += u32::from(end.cause() == Cause::AtRest);
+    rig.tally.stopped += u32::from(end.cause() == Cause::Stopped);
     rig.settle();
     check_sent(rig, &started, before, &what);
 }
@@ -374,10 +372,10 @@ fn check_reached(state: &State, end: Option<&End>, what: &str) {
     assert!(is_there(state, end), "{what}: it is at {:?}, {:?}", state.joint_position, state.tcp_pose);
 }
 
-fn check_end(end: &MotionEnd, was_stopped: bool, what: &str) {
-    match &end.outcome {
-        Outcome::Reached | Outcome::AtRest | Outcome::NoMotion | Outcome::StatusLost { .. } | Outcome::Deadline => {}
-        Outcome::Stopped => assert!(was_stopped, "{what}: nobody has stopped it"),
+fn check_end(end: &jaka_sync::End, was_stopped: bool, what: &str) {
+    match end.cause() {
+        Cause::Reached | Cause::AtRest | Cause::NoMotion | Cause::StatusLost | Cause::Deadline => {}
+        Cause::Stopped => assert!(was_stopped, "{what}: nobody has stopped it"),
         other => panic!("{what}: {other:?}"),
     }
 }

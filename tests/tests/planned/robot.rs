@@ -10,7 +10,7 @@ use jaka_sim::{Delays, Fault, SimulatedClock, StatusFault};
 use jaka_sync::force::StartTorqSensorPayloadIdentify;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{MoveMode, Pose};
-use jaka_sync::{ErrorKind, Explanation, Motion, MotionEnd, Outcome, Robot, RobotStop, StatusProblem, Target};
+use jaka_sync::{Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, HandFed, LONG};
 
@@ -32,12 +32,12 @@ fn to(angle: f64) -> JointMove {
     JointMove::absolute(joint_position, 90.0).acceleration(500.0)
 }
 
-fn run(robot: &mut Robot, motion: &impl Motion) -> MotionEnd {
+fn run(robot: &mut Robot, motion: &impl Motion) -> End {
     robot.run(motion, LONG).expect("the motion is accepted")
 }
 
 /// Runs a long motion, and does something in its middle.
-fn disturbed(arm: &Arm, robot: &mut Robot, disturb: impl FnOnce() + Send) -> MotionEnd {
+fn disturbed(arm: &Arm, robot: &mut Robot, disturb: impl FnOnce() + Send) -> End {
     let disturb = || {
         arm.clock().sleep(MIDDLE);
         assert!(!arm.state().at_rest, "the motion has begun");
@@ -50,24 +50,24 @@ fn disturbed(arm: &Arm, robot: &mut Robot, disturb: impl FnOnce() + Send) -> Mot
 fn a_motion_reaches_its_target() {
     let (arm, mut robot) = ready();
     let end = run(&mut robot, &to(30.0));
-    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
     assert!((arm.state().joint_position.0[0] - 30.0).abs() < 1e-9);
     assert!(arm.state().in_position);
     assert!(end.packets.len() <= 10 && end.packets.last().is_some_and(|last| last.status.in_position == Some(true)));
     // A motion of no length ends too, and so does one that has an offset, or is Cartesian.
-    assert!(run(&mut robot, &to(30.0)).outcome.is_reached());
+    assert!(run(&mut robot, &to(30.0)).cause() == Cause::Reached);
     let offset = {
         let mut changed = to(0.0);
         changed.mode = MoveMode::Relative;
         changed.joint_position = [5.0; 6].into();
         changed
     };
-    assert!(run(&mut robot, &offset).outcome.is_reached());
+    assert!(run(&mut robot, &offset).cause() == Cause::Reached);
     let up = Pose { x: 0.0, y: 0.0, z: 20.0, rx: 0.0, ry: 0.0, rz: 0.0 };
     let line = MoveL::relative(up, 100.0);
     let height = arm.state().tcp_pose.z;
     let end = run(&mut robot, &line);
-    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.z - height - 20.0).abs() < 0.01);
+    assert!(end.cause() == Cause::Reached && (arm.state().tcp_pose.z - height - 20.0).abs() < 0.01);
 }
 
 #[test]
@@ -77,9 +77,9 @@ fn a_batch_is_waited_for_once() {
         robot.start(&to(angle)).expect("it is reachable");
     }
     let end = robot.wait(LONG);
-    assert!(end.outcome.is_reached());
+    assert!(end.cause() == Cause::Reached);
     assert!((arm.state().joint_position.0[0] - 10.0).abs() < 1e-9);
-    assert!(matches!(robot.wait(Duration::ZERO).outcome, Outcome::NoMotion), "nothing is left to wait for");
+    assert!(robot.wait(Duration::ZERO).cause() == Cause::NoMotion, "nothing is left to wait for");
 }
 
 #[test]
@@ -87,8 +87,8 @@ fn a_stop_ends_the_wait_immediately() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
-    assert_eq!(end.waited, MIDDLE);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
+    assert_eq!(end.report.waited, MIDDLE);
     assert!(robot.unacknowledged().is_none(), "a stop that was asked for needs no acknowledgement");
 }
 
@@ -104,8 +104,8 @@ fn a_client_that_takes_the_seat_ends_the_wait_while_the_arm_moves() {
                 assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
             }
         });
-        assert!(matches!(end.outcome, Outcome::ConnectionLost { .. }), "{:?}", end.outcome);
-        assert!(end.waited <= MIDDLE + CYCLE, "{:?}", end.waited);
+        assert!(end.cause() == Cause::CommandsLost, "{:?}", end.cause());
+        assert!(end.report.waited <= MIDDLE + CYCLE, "{:?}", end.report.waited);
         assert!(!arm.state().at_rest, "it goes on: {:?}", arm.state().joint_position);
     }
 }
@@ -118,11 +118,11 @@ fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
     arm.inject(Fault::Instead(refusal.to_vec()));
     stop.stop().expect_err("the controller refuses");
     let error = robot.run(&to(0.0), LONG).expect_err("somebody wanted the arm to stop");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence } if occurrence.cause == Cause::Stopped));
     robot.acknowledge();
     // One that succeeds later ends a wait, whatever became of those before.
     let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
 }
 
 #[test]
@@ -131,10 +131,10 @@ fn a_stop_between_motions_keeps_the_next_from_being_sent() {
     robot.stop_handle().stop().expect("the controller takes the stop");
     let sent = arm.requests().len();
     let error = robot.run(&to(5.0), LONG).expect_err("somebody wanted the arm to stop");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence } if occurrence.cause == Cause::Stopped));
     assert_eq!(arm.requests().len(), sent);
     robot.acknowledge();
-    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+    assert!(run(&mut robot, &to(5.0)).cause() == Cause::Reached);
 }
 
 /// A motion during whose checks the arm is stopped: after the robot has looked whether it may send, before it does.
@@ -173,11 +173,11 @@ fn no_motion_goes_out_after_a_stop() {
     let (arm, mut robot) = ready();
     let motion = StoppedOnTheWay(robot.stop_handle());
     let error = robot.run(&motion, LONG).expect_err("the stop came first");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome } if matches!(outcome, Outcome::Stopped)));
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence } if occurrence.cause == Cause::Stopped));
     let requests = arm.requests();
     assert!(requests.last().is_some_and(|last| last.contains("stop_program")), "{requests:?}");
     robot.acknowledge();
-    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+    assert!(run(&mut robot, &to(5.0)).cause() == Cause::Reached);
 }
 
 #[test]
@@ -188,7 +188,7 @@ fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
         arm.set_state(|state| state.enabled = false);
         arm.set_state(|state| state.enabled = true);
     });
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     assert!(end.reached().is_err_and(|error| {
         error.to_string().starts_with("the motion was stopped before its target; look at the arm")
     }));
@@ -198,7 +198,7 @@ fn a_stop_by_somebody_else_is_seen_where_the_target_is_known() {
 fn protective_and_emergency_stops_latch_until_acknowledged() {
     let (arm, mut robot) = ready();
     let end = disturbed(&arm, &mut robot, || arm.collide());
-    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::ProtectiveStop, "{:?}", end.cause());
     robot.client().clear_error().expect("it answers");
     show(&arm);
     let sent = arm.requests().len();
@@ -206,10 +206,10 @@ fn protective_and_emergency_stops_latch_until_acknowledged() {
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }) && !error.may_have_run());
     assert_eq!(arm.requests().len(), sent);
     robot.acknowledge();
-    assert!(run(&mut robot, &to(5.0)).outcome.is_reached());
+    assert!(run(&mut robot, &to(5.0)).cause() == Cause::Reached);
 
     let end = disturbed(&arm, &mut robot, || arm.press_emergency_stop());
-    assert!(matches!(end.outcome, Outcome::EmergencyStop), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::EmergencyStop, "{:?}", end.cause());
     arm.release_emergency_stop();
     show(&arm);
     assert!(robot.start(&to(0.0)).is_err());
@@ -222,7 +222,7 @@ fn a_stop_between_motions_latches_too() {
     show(&arm);
     robot.client().clear_error().expect("it answers");
     show(&arm);
-    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)));
+    assert!(robot.unacknowledged().is_some_and(|found| found.cause == Cause::ProtectiveStop));
     assert!(robot.start(&to(0.0)).is_err());
     robot.acknowledge();
     assert!(robot.unacknowledged().is_none());
@@ -232,10 +232,10 @@ fn a_stop_between_motions_latches_too() {
 fn an_arm_without_power_or_that_is_disabled_ends_its_motion() {
     let (arm, mut robot) = ready();
     let end = disturbed(&arm, &mut robot, || arm.cut_power());
-    assert!(matches!(end.outcome, Outcome::NotPowered), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::NotPowered, "{:?}", end.cause());
     let (arm, mut robot) = ready();
     let end = disturbed(&arm, &mut robot, || arm.set_state(|state| state.enabled = false));
-    assert!(matches!(end.outcome, Outcome::NotEnabled), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::NotEnabled, "{:?}", end.cause());
 }
 
 #[test]
@@ -247,8 +247,8 @@ fn an_error_of_the_controller_ends_a_motion_with_its_code() {
             state.error_message = "joint 3 hit something".to_owned();
         });
     });
-    let told = end.outcome.to_string();
-    assert!(told.contains("0x0f0034 (error") && told.ends_with("joint 3 hit something"), "{told}");
+    let told = end.to_string();
+    assert!(told.contains("0x0f0034 (error") && told.contains("joint 3 hit something;"), "{told}");
 }
 
 #[test]
@@ -261,7 +261,7 @@ fn information_and_warnings_end_no_motion() {
             arm.set_state(|state| code.clone_into(&mut state.error_code));
         };
         let end = beside(arm.clock(), show_code, || run(&mut robot, &to(target)));
-        assert!(end.outcome.is_reached(), "{code}: {:?}", end.outcome);
+        assert!(end.cause() == Cause::Reached, "{code}: {:?}", end.cause());
         assert!((arm.state().joint_position.0[0] - target).abs() < 1e-6);
     }
     // An unknown code counts where the arm rests elsewhere; one that was shown before the motion does not.
@@ -272,17 +272,17 @@ fn information_and_warnings_end_no_motion() {
         });
         arm.set_state(|state| state.enabled = true);
     });
-    assert!(matches!(end.outcome, Outcome::ControllerError { .. }), "{:?}", end.outcome);
-    assert!(run(&mut robot, &to(0.0)).outcome.is_reached());
+    assert!(end.cause() == Cause::ControllerError, "{:?}", end.cause());
+    assert!(run(&mut robot, &to(0.0)).cause() == Cause::Reached);
 }
 
 #[test]
 fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
     let (_arm, mut robot) = ready();
     let end = robot.run(&to(40.0), Duration::from_millis(20)).expect("it is accepted");
-    assert!(matches!(end.outcome, Outcome::Deadline));
+    assert!(end.cause() == Cause::Deadline);
     let end = robot.wait(LONG);
-    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn a_lost_status_is_reported_and_latches() {
     robot.start(&to(40.0)).expect("it is accepted");
     arm.status_fault(StatusFault::CloseAfter(10));
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::StatusLost { cause: Some(_), .. }), "{:?}", end.outcome);
+    assert!(matches!(end.evidence(), Evidence::Status { cause: Some(_), .. }), "{:?}", end.cause());
     assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
 
     let (arm, robot) = ready();
@@ -300,8 +300,8 @@ fn a_lost_status_is_reported_and_latches() {
     arm.status_fault(StatusFault::Silent);
     robot.start(&to(40.0)).expect("it is accepted");
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{:?}", end.outcome);
-    assert_eq!(end.waited, silence);
+    assert!(matches!(end.evidence(), Evidence::Status { cause: None, .. }), "{:?}", end.cause());
+    assert_eq!(end.report.waited, silence);
 }
 
 #[test]
@@ -389,15 +389,15 @@ fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
     let side = Pose { y: start.y + 40.0, ..start };
     let request = EndMove::new(side, 60.0).acceleration(400.0);
     let end = run(&mut robot, &request);
-    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.y - side.y).abs() < 0.01);
+    assert!(end.cause() == Cause::Reached && (arm.state().tcp_pose.y - side.y).abs() < 0.01);
     let mid_pose = Pose { y: start.y + 20.0, z: start.z + 20.0, ..start };
     let (mode, speed, acceleration, tolerance) = (MoveMode::Absolute, 60.0, 400.0, 0.0);
     let request = MoveC::new(mode, mid_pose, start, speed, acceleration, tolerance);
     let end = run(&mut robot, &request);
-    assert!(end.outcome.is_reached() && (arm.state().tcp_pose.y - start.y).abs() < 0.01);
+    assert!(end.cause() == Cause::Reached && (arm.state().tcp_pose.y - start.y).abs() < 0.01);
     let mut joints = arm.state().joint_position;
     joints.0[5] += 20.0;
     let request = StartTorqSensorPayloadIdentify::new(joints);
     let end = run(&mut robot, &request);
-    assert!(end.outcome.is_reached() && (arm.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
+    assert!(end.cause() == Cause::Reached && (arm.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
 use jaka_sync::motion::JointMove;
-use jaka_sync::{ErrorKind, Outcome, Robot, RobotStop, ServoConfig};
+use jaka_sync::{Cause, ErrorKind, Robot, RobotStop, ServoConfig};
 use jaka_tests::Arm;
 
 /// No call may take longer than its deadline by more than this: another question, and what a session may take to land.
@@ -38,8 +38,8 @@ fn motions_end_in_time_whatever_is_wrong_with_their_reply() {
             // Accepted: then the motion is what the status says.
             Ok(end) => {
                 // What is left of the fault may break the connection by itself, or when the position is asked for.
-                let is_lost = matches!(end.outcome, Outcome::ConnectionLost { .. });
-                assert!(is_lost || end.outcome.is_reached(), "{fault}: {end:?}");
+                let is_lost = end.cause() == Cause::CommandsLost;
+                assert!(is_lost || end.cause() == Cause::Reached, "{fault}: {end:?}");
                 let is_there = (arm.state().joint_position.0[0] - 3.0).abs() < 1e-6;
                 assert!(is_lost || is_there, "{fault}");
             }
@@ -67,13 +67,13 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
         let end = robot.run(&short_move(), DEADLINE).expect("the command port is fine");
         let took = arm.clock().elapsed().saturating_sub(since);
         assert!(took < DEADLINE + SLACK, "{fault}: {took:?}");
-        let fits = match end.outcome {
-            Outcome::Reached => (arm.state().joint_position.0[0] - 3.0).abs() < 1e-6 && expected != "lost",
-            Outcome::StatusLost { .. } => expected == "lost" || expected == "any",
-            Outcome::Deadline => expected == "any",
+        let fits = match end.cause() {
+            Cause::Reached => (arm.state().joint_position.0[0] - 3.0).abs() < 1e-6 && expected != "lost",
+            Cause::StatusLost => expected == "lost" || expected == "any",
+            Cause::Deadline => expected == "any",
             _ => false,
         };
-        assert!(fits, "{fault}: {:?} instead of {expected}", end.outcome);
+        assert!(fits, "{fault}: {:?} instead of {expected}", end.cause());
     }
 }
 
@@ -92,7 +92,8 @@ fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
         let requests = arm.requests();
         let sent = requests.iter().filter(|request| request.contains("servo_j")).count();
         match (failed, finished) {
-            (None, Ok(report)) => {
+            (None, Ok(end)) => {
+                let report = end.report;
                 assert_eq!((report.cycles, sent as u64), (20, 20 + report.landing_cycles), "{fault}");
                 assert!(report.accepted + 1 >= sent as u64, "{fault}: {report:?}");
             }

@@ -124,9 +124,8 @@ fn servo() -> ServoConfig {
 fn act(way: Way, robot: &mut Robot, arm: &Arm) -> (Cause, String) {
     let of = |error: Error| (error.cause(), format!("{error}"));
     let motion = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 300.0], 20.0).acceleration(100.0);
-    let motion_end = |end: jaka_sync::MotionEnd| {
-        (end.cause(), end.reached().map_or_else(|error| error.to_string(), |()| String::new()))
-    };
+    let motion_end =
+        |end: jaka_sync::End| (end.cause(), end.reached().map_or_else(|error| error.to_string(), |()| String::new()));
     match way {
         Way::Run => robot.run(&motion, LONG).map_or_else(of, motion_end),
         Way::GuardedRun => robot.run_until(&motion, guard(), LONG).map_or_else(of, motion_end),
@@ -163,7 +162,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm) -> (Cause, String) {
             match robot.start_follow_until(&trajectory, &FollowConfig::new().servo(servo()), guard()) {
                 Ok(run) => {
                     let end = run.wait();
-                    (end.cause, end.to_string())
+                    (end.cause(), end.to_string())
                 }
                 Err(error) => of(error),
             }

@@ -10,10 +10,10 @@ use std::time::Duration;
 use jaka_sim::Controller;
 use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory, TrajectoryError};
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, ErrorKind, FollowConfig, FollowEnd, FollowHandle, Robot, ServoConfig, Unchecked};
+use jaka_sync::{Cause, End, ErrorKind, FollowConfig, FollowHandle, Robot, ServoConfig, Unchecked};
 use jaka_tests::simulated::clock_of;
 use jaka_tests::witness::curve::{Curve, Point, apart};
-use jaka_tests::{Arm, ArmBuilder, LONG};
+use jaka_tests::{Arm, ArmBuilder, LONG, followed};
 use serde_json::Value;
 
 use crate::received::{names, positions};
@@ -85,7 +85,7 @@ fn set_points(controller: &Controller) -> (Vec<[f64; 6]>, Vec<String>) {
 }
 
 /// All that the controller received lies on the curve and within the limits.
-fn judge(controller: &Controller, curve: &Curve, end: &FollowEnd) -> Vec<[f64; 6]> {
+fn judge(controller: &Controller, curve: &Curve, end: &End) -> Vec<[f64; 6]> {
     let (set_points, _) = set_points(controller);
     curve.has(&set_points).unwrap_or_else(|what| panic!("{what}: {end:?}"));
     assert_eq!(jump(START, &set_points), None, "{end:?}: {set_points:?}");
@@ -138,16 +138,19 @@ fn a_trajectory_is_followed_to_its_end() {
     let config = config().deadline(LONG);
     let end = robot.start_follow(&made(&curve), &config).expect("the arm is at its start").wait();
     let set_points = judge(&arm, &curve, &end);
-    assert_eq!((end.cause, end.reached, end.has_left_curve), (Cause::Reached, end.duration, false));
+    assert_eq!(
+        (end.cause(), followed(&end).reached, followed(&end).has_left_curve),
+        (Cause::Reached, followed(&end).duration, false)
+    );
     // One at the start, 94 on the way, and one that finds nothing more to do.
-    assert!(end.is_at_rest() && end.report.cycles == 96, "{end:?}");
+    assert!(end.rest.was_seen() && end.report.cycles == 96, "{end:?}");
     let there = curve.at(3.0);
     assert!(apart(set_points.last().expect("there are some"), &there) < 1e-9);
     assert!(arm.state().joint_position.max_distance(&JointPosition(there)) < 1e-6);
     assert!(!arm.state().servo_mode);
-    let lag = end.lag.expect("the arm has moved");
+    let lag = followed(&end).lag.expect("the arm has moved");
     assert!(lag.packets > 50 && lag.residual_deg.iter().all(|degrees| *degrees < 1.5), "{lag:?}");
-    end.completed().expect("it was");
+    end.reached().expect("it was");
     // From where it is now, with the defaults.
     let error = robot.follow(&made(&curve), LONG).expect_err("it is at the end");
     assert!(matches!(error.kind(), ErrorKind::NotAtStart { joint: 1, .. }), "{error:?}");
@@ -173,7 +176,7 @@ fn it_pauses_goes_slower_and_goes_on_along_the_trajectory() {
     handle.set_speed_scale(1.0).expect("it goes on");
     let end = run.wait();
     judge(&arm, &curve, &end);
-    assert_eq!(end.cause, Cause::Reached, "{end}");
+    assert_eq!(end.cause(), Cause::Reached, "{end}");
     let error = handle.pause().expect_err("it has ended");
     assert_eq!(error.to_string(), "not sent, because the servo session has ended: the motion has reached its target");
     assert!(handle.has_ended());
@@ -188,7 +191,7 @@ fn a_scale_that_is_none_is_refused_and_the_run_goes_on() {
         assert!(error.to_string().contains("field `speed_scale`"), "{error}");
     }
     run.stop().expect("it goes on");
-    assert_eq!(run.wait().cause, Cause::Stopped);
+    assert_eq!(run.wait().cause(), Cause::Stopped);
     for config in [config().speed_scale(2.0), config().approach(0.0), config().max_departure(f64::NAN)] {
         let error = robot.start_follow(&made(&to_and_fro()), &config).expect_err("it makes no sense");
         assert!(error.is_invalid_argument(), "{error}");
@@ -208,7 +211,7 @@ fn a_start_elsewhere_is_refused_unless_an_approach_is_asked_for() {
     );
     assert_nothing_sent(&arm);
     let end = robot.start_follow(&made(&curve), &config().approach(10.0)).expect("the way is free").wait();
-    assert_eq!(end.cause, Cause::Reached, "{end}");
+    assert_eq!(end.cause(), Cause::Reached, "{end}");
     let (set_points, _) = set_points(&arm);
     let begins = set_points.iter().position(|joints| *joints == START).expect("it was at the start");
     assert_eq!(JointPosition(set_points[begins + 1]), JointPosition(START), "it stands there before it goes on");
@@ -230,8 +233,8 @@ fn an_approach_that_does_not_get_to_the_start_ends() {
     let trajectory = trajectory(&curve, robot.limits().expect("it has some")).expect("within the limits");
     let config = config().approach(10.0).deadline(Duration::from_secs(20));
     let end = robot.start_follow(&trajectory, &config).expect("the way is free").wait();
-    assert_eq!((end.cause, end.reached), (Cause::NotAtStart, Duration::ZERO), "{end:?}");
-    assert!(end.is_at_rest(), "{end:?}");
+    assert_eq!((end.cause(), followed(&end).reached), (Cause::NotAtStart, Duration::ZERO), "{end:?}");
+    assert!(end.rest.was_seen(), "{end:?}");
     let error = end.error.as_ref().expect("it says why");
     assert!(matches!(error.kind(), ErrorKind::NotAtStart { joint: 6, .. }), "{error:?}");
     assert!(error.to_string().contains("at 15.000005 deg, and the arm has it at 15.000000 deg"), "{error}");
@@ -242,7 +245,7 @@ fn a_hundredth_of_a_degree_is_what_controllers_round_off() {
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.joint_position = JointPosition(turned([0.0, 0.004, 0.0, 0.0, -0.009, 0.0])));
     let end = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start").wait();
-    assert_eq!(end.cause, Cause::Reached, "{end}");
+    assert_eq!(end.cause(), Cause::Reached, "{end}");
     let (mut all, _) = set_points(&arm);
     all.insert(0, turned([0.0, 0.004, 0.0, 0.0, -0.009, 0.0]));
     let jumps = all.windows(2).take(5).flat_map(|two| (0..6).map(|joint| (two[1][joint] - two[0][joint]).abs()));

@@ -10,12 +10,10 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{
-    Cause, Client, Error, ErrorKind, FollowConfig, FollowEnd, MotionStatus, Robot, ServoConfig, StreamConfig,
-};
+use jaka_sync::{Cause, Client, End, Error, ErrorKind, FollowConfig, MotionStatus, Robot, ServoConfig, StreamConfig};
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, LONG, followed};
 use log::{LevelFilter, Log, Metadata, Record};
 
 use crate::follow::{self, to_and_fro};
@@ -154,7 +152,7 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
         let _ = turn();
         arm.clock().sleep(Duration::from_millis(200));
         let landed = stream.land();
-        let gaps = landed.as_ref().map(|report| (report.gaps, report.longest_gap));
+        let gaps = landed.as_ref().map(|end| (end.report.gaps, end.report.longest_gap));
         match landed.as_ref().map_err(Error::kind) {
             Ok(_) => assert_eq!(gaps.ok(), Some((1, SERVO_PERIOD * 3))),
             Err(ErrorKind::SetPointLate { late }) => assert_eq!((*late, goes_on), (SERVO_PERIOD * 4, false)),
@@ -169,7 +167,7 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
 }
 
 /// A run whose thread is held up on its way, with what a proxy has seen of its set-points.
-fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, FollowEnd, SetPointsSeen) {
+fn run_held_up<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSeen) {
     let arm = stream::arm().start();
     let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
     let client = Client::connect_with(&arm.config(), proxy.address()).expect("it listens");
@@ -182,7 +180,7 @@ fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, 
     hold_up_at::<TEST>(place, &arm, time);
     let handle = run.handle();
     let end = run.wait();
-    assert_eq!((handle.progress().time, handle.progress().rate.to_bits()), (end.reached, 0.0_f64.to_bits()));
+    assert_eq!((handle.progress().time, handle.progress().rate.to_bits()), (followed(&end).reached, 0.0_f64.to_bits()));
     let (set_points, _) = positions(&arm, CYCLES);
     to_and_fro().has(&set_points).unwrap_or_else(|what| panic!("{what}: {end:?}"));
     (set_points, end, proxy.seen())
@@ -191,8 +189,12 @@ fn followed<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, 
 #[test]
 fn a_set_point_that_is_too_late_is_an_underrun() {
     let late_by = Duration::from_millis(118);
-    let (set_points, end, _) = followed::<1>(Place::Status, late_by);
-    assert_eq!((end.cause, end.has_left_curve, end.is_at_rest()), (Cause::SetPointLate, false, true), "{end:?}");
+    let (set_points, end, _) = run_held_up::<1>(Place::Status, late_by);
+    assert_eq!(
+        (end.cause(), followed(&end).has_left_curve, end.rest.was_seen()),
+        (Cause::SetPointLate, false, true),
+        "{end:?}"
+    );
     assert_eq!((end.report.gaps, end.report.longest_gap), (1, late_by));
     let error = end.error.as_ref().expect("it says so");
     let ErrorKind::SetPointLate { late } = error.kind() else { panic!("{error:?}") };
@@ -203,8 +205,8 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
 #[test]
 fn a_run_whose_set_point_is_late_by_less_goes_on() {
     let late_by = (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1));
-    let (set_points, end, seen) = followed::<2>(Place::Status, late_by);
-    assert_eq!((end.cause, end.has_left_curve, end.report.gaps), (Cause::Reached, false, 0), "{end:?}");
+    let (set_points, end, seen) = run_held_up::<2>(Place::Status, late_by);
+    assert_eq!((end.cause(), followed(&end).has_left_curve, end.report.gaps), (Cause::Reached, false, 0), "{end:?}");
     // The report has the lateness on the wire, and the next one is no sooner for it.
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(SERVO_PERIOD + late_by)), "{seen:?}");
     assert!((end.report.lateness(1.0).as_secs_f64() / late_by.as_secs_f64() - 1.0).abs() < 0.03, "{:?}", end.report);
@@ -215,8 +217,8 @@ fn a_run_whose_set_point_is_late_by_less_goes_on() {
 #[test]
 fn a_logger_makes_no_set_point_late_but_the_next_one() {
     let held_up = SERVO_PERIOD * 3;
-    let (_, end, seen) = followed::<5>(Place::Logger, held_up);
-    assert_eq!((end.cause, end.report.gaps, end.report.late_cycles), (Cause::Reached, 0, 1), "{end:?}");
+    let (_, end, seen) = run_held_up::<5>(Place::Logger, held_up);
+    assert_eq!((end.cause(), end.report.gaps, end.report.late_cycles), (Cause::Reached, 0, 1), "{end:?}");
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(held_up)), "{seen:?}");
 }
 
@@ -232,7 +234,7 @@ fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
     let end = run.wait();
     let error = end.error.as_ref().unwrap_or_else(|| panic!("it had no set-points at speed: {end:?}"));
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 4), "{error:?}");
-    assert_eq!((end.cause, end.report.gaps), (Cause::SetPointLate, 1), "{end:?}");
+    assert_eq!((end.cause(), end.report.gaps), (Cause::SetPointLate, 1), "{end:?}");
 }
 
 /// Its braking set-points go on, and the stop that waits for them does not overtake them.

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Fault, Port, Trip, Underrun};
 use jaka_sync::types::Pose;
-use jaka_sync::{Error, ErrorKind, Outcome, Robot, ServoConfig, ServoSession};
+use jaka_sync::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 use serde_json::Value;
@@ -90,7 +90,7 @@ fn a_session_that_lands_at_speed_brakes_and_holds_the_arm() {
     let (arm, mut robot) = arm().with_robot();
     let mut session = entered(&mut robot);
     speed_up(&mut session);
-    let report = session.land().expect("it comes to rest");
+    let report = session.land().expect("it comes to rest").report;
     let (steps, after) = steps(&arm);
     // From v in N periods: v T (N - 1) / 2.
     let (speed, periods) = (f64::from(STEPS) * ASKED * PERIOD, f64::from(STEPS) * ASKED / MOST);
@@ -187,7 +187,7 @@ fn a_landing_ends_at_rest_on_an_arm_that_lags_whatever_it_does_without_set_point
         let start = arm.state().joint_position.0[2];
         let mut session = entered(&mut robot);
         speed_up(&mut session);
-        session.land().expect("it comes to rest");
+        session.land().and_then(End::at_rest).expect("it comes to rest");
         let (steps, _) = steps(&arm);
         braked(&steps);
         let (state, moved) = (arm.state(), steps.iter().sum::<f64>());
@@ -245,7 +245,7 @@ fn after_three_periods_without_a_set_point_the_arm_is_taken_to_stand() {
         let mut session = entered(&mut robot);
         let before = steps(&arm).0.len();
         at_speed_and_paused(&mut session, &arm);
-        let report = session.land().expect("it comes to rest");
+        let report = session.land().expect("it comes to rest").report;
         let (steps, _) = steps(&arm);
         let next = steps[before + STEPS as usize];
         assert_eq!((next == 0.0, report.gaps), (stands, u64::from(stands)), "{pause:?}: {steps:?}");
@@ -330,7 +330,13 @@ fn a_protective_stop_ends_the_session_without_a_landing() {
     arm.clock().sleep(CYCLE);
     arm.collide();
     let error = send(&mut session, FASTEST).expect_err("it is stopped");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::ProtectiveStop }), "{error:?}");
+    assert!(
+        matches!(
+            error.kind(),
+            ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::ProtectiveStop, .. } }
+        ),
+        "{error:?}"
+    );
     drop(session);
     assert_eq!(steps(&arm).0.len(), STEPS as usize, "no set-point followed");
 }
@@ -369,7 +375,7 @@ fn offsets_of_a_pose_are_braked() {
     for step in 1..=5 {
         session.send_pose_offset([0.0, 0.0, 4.0 * f64::from(step), 0.0, 0.0, 0.0]).expect("it is within the limits");
     }
-    session.land().expect("it comes to rest");
+    session.land().and_then(End::at_rest).expect("it comes to rest");
     let steps: Vec<f64> = poses(&arm).iter().map(|pose| pose[2]).collect();
     let most = 8000.0 * PERIOD * PERIOD;
     assert!(steps.windows(2).all(|two| (two[1] - two[0]).abs() <= most + 1e-6), "{steps:?}");
@@ -416,7 +422,7 @@ fn set_points_may_jump_where_the_program_says_so() -> Result<(), Error> {
     for _ in 0..5 {
         send(&mut session, 0.8)?;
     }
-    session.land()?;
+    session.land().and_then(End::at_rest)?;
     let (steps, _) = steps(&arm);
     assert_eq!(steps[..5], [0.8; 5]);
     // Braked all the same, by 720 deg/s² at most.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_sim::{Controller, Fault, Port};
-use jaka_sync::{ErrorKind, Outcome, Robot, ServoConfig, ServoSession};
+use jaka_sync::{Cause, End, ErrorKind, Occurrence, Rest, Robot, ServoConfig, ServoSession};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, CYCLE, LONG};
 use serde_json::Value;
@@ -79,7 +79,7 @@ fn servo_mode_counts_as_left_once_the_controller_says_so() {
     for _ in 0..5 {
         arm.inject_for("is_in_servomove", in_servo_mode(true));
     }
-    session.land().expect("it is left at last");
+    session.land().and_then(End::at_rest).expect("it is left at last");
     assert_eq!(count(&arm, "is_in_servomove"), asked + 6);
 }
 
@@ -92,7 +92,7 @@ fn a_landing_after_a_gap_holds_the_arm_and_one_just_before_brakes_it() {
         let (arm, mut robot) = ready();
         let session = at_speed(&mut robot);
         arm.clock().sleep(CYCLE + late);
-        let report = session.land().expect("it comes to rest");
+        let report = session.land().expect("it comes to rest").report;
         let steps = &steps(&arm)[RAMP as usize..];
         let brakes = steps.iter().filter(|step| **step != 0.0).count();
         let expected = if is_gap { 0 } else { RAMP as usize - 1 };
@@ -141,7 +141,10 @@ fn a_stop_goes_out_as_soon_as_the_arm_is_braked_and_no_set_point_after_it() {
         drop(session);
         error
     });
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::Stopped }), "{error:?}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::Stopped, .. } }),
+        "{error:?}"
+    );
     let names: Vec<_> = requests(&arm).into_iter().map(|request| request["cmdName"].clone()).collect();
     let stop_at = names.iter().rposition(|name| name == "stop_program").expect("it came");
     assert!(!names[stop_at..].iter().any(|name| name == "servo_j"), "{names:?}");
@@ -168,7 +171,7 @@ fn no_set_point_that_holds_the_arm_follows_a_stop() {
         clock.sleep(10 * CYCLE + CYCLE / 2);
         stop.stop().expect("the controller takes the stop");
     };
-    let landed = beside(&clock, stops, || session.land());
+    let landed = beside(&clock, stops, || session.land().and_then(End::at_rest));
     landed.expect("rest is seen");
     let names: Vec<_> = requests(&arm).into_iter().map(|request| request["cmdName"].clone()).collect();
     let stop_at = names.iter().position(|name| name == "stop_program").expect("it came");
@@ -186,9 +189,9 @@ fn rest_is_seen_by_two_packets_that_came_while_the_arm_was_held() {
     send(&mut session, 0.001).expect("answers come");
     let before = monitor.statistics().packets;
     let since = arm.clock().elapsed();
-    let report = session.land().expect("two packets show it");
+    let end = session.land().expect("two packets show it");
     let took = arm.clock().elapsed().saturating_sub(since);
-    assert!(report.rest_was_seen && took >= period, "{took:?}");
+    assert!(end.cause() == Cause::Landed && end.rest == Rest::Packets && took >= period, "{took:?}");
     assert!(monitor.statistics().packets >= before + 2);
 }
 
@@ -250,7 +253,9 @@ fn a_landing_without_packets_says_that_rest_was_not_seen() {
         let landed = session.land();
         let took = arm.clock().elapsed().saturating_sub(since);
         match landed {
-            Ok(report) => assert!(is_allowed && !report.rest_was_seen, "{report:?}"),
+            Ok(end) => {
+                assert!(is_allowed && end.cause() == Cause::RestNotSeen && !end.rest.was_seen(), "{end:?}");
+            }
             Err(error) => {
                 assert!(matches!(error.kind(), ErrorKind::RestNotSeen { first: None, .. }), "{error:?}");
                 assert!(!is_allowed);

@@ -7,7 +7,7 @@ use std::{fs, io};
 
 use jaka_sim::Controller;
 use jaka_sync::jaka_motion::{Limits, Model};
-use jaka_sync::{Error, ErrorKind, Robot, ServoConfig, ServoSession, StreamConfig};
+use jaka_sync::{End, Error, ErrorKind, Robot, ServoConfig, ServoSession, StreamConfig};
 use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
 
@@ -150,7 +150,7 @@ fn a_stream_s_thread_has_the_priority_and_no_other() {
         Ok(stream) => {
             assert!(streams().iter().any(|thread| thread.priority == OF_STREAM && thread.is_fifo));
             assert_eq!(Scheduling::own(), own);
-            stream.land().expect("nothing was refused");
+            stream.land().and_then(End::at_rest).expect("nothing was refused");
         }
         Err(error) => assert_is_refusal(&error, OF_STREAM),
     }

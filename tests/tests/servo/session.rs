@@ -57,7 +57,7 @@ fn every_set_point_is_sent_in_order_and_answered() {
     for _ in 0..100 {
         session.send_joint_offset(STEP).expect("servo mode is on");
     }
-    let report = session.land().expect("all were accepted");
+    let report = session.land().expect("all were accepted").report;
     assert_eq!((report.cycles, report.refused, report.unanswered), (100, 0, 0));
     assert_eq!((report.late_cycles, report.gaps, report.lateness(1.0)), (0, 0, Duration::ZERO));
     assert_eq!(report.accepted, 100 + report.landing_cycles);
@@ -94,7 +94,7 @@ fn a_closure_gives_set_points_until_it_breaks() {
     // A set-point is due every two cycles, the first one at once.
     assert!(times.iter().zip(0..).all(|(time, number)| *time == CYCLE * 2 * number), "{times:?}");
     assert_eq!(arm.clock().now() - since, CYCLE * 2 * 19);
-    let report = session.land().expect("all were accepted");
+    let report = session.land().expect("all were accepted").report;
     assert_eq!(report.accepted, 20 + report.landing_cycles);
     assert!((arm.state().joint_position.0[2] - start[2] - 1.0).abs() < 1e-6);
 }
@@ -110,7 +110,7 @@ fn the_tool_centre_point_follows_set_points_too() {
     for _ in 0..10 {
         session.send_pose_offset([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]).expect("servo mode is on");
     }
-    let report = session.land().expect("all were accepted");
+    let report = session.land().expect("all were accepted").report;
     assert_eq!((report.cycles, report.accepted), (30, 30 + report.landing_cycles));
     let at = arm.state().tcp_pose;
     assert!((at.z - start.z - 2.0).abs() < 0.01 && (at.y - start.y - 2.0).abs() < 0.01, "{at:?} from {start:?}");
@@ -161,7 +161,7 @@ fn answers_that_another_call_reads_count_too() {
     let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
     stop.stop().expect("its reply comes after that of the set-point");
-    let report = session.land().expect("the set-point was accepted");
+    let report = session.land().expect("the set-point was accepted").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1 + report.landing_cycles, 0));
 
     let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
@@ -197,7 +197,7 @@ fn answers_that_never_come_are_counted_and_hold_nothing_up() {
     for _ in 0..20 {
         session.send_joint_offset(STEP).expect("nothing is refused");
     }
-    let report = session.land().expect("nothing was refused");
+    let report = session.land().expect("nothing was refused").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (20, 17 + report.landing_cycles, 3));
     robot.client().get_joint_pos().expect("the connection works");
 }
@@ -210,7 +210,7 @@ fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
     arm.inject_for("servo_j", Fault::Drop);
     session.send_joint_offset(STEP).expect("servo mode is on");
     stop.stop().expect("its reply comes, and that to the set-point does not");
-    let report = session.land().expect("nothing was refused");
+    let report = session.land().expect("nothing was refused").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, report.landing_cycles, 1));
 }
 

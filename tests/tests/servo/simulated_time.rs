@@ -6,7 +6,7 @@ use jaka_sim::{Controller, Delays, Fault, Port, StatusFault};
 use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_sync::motion::JointMove;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, FollowConfig, Outcome, Reconnect, Robot, ServoConfig, StreamConfig};
+use jaka_sync::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, ServoConfig, StreamConfig};
 use jaka_tests::simulated::{SetPoints, beside};
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 
@@ -63,7 +63,7 @@ fn no_cycle_of_a_long_session_is_late_or_missing() {
         }
     }
     let grown = memory.zip(memory_kib());
-    let report = session.land().expect("the arm comes to rest");
+    let report = session.land().expect("the arm comes to rest").report;
     let seen = wire.seen();
     println!("{} set-points in {:?} of real time, memory {grown:?} KiB, {report:?}", seen.count, began.elapsed());
     assert_eq!((report.cycles, report.late_cycles, report.gaps, report.lateness(1.0)), (cycles, 0, 0, Duration::ZERO));
@@ -92,7 +92,7 @@ fn no_cycle_of_a_long_stream_is_late_or_missing() {
         clock.sleep(Duration::from_millis(50));
     }
     let lasted = clock.elapsed().saturating_sub(since);
-    let report = stream.land().expect("the arm comes to rest");
+    let report = stream.land().expect("the arm comes to rest").report;
     let seen = wire.seen();
     println!("{} set-points in {:?} of real time, {report:?}", seen.count, began.elapsed());
     assert_eq!(lasted, LONG * u32::try_from(minutes()).expect("few"));
@@ -117,7 +117,7 @@ fn a_slow_status_is_lost_at_the_end_of_the_silence_that_is_allowed() {
         arm.status_fault(StatusFault::Silent);
     };
     let end = beside(clock, silent, || robot.run(&to(40.0, 1.0), LONG)).expect("it is reachable");
-    assert!(matches!(end.outcome, Outcome::StatusLost { cause: None, .. }), "{:?}", end.outcome);
+    assert!(matches!(end.evidence(), Evidence::Status { cause: None, .. }), "{:?}", end.cause());
     let last = robot.monitor().last_known_packet().expect("packets came");
     assert_eq!(clock.now(), last.received + Duration::from_secs(4));
     assert_eq!(robot.monitor().statistics().period, Some(Duration::from_secs(2)));
@@ -134,7 +134,7 @@ fn a_slow_status_that_falls_silent_for_a_while_ends_no_motion() {
         arm.status_fault(StatusFault::None);
     };
     let end = beside(clock, silent, || robot.run(&to(30.0, 1.0), LONG)).expect("it is reachable");
-    assert!(end.outcome.is_reached() && arm.state().at_rest, "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached && arm.state().at_rest, "{:?}", end.cause());
     let gap = robot.monitor().statistics().longest_gap;
     assert!((Duration::from_secs(5)..Duration::from_secs(8)).contains(&gap), "{gap:?}");
 }
@@ -146,7 +146,7 @@ fn a_collision_on_the_way_is_told_with_the_next_packet() {
     let clock = arm.clock();
     let collide = arm.when(|state| state.joint_position.0[0] > 20.0, Controller::collide);
     let end = robot.run(&to(40.0, 10.0), LONG).expect("it is reachable");
-    assert!(matches!(end.outcome, Outcome::ProtectiveStop), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::ProtectiveStop, "{:?}", end.cause());
     let collided = collide.expect("a thread starts").fired_at().expect("the arm was there");
     let told = clock.elapsed().saturating_sub(collided);
     let joint = arm.state().joint_position.0[0];
@@ -219,7 +219,7 @@ fn time_goes_on_after_the_end_of_a_stream_and_of_a_trajectory_for_which_nobody_w
     let run = robot.start_follow(&trajectory, &FollowConfig::new()).expect("it is where it starts");
     clock.sleep(Duration::from_secs(10));
     let since = clock.elapsed();
-    run.wait().completed().expect("nothing is in its way");
+    run.wait().reached().expect("nothing is in its way");
     assert_eq!(clock.elapsed(), since, "it had ended");
 
     let stream = robot.stream(&StreamConfig::new()).expect("it is at rest");

@@ -7,7 +7,7 @@ use std::time::Duration;
 use jaka_sim::{Delays, Fault, Port, StatusFault};
 use jaka_sync::motion::{JointMove, MoveL};
 use jaka_sync::types::{JointPosition, MoveMode, Pose};
-use jaka_sync::{Config, Error, ErrorKind, MotionEnd, Outcome, Robot, RobotStop, ServoConfig};
+use jaka_sync::{Cause, Config, End, Error, ErrorKind, Evidence, Phase, Rest, Robot, RobotStop, ServoConfig};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 
@@ -36,8 +36,8 @@ fn up(millimetres: f64, speed: f64) -> MoveL {
 }
 
 /// The arm is where it was sent and moves no more, now.
-fn assert_there(arm: &Arm, end: &MotionEnd, angle: f64) {
-    assert!(end.outcome.is_reached(), "{:?} at {}", end.outcome, joint_1(arm));
+fn assert_there(arm: &Arm, end: &End, angle: f64) {
+    assert!(end.cause() == Cause::Reached, "{:?} at {}", end.cause(), joint_1(arm));
     let state = arm.state();
     assert!((joint_1(arm) - angle).abs() < 0.1 && state.tcp_speed == 0.0, "at {}", joint_1(arm));
 }
@@ -65,7 +65,7 @@ fn a_constant_delay_of_the_status_ends_no_motion() {
     let height = arm.state().tcp_pose.z;
     let end = robot.run(&up(60.0, 50.0), LONG).expect("it is reachable");
     let state = arm.state();
-    assert!(end.outcome.is_reached() && state.tcp_speed == 0.0, "{:?} at {:?}", end.outcome, state.tcp_pose);
+    assert!(end.cause() == Cause::Reached && state.tcp_speed == 0.0, "{:?} at {:?}", end.cause(), state.tcp_pose);
     assert!((state.tcp_pose.z - height - 60.0).abs() < 0.5);
     let end = robot.run(&to(40.0, 40.0), LONG).expect("it is reachable");
     assert_there(&arm, &end, 40.0);
@@ -86,7 +86,7 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     let is_up = || arm.state().tcp_pose.z >= start + 15.0;
     let end = beside(clock, || stop_where(&is_up), || robot.run(&up(100.0, 50.0), LONG));
     let end = end.expect("it is reachable");
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     assert!(arm.state().tcp_pose.z < start + 90.0);
     let offset = {
         let mut changed = to(0.0, 40.0);
@@ -96,7 +96,7 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     };
     let is_turned = || joint_1(&arm) >= 8.0;
     let end = beside(clock, || stop_where(&is_turned), || robot.run(&offset, LONG));
-    assert!(matches!(end.expect("it is reachable").outcome, Outcome::Stopped));
+    assert!(end.expect("it is reachable").cause() == Cause::Stopped);
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn relative_motions_in_a_queue_end_at_rest_and_claim_no_target() {
     robot.start(&up(10.0, 60.0)).expect("it is reachable");
     robot.start(&up(10.0, 60.0)).expect("it is reachable");
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::AtRest, "{:?}", end.cause());
     assert!((arm.state().tcp_pose.z - height - 20.0).abs() < 0.01);
     assert!(end.at_rest().is_ok());
 }
@@ -116,7 +116,7 @@ fn a_motion_that_was_not_sent_by_the_robot_is_not_waited_for() {
     let (arm, mut robot) = ready();
     robot.client().joint_move(&to(40.0, 40.0)).expect("it is reachable");
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::NoMotion), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::NoMotion, "{:?}", end.cause());
     assert!(joint_1(&arm) < 40.0);
     assert!(end.reached().is_err_and(|error| error.to_string().contains("nothing to wait for")));
 }
@@ -127,11 +127,11 @@ fn a_frame_that_changes_meanwhile_leaves_a_pose_unknown() {
     robot.start(&up(10.0, 60.0)).expect("it is reachable");
     robot.client().set_tool_id(1).expect("there is such a frame");
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::AtRest, "{:?}", end.cause());
     // Joints have no frame.
     robot.start(&to(5.0, 60.0)).expect("it is reachable");
     robot.client().set_tool_id(0).expect("there is such a frame");
-    assert!(robot.wait(LONG).outcome.is_reached());
+    assert!(robot.wait(LONG).cause() == Cause::Reached);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn a_late_answer_delays_an_end_and_nothing_else() {
     arm.inject_for("get_joint_pos", Fault::Hold);
     let since = arm.clock().now();
     let end = robot.run(&to(15.0, 60.0), Duration::from_secs(2)).expect("it is reachable");
-    assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
+    assert_eq!((end.cause(), end.phase()), (Cause::Unanswered, Phase::MayStillMove), "{end}");
     assert_eq!(arm.clock().now() - since, Duration::from_secs(2));
     let queries = |requests: Vec<String>| requests.iter().filter(|request| request.contains("get_joint_pos")).count();
     let asked = queries(arm.requests());
@@ -171,8 +171,8 @@ fn a_position_that_cannot_be_asked_for_is_never_reached() {
         arm.inject_for("get_joint_pos", Fault::Instead(refusal.to_vec()));
     }
     let end = robot.run(&to(5.0, 60.0), LONG).expect("it is reachable");
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
-    assert!(end.not_answered.as_ref().is_some_and(Error::is_refused));
+    assert_eq!((end.cause(), end.rest, end.phase()), (Cause::Refused, Rest::Packets, Phase::Ended), "{end}");
+    assert!(end.error.as_ref().is_some_and(Error::is_refused));
     let text = end.reached().expect_err("it is not known").to_string();
     assert!(text.contains("get_joint_pos"), "{text}");
 }
@@ -235,8 +235,8 @@ fn a_wait_whose_packets_cannot_be_read_says_so() {
     robot.start(&to(40.0, 20.0)).expect("it is reachable");
     arm.status_fault(StatusFault::Instead(br#"{"len": 40, "inpos": true, "protective_stop": 7}"#.to_vec()));
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::StatusLost { unreadable: Some(_), .. }), "{:?}", end.outcome);
-    assert!(end.outcome.to_string().contains("protective_stop"), "{}", end.outcome);
+    assert!(matches!(end.evidence(), Evidence::Status { unreadable: Some(_), .. }), "{:?}", end.cause());
+    assert!(end.to_string().contains("protective_stop"), "{end}");
 }
 
 #[test]
@@ -301,7 +301,7 @@ fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
         let both = || beside(arm.clock(), || stop(&stops[0]), || stop(&stops[1]));
         let started = beside(arm.clock(), both, || {
             let end = robot.wait(LONG);
-            assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+            assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
             robot.start(&to(-target, 60.0)).is_ok()
         });
         let requests = arm.requests();
@@ -309,7 +309,7 @@ fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
         // It was refused; or sent after both stops; or one was called after it, and then the wait says so.
         if started && last("stop_program") > last("joint_move") {
             let end = robot.wait(LONG);
-            assert!(matches!(end.outcome, Outcome::Stopped), "round {round}: {:?}, {requests:?}", end.outcome);
+            assert!(end.cause() == Cause::Stopped, "round {round}: {:?}, {requests:?}", end.cause());
         }
         stops[0].stop().expect("the controller takes the stop");
         robot.acknowledge();
@@ -501,5 +501,5 @@ fn joint_positions_are_compared_joint_by_joint() {
     let mut motion = to(0.0, 60.0);
     motion.joint_position = JointPosition(target.0);
     let end = robot.run(&motion, LONG).expect("it is reachable");
-    assert!(end.outcome.is_reached() && (arm.state().joint_position.0[5] - target.0[5]).abs() < 0.01);
+    assert!(end.cause() == Cause::Reached && (arm.state().joint_position.0[5] - target.0[5]).abs() < 0.01);
 }

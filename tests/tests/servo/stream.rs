@@ -8,7 +8,7 @@ use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, Velocity
 use jaka_sync::servo::SetServoMoveFilter;
 use jaka_sync::types::JointPosition;
 use jaka_sync::{
-    ErrorKind, Explanation, Numbering, Robot, RobotStop, ServoConfig, StreamConfig, StreamHandle, Unchecked,
+    End, ErrorKind, Explanation, Numbering, Robot, RobotStop, ServoConfig, StreamConfig, StreamHandle, Unchecked,
 };
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{beside, side_by_side};
@@ -157,7 +157,7 @@ fn targets_and_velocities_of_many_threads_make_one_smooth_motion() {
         }
     });
     side_by_side(clock, many);
-    let report = stream.land().expect("it comes to rest");
+    let report = stream.land().expect("it comes to rest").report;
     let (set_points, after) = set_points(&arm);
     assert_smooth(&set_points);
     assert_eq!((report.late_cycles, report.gaps), (0, 0));
@@ -182,7 +182,7 @@ fn a_target_is_reached_and_the_arm_is_there() {
     let before = arm.state().tcp_pose;
     stream.set_pose(jaka_sync::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
     assert!(stream.wait_for_rest(LONG).expect("it goes on"));
-    stream.land().expect("it is at rest");
+    stream.land().and_then(End::at_rest).expect("it is at rest");
     let up = arm.state().tcp_pose;
     assert!((up.z - before.z - 20.0).abs() < 0.01 && (up.x - before.x).abs() < 0.01, "{pose:?} {before:?} {up:?}");
 }
@@ -204,7 +204,7 @@ fn what_may_not_be_is_refused_at_once_and_the_stream_goes_on() {
     );
     stream.set_joints(turned(6, 1.0)).expect("within its range");
     let handle = stream.handle();
-    stream.land().expect("it comes to rest");
+    stream.land().and_then(End::at_rest).expect("it comes to rest");
     let error = handle.set_joints(START).expect_err("it has ended");
     assert_eq!(error.to_string(), "not sent, because the servo session has ended: it has landed");
 }
@@ -228,7 +228,7 @@ fn a_velocity_ends_while_the_thread_that_gave_it_is_held_up() {
     let moved = stream.joints()[5] - START[5];
     // 20 deg/s for at most 200 ms, and what braking takes.
     assert!(moved > 0.0 && moved < 20.0 * 0.2 + 20.0 * 20.0 / ACCELERATION, "{moved}");
-    stream.land().expect("it is at rest");
+    stream.land().and_then(End::at_rest).expect("it is at rest");
     assert_smooth(&set_points(&arm).0);
 }
 
@@ -284,7 +284,7 @@ fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
     let (arm, mut robot, config) = lagging(filter, underrun, Trip::Deviation(60.0));
     let stream = robot.stream(&config).expect("the arm is ready");
     speed_up(&stream, arm.clock());
-    stream.land().unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
+    stream.land().and_then(End::at_rest).unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
     let (state, (set_points, _)) = (arm.state(), set_points(&arm));
     let last = set_points.last().expect("there are some");
     let off = state.joint_position.max_distance(&JointPosition(*last));
@@ -318,7 +318,7 @@ fn a_stop_of_the_program_brakes_a_stream_first() {
     assert_eq!(after[0], "stop_program");
     assert!(robot.stream(&config()).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
     robot.acknowledge();
-    robot.stream(&config()).expect("it was acknowledged").land().expect("it is at rest");
+    robot.stream(&config()).expect("it was acknowledged").land().and_then(End::at_rest).expect("it is at rest");
 }
 
 #[test]
@@ -333,7 +333,7 @@ fn packets_may_fail_to_show_the_joints_for_less_than_half_a_second() {
     show(Value::from("x"));
     arm.clock().sleep(Duration::from_millis(300));
     show(Value::from(START.to_vec()));
-    stream.land().expect("the joints were shown again in time");
+    stream.land().and_then(End::at_rest).expect("the joints were shown again in time");
 }
 
 #[test]

@@ -157,7 +157,7 @@ fn run(arm: u32, clock: Option<&SimulatedClock>, stream_lasts: Duration, is_over
             sleep(Duration::from_millis(random.below(pause).into()));
             wire.read(&controller).unwrap_or_else(|what| panic!("arm {arm}: {what}"));
         }
-        let report = stream.land().expect("it lands");
+        let report = stream.land().expect("it lands").report;
         wire.read(&controller).unwrap_or_else(|what| panic!("arm {arm}: {what}"));
         wire.stands();
         tally.streams += 1;

@@ -82,7 +82,7 @@ impl Session<'_> {
                 let patience = self.target.patience(motion::PATIENCE);
                 let end = motion::end(robot, |robot| motion(robot, patience), spec, &self.under_way)?;
                 motion::describe(&end, answer);
-                end.reached().map_err(Failure::NotReached)
+                Ok(end.reached()?)
             }
             (connection, _) => {
                 let sent = exchange::send(connection.client(), &request, &self.target, &self.under_way);

@@ -5,13 +5,13 @@ use std::time::Duration;
 use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
 use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_sync::proto::{self, Command, CommandInfo, RequestError};
-use jaka_sync::{Error, Motion, MotionEnd, Path, Robot};
+use jaka_sync::{End, Error, Motion, Path, Robot};
 
 use super::request::Request;
 use crate::failure::Failure;
 
 /// Runs a motion, for no longer than a time.
-type Run = dyn Fn(&mut Robot, Duration) -> Result<MotionEnd, Error>;
+type Run = dyn Fn(&mut Robot, Duration) -> Result<End, Error>;
 
 /// The motion that the request asks for, if its end can be waited for.
 ///

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Sample, Trajectory};
-use jaka_sync::{Cause, FollowEnd};
+use jaka_sync::{Cause, End, FollowLag};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -87,31 +87,36 @@ pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &
 }
 
 /// Prints how it ended, as JSON whatever the end is.
-pub(super) fn print(end: FollowEnd, as_json: bool) -> Result<(), Failure> {
+pub(super) fn print(end: End, as_json: bool) -> Result<(), Failure> {
     if as_json {
         output::json(&format!("{}\n", ended_as_json(&end)))?;
-    } else if end.cause == Cause::Reached {
+    } else if end.cause() == Cause::Reached {
         output::line(&completed(&end))?;
     }
-    end.completed().map_err(Failure::NotCompleted)
+    Ok(end.reached()?)
 }
 
-fn completed(end: &FollowEnd) -> String {
-    let lag = end.lag.map_or_else(String::new, |lag| format!(", the arm lagged by {} ms", lag.delay.as_millis()));
+fn completed(end: &End) -> String {
+    let lag = lag(end).map_or_else(String::new, |lag| format!(", the arm lagged by {} ms", lag.delay.as_millis()));
     let (cycles, late) = (end.report.cycles, milliseconds(end.report.lateness(0.99)));
-    format!("{}{lag}; of {cycles} set-points 99 % were at most {} ms late", end.cause, fixed(late, 2))
+    format!("{}{lag}; of {cycles} set-points 99 % were at most {} ms late", end.cause(), fixed(late, 2))
 }
 
-fn ended_as_json(end: &FollowEnd) -> Value {
+fn lag(end: &End) -> Option<FollowLag> {
+    end.report.trajectory.as_ref().and_then(|trajectory| trajectory.lag)
+}
+
+fn ended_as_json(end: &End) -> Value {
+    let (trajectory, lag) = (end.report.trajectory.as_ref(), lag(end));
     json!({
-        "outcome": end.cause.name(),
+        "outcome": end.cause().name(),
         "text": end.to_string(),
-        "at_rest": end.is_at_rest(),
-        "reached_s": end.reached.as_secs_f64(),
-        "duration_s": end.duration.as_secs_f64(),
-        "left_curve": end.has_left_curve,
-        "lag_ms": end.lag.map(|lag| milliseconds(lag.delay)),
-        "residual_deg": end.lag.map(|lag| lag.residual_deg),
+        "at_rest": end.rest.was_seen(),
+        "reached_s": trajectory.map(|trajectory| trajectory.reached.as_secs_f64()),
+        "duration_s": trajectory.map(|trajectory| trajectory.duration.as_secs_f64()),
+        "left_curve": trajectory.map(|trajectory| trajectory.has_left_curve),
+        "lag_ms": lag.map(|lag| milliseconds(lag.delay)),
+        "residual_deg": lag.map(|lag| lag.residual_deg),
         "set_points": end.report.cycles,
         "late": end.report.late_cycles,
         "gaps": end.report.gaps,

@@ -28,7 +28,7 @@ use crate::{NotGuarded, NotShown, Snapshot};
 ///
 /// Trajectories and streams (feature `stream`) are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
 /// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `Robot::start_follow_until` and `Robot::stream_until` say how. What such an arm
-/// lags behind its set-points, and a servo filter, belong to the reaction: `FollowEnd::lag` measures the lag.
+/// lags behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|

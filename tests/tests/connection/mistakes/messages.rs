@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation, Monitor, Outcome, Robot};
+use jaka_sync::{Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Robot};
 use jaka_tests::{Arm, LONG};
 
 use super::{refusal, robot, said, turn};
@@ -72,17 +72,18 @@ fn of_the_state() -> Vec<String> {
 }
 
 fn of_ends() -> Vec<String> {
-    let ends = [Outcome::Stopped, Outcome::AtRest, Outcome::EmergencyStop, Outcome::NotPowered, Outcome::NotEnabled];
-    let lost = Outcome::StatusLost { cause: None, unreadable: None };
-    let seat_lost = Outcome::ConnectionLost {
+    let ends = [Cause::Stopped, Cause::AtRest, Cause::EmergencyStop, Cause::NotPowered, Cause::NotEnabled];
+    let lost = Cause::StatusLost.into();
+    let seat_lost = Evidence::Commands {
         address: "10.5.5.100:10001".to_owned(),
         cause: Arc::new(Disconnect::Closed { partial: 0 }),
     };
+    let seat_lost = Occurrence::new(Cause::CommandsLost, seat_lost);
     let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
     let stopped = ErrorKind::Stopped { accepted, not_sent };
     let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };
     let denied = io::ErrorKind::PermissionDenied.into();
     let priority = ErrorKind::RealtimePriority { priority: 20, source: denied };
-    let ends = ends.iter().chain([&lost, &seat_lost]).map(ToString::to_string);
+    let ends = ends.map(Occurrence::from).into_iter().chain([lost, seat_lost]).map(|end| end.to_string());
     ends.chain([kind(stopped), kind(late), kind(priority)]).collect()
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_sim::{Direction, LinkFault, Port};
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
-use jaka_sync::{Command, Outcome};
+use jaka_sync::{Cause, Command};
 use jaka_tests::simulated::{beside, until};
 
 use super::{IO, count, names, simulated, wait_for_motion};
@@ -79,24 +79,23 @@ fn run(case: Case) {
     let took = clock.elapsed().saturating_sub(since);
     assert!(took < DEADLINE + 3 * SHORT, "{case:?}: {took:?}");
     let end = end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}"));
-    assert!(!end.outcome.is_at_rest(), "{case:?}: {:?}", end.outcome);
+    assert!(!matches!(end.cause(), Cause::Reached | Cause::AtRest), "{case:?}: {end:?}");
     if case.has_requests() {
         assert_eq!(count(&arm, StopProgram::INFO.name), 1, "{case:?}: {:?}", names(&arm));
         until(clock, || arm.state().at_rest);
         assert!(arm.state().joint_position.0[0] < 99.0, "{case:?}: the arm went on to its target");
     } else {
-        assert!(matches!(&end.stop, Some(Err(_))), "{case:?}: {:?}", end.outcome);
+        assert!(matches!(&end.stop, Some(Err(_))), "{case:?}: {:?}", end.cause());
     }
-    match &end.outcome {
-        Outcome::Guard(trip) if !case.has_packets() => panic!("{case:?}: no packet can have shown it: {trip:?}"),
-        Outcome::Guard(_) => {}
-        Outcome::StatusLost { .. } => assert!(!case.has_packets(), "{case:?}: {:?}", end.outcome),
-        Outcome::ConnectionLost { .. } => assert!(!case.has_replies(), "{case:?}: {:?}", end.outcome),
+    match end.cause() {
+        Cause::Guard => assert!(case.has_packets(), "{case:?}: no packet can have shown it: {end:?}"),
+        Cause::StatusLost => assert!(!case.has_packets(), "{case:?}: {:?}", end.cause()),
+        Cause::CommandsLost => assert!(!case.has_replies(), "{case:?}: {:?}", end.cause()),
         other => panic!("{case:?}: {other:?}"),
     }
     // Whether a stop was accepted is told as it was: what was not may not be taken for it.
     let is_accepted = matches!(&end.stop, Some(Ok(())));
-    assert_eq!(is_accepted, case.has_requests() && case.has_replies(), "{case:?}: {:?}", end.outcome);
+    assert_eq!(is_accepted, case.has_requests() && case.has_replies(), "{case:?}: {:?}", end.cause());
     assert_eq!(end.guarded().is_ok(), is_accepted && case.has_packets(), "{case:?}");
 }
 

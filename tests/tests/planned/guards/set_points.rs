@@ -8,10 +8,10 @@ use jaka_sync::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, Traj
 use jaka_sync::servo::{ServoJ, SetServoMode};
 use jaka_sync::types::Pose;
 use jaka_sync::{
-    Cause, Command, Error, ErrorKind, FollowConfig, FollowEnd, ForceComponent, ForceLimit, Guard, GuardTrip,
-    NotGuarded, Robot, StatusProblem, StreamConfig, StreamHandle,
+    Cause, Command, End, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, GuardTrip, NotGuarded,
+    Robot, StatusProblem, StreamConfig, StreamHandle,
 };
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, LONG, followed};
 
 use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, lagging_above_a_plane, limited};
 
@@ -63,7 +63,7 @@ fn assert_rests(arm: &Arm, overtravel: f64) -> f64 {
     deepest
 }
 
-fn followed(period: Duration, phase: f64, overtravel: f64) -> Depth {
+fn depth_of_trajectory(period: Duration, phase: f64, overtravel: f64) -> Depth {
     let (arm, mut robot) = bench(period, 2.0);
     let fast = down(&arm, &robot, 200.0);
     let (_, permitted) = refused(&arm, &mut robot, &fast, force(overtravel));
@@ -72,9 +72,12 @@ fn followed(period: Duration, phase: f64, overtravel: f64) -> Depth {
     let (arm, mut robot) = bench(period, 2.0 + phase * speed * period.as_secs_f64());
     let trajectory = down(&arm, &robot, speed);
     let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(overtravel));
-    let end: FollowEnd = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
-    assert_eq!(end.cause, Cause::Guard, "{period:?}: {end}");
-    assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end}");
+    let end: End = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
+    assert_eq!(end.cause(), Cause::Guard, "{period:?}: {end}");
+    assert!(
+        end.rest.was_seen() && !followed(&end).has_left_curve && followed(&end).reached < followed(&end).duration,
+        "{end}"
+    );
     (assert_rests(&arm, overtravel), speed)
 }
 
@@ -134,7 +137,7 @@ fn on_a_trajectory_and_in_a_stream_the_tool_goes_no_further_in_than_is_allowed_a
             [0.0, 0.35, 0.7].into_iter().map(run).fold((0.0, 0.0), |most: Depth, one| (most.0.max(one.0), one.1))
         };
         for (name, (deepest, speed)) in [
-            ("trajectory", deepest(&|phase| followed(period, phase, overtravel))),
+            ("trajectory", deepest(&|phase| depth_of_trajectory(period, phase, overtravel))),
             ("stream, velocity", deepest(&|phase| streamed(period, phase, overtravel, Told::Velocity))),
             ("stream, target", deepest(&|phase| streamed(period, phase, overtravel, Told::Target))),
         ] {
@@ -182,7 +185,7 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     arm.link(Port::Status).to_client().hold();
     let since = clock.elapsed();
     let end = run.wait();
-    assert_eq!(end.cause, Cause::StatusLost, "{end}");
+    assert_eq!(end.cause(), Cause::StatusLost, "{end}");
     // Without such a limit it would be stale after 500 ms, and be braked and held from then on.
     let took = clock.elapsed().saturating_sub(since);
     assert!(took < Duration::from_millis(600), "{took:?}: {end}");
@@ -191,7 +194,7 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
         _ => panic!("{end:?}"),
     };
     assert!((Duration::from_millis(100)..Duration::from_millis(120)).contains(&age), "{age:?}");
-    assert!(!end.has_left_curve && arm.state().at_rest, "{end}");
+    assert!(!followed(&end).has_left_curve && arm.state().at_rest, "{end}");
 }
 
 /// A limit of force permits speeds by the shortest way to rest; other guards stop as gently as a pause does.
@@ -207,7 +210,7 @@ fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
         arm.set_state(|state| state.digital_inputs[0] = true);
         let since = arm.clock().elapsed();
         let end = run.wait();
-        assert_eq!(end.cause, Cause::Guard, "{end}");
+        assert_eq!(end.cause(), Cause::Guard, "{end}");
         arm.clock().elapsed().saturating_sub(since)
     };
     let [limited, other] = [true, false].map(rest_after);
@@ -234,7 +237,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         let trajectory = down(&arm, &robot, USED * permitted);
         let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), limit).expect("it is slow enough");
         let end = run.wait();
-        assert_eq!(end.cause, Cause::Guard, "{end}");
+        assert_eq!(end.cause(), Cause::Guard, "{end}");
         let error = end.error.as_ref().expect("the guard has ended it");
         let found = trip(error).lag;
         assert_eq!(found.is_some(), is_longer, "{lag:?}, {reaction:?}: {end:?}");
@@ -261,13 +264,13 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
 }
 
 /// Runs down to the plane on a trajectory under a guard that consists of these limits.
-fn touched(lag: Duration, speed: f64, guard: Guard) -> FollowEnd {
+fn touched(lag: Duration, speed: f64, guard: Guard) -> End {
     let (arm, robot) = lagging_above_a_plane(lag, Duration::from_millis(8), 15.0);
     let mut robot = limited(robot);
     let trajectory = down(&arm, &robot, speed);
     let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
     let end = run.wait();
-    assert_eq!(end.cause, Cause::Guard, "{end}");
+    assert_eq!(end.cause(), Cause::Guard, "{end}");
     end
 }
 
@@ -301,7 +304,7 @@ fn no_lag_is_told_where_the_condition_that_tripped_has_no_reaction() {
     arm.clock().sleep(Duration::from_secs(2));
     arm.set_state(|state| state.digital_inputs[0] = true);
     let end = run.wait();
-    assert_eq!(end.cause, Cause::Guard, "{end}");
+    assert_eq!(end.cause(), Cause::Guard, "{end}");
     let trip = trip(end.error.as_ref().expect("the guard has ended it"));
     assert_eq!((trip.condition, trip.lag), (1, None), "{end}");
 }
@@ -315,7 +318,7 @@ fn a_lag_beyond_what_is_measured_is_told_as_at_least_that() {
         (ms(900), ms(600), "at least 500ms behind its set-points, perhaps longer than the limit's reaction of 600ms"),
     ] {
         let end = touched(lag, 1.0, force(1.0).reaction(reaction).into());
-        assert_eq!(end.lag, None, "{end}");
+        assert_eq!(followed(&end).lag, None, "{end}");
         let error = end.error.as_ref().expect("the guard has ended it");
         let found = trip(error).lag.expect("the arm lags");
         assert_eq!((found.lag, found.is_lower_bound, found.reaction), (ms(500), true, reaction), "{end}");

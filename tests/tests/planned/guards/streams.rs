@@ -102,6 +102,6 @@ fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
     wait_for_motion(&arm);
     arm.status_fault(StatusFault::Silent);
     let end = run.wait();
-    assert!(matches!(end.cause, Cause::StatusLost), "{end:?}");
+    assert!(matches!(end.cause(), Cause::StatusLost), "{end:?}");
     assert!(arm.state().joint_position.0[0] < 90.0);
 }

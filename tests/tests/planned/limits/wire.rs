@@ -9,7 +9,7 @@ use std::time::Duration;
 use jaka_sim::SimulatedClock;
 use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_sync::types::{JointPosition, Pose};
-use jaka_sync::{Client, Config, Error, Monitor, Motion, Robot, ServoConfig};
+use jaka_sync::{Cause, Client, Config, Error, Monitor, Motion, Robot, ServoConfig};
 use jaka_tests::LONG;
 use jaka_tests::witness::way::{Excess, Path, Steps, inverted};
 use jaka_tests::witness::{inverse, product};
@@ -81,11 +81,8 @@ impl Cell {
                 _ => self.arc(),
             }
         }
-        let outcome = self.robot.wait(LONG).outcome;
-        assert!(
-            outcome.is_at_rest() || matches!(outcome, jaka_sync::Outcome::NoMotion | jaka_sync::Outcome::Stopped),
-            "{outcome}"
-        );
+        let cause = self.robot.wait(LONG).cause();
+        assert!(matches!(cause, Cause::Reached | Cause::AtRest | Cause::NoMotion | Cause::Stopped), "{cause}");
         self.controller.motions();
         self.robot.acknowledge();
     }

@@ -8,7 +8,9 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::{Controller, Fault, Port};
 use jaka_sync::motion::MoveL;
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{ErrorKind, ForceComponent, ForceLimit, Guard, InputCondition, MotionStatus, Outcome, Robot};
+use jaka_sync::{
+    Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, MotionStatus, Occurrence, Robot,
+};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 
@@ -38,8 +40,8 @@ fn a_guard_that_trips_after_it_was_armed_and_before_the_motion_goes_out_sends_no
     };
     let motion = Hooked { before_sending: &trips, ..Hooked::default() };
     let end = robot.run_until(&motion, input(), LONG).expect("that is an end");
-    let Outcome::Guard(trip) = &end.outcome else { panic!("{:?}", end.outcome) };
-    assert!(trip.is_before_start && end.stop.is_none(), "{:?}", end.outcome);
+    let Evidence::Trip(trip) = end.evidence() else { panic!("{:?}", end.cause()) };
+    assert!(trip.is_before_start && end.stop.is_none(), "{:?}", end.cause());
     assert_eq!(names(&arm), [""; 0]);
 }
 
@@ -85,7 +87,7 @@ fn a_stop_that_could_not_be_written_at_once_leaves_nothing_to_acknowledge() {
     arm.inject_for("joint_move", Fault::Hold);
     set_high_on_the_way(&arm);
     let end = robot.run_until(&to(FAR), input(), LONG).expect("the reply comes with that to the stop");
-    assert!(matches!(end.outcome, Outcome::Guard(_)) && matches!(end.stop, Some(Ok(()))), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Guard && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     assert_stopped_on_the_way(&arm);
     assert!(robot.unacknowledged().is_none(), "the end has reported the only stop: {:?}", robot.unacknowledged());
     assert_moves(&mut robot);
@@ -117,11 +119,7 @@ fn an_error_of_the_controller_under_a_guard_stops_the_arm() {
     };
     arm.when(|state| state.joint_position.0[0] > 5.0, fails).expect("a thread starts");
     let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
-    assert!(
-        matches!(end.outcome, Outcome::ControllerError { .. }) && matches!(end.stop, Some(Ok(()))),
-        "{:?}",
-        end.outcome
-    );
+    assert!(end.cause() == Cause::ControllerError && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
     arm.clock().sleep(Duration::from_secs(1));
     assert_stopped_on_the_way(&arm);
@@ -133,13 +131,13 @@ fn a_stop_that_is_refused_ends_the_wait_at_once() {
     arm.inject_for("stop_program", refusal("stop_program"));
     set_high_on_the_way(&arm);
     let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
-    assert!(matches!(&end.outcome, Outcome::Guard(trip) if !trip.is_at_rest), "{:?}", end.outcome);
-    assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{:?}", end.outcome);
+    assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{:?}", end.cause());
+    assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{:?}", end.cause());
     // The motion takes four seconds.
-    assert!(end.waited < Duration::from_secs(1), "{:?}", end.waited);
+    assert!(end.report.waited < Duration::from_secs(1), "{:?}", end.report.waited);
     // It may go on, and can be waited for. The simulator has stopped the arm all the same.
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
 }
 
 /// The stop was accepted; the position is refused.
@@ -151,8 +149,8 @@ fn rest_that_the_controller_does_not_confirm_is_not_told_after_a_trip() {
     arm.inject_always(refusal("get_joint_pos"));
     set_high_on_the_way(&arm);
     let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
-    assert!(matches!(&end.outcome, Outcome::Guard(trip) if !trip.is_at_rest), "{:?}", end.outcome);
-    assert!(matches!(end.stop, Some(Ok(()))), "{:?}", end.outcome);
+    assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{:?}", end.cause());
+    assert!(matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     // It is asked for two seconds, and not without a pause.
     let asked = names(&arm).iter().filter(|name| *name == "get_joint_pos").count();
     assert!((2..=40).contains(&asked), "{asked} queries");
@@ -170,7 +168,7 @@ fn the_condition_that_has_held_first_is_told() {
     };
     let motion = Hooked { before_sending: &trips, ..Hooked::default() };
     let end = robot.run_until(&motion, guard, LONG).expect("that is an end");
-    let Outcome::Guard(trip) = &end.outcome else { panic!("{:?}", end.outcome) };
+    let Evidence::Trip(trip) = end.evidence() else { panic!("{:?}", end.cause()) };
     assert_eq!(trip.condition, 1, "{trip}");
 }
 
@@ -188,8 +186,8 @@ fn without_packets_in_time_a_motion_under_a_limit_of_force_is_stopped() {
         arm.link(Port::Status).to_client().hold();
     };
     let end = beside(clock, falls_silent, || robot.run_until(&down, limit, LONG)).expect("it is slow enough");
-    assert!(matches!(end.outcome, Outcome::StatusLost { .. }) && matches!(end.stop, Some(Ok(()))), "{:?}", end.outcome);
-    let took = end.waited.saturating_sub(silent_from);
+    assert!(end.cause() == Cause::StatusLost && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
+    let took = end.report.waited.saturating_sub(silent_from);
     assert!(took < Duration::from_millis(200), "{took:?}");
 }
 
@@ -208,7 +206,7 @@ fn a_deadline_waits_for_the_reply_to_the_stop_of_a_guard() {
     let end = beside(arm.clock(), trips, || robot.run_until(&to(FAR), input(), deadline));
     let took = arm.clock().elapsed().saturating_sub(since);
     let end = end.expect("the motion is accepted");
-    assert!(matches!(end.outcome, Outcome::Guard(_)) && matches!(end.stop, Some(Ok(()))), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Guard && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     assert!(took >= tripped + delay, "{took:?}");
     assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
 }
@@ -251,7 +249,10 @@ fn a_packet_that_nobody_could_judge_keeps_motions_back() {
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. } | ErrorKind::StatusUnknown { .. }), "{error:?}");
     // Without a guard, too.
     let error = robot.start(&to(FAR)).expect_err("a packet was not read");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::StatusLost { .. } }), "{error:?}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::StatusLost, .. } }),
+        "{error:?}"
+    );
     assert_eq!(names(&arm), [""; 0]);
     robot.acknowledge();
     robot.start(&to(FAR)).expect("somebody has looked");

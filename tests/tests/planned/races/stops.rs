@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_sim::{Controller, Delays, Fault, Port};
-use jaka_sync::{ErrorKind, Outcome, Robot, RobotStop, Target};
+use jaka_sync::{Cause, ErrorKind, Occurrence, Robot, RobotStop, Target};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 
@@ -24,7 +24,10 @@ fn while_a_stop_is_on_its_way<T>(arm: &Arm, stop: &RobotStop, is_taken: bool, ac
 
 fn assert_kept_back(robot: &mut Robot) {
     let error = robot.start(&to(FAR)).expect_err("a stop was asked for");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { outcome: Outcome::Stopped }), "{error:?}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence: Occurrence { cause: Cause::Stopped, .. } }),
+        "{error:?}"
+    );
 }
 
 #[test]
@@ -33,7 +36,7 @@ fn a_stop_on_its_way_keeps_motions_back_also_when_it_was_acknowledged_meanwhile(
     let stop = robot.stop_handle();
     while_a_stop_is_on_its_way(&arm, &stop, true, || {
         robot.acknowledge();
-        assert!(matches!(robot.unacknowledged(), Some(Outcome::Stopped)));
+        assert!(robot.unacknowledged().is_some_and(|found| found.cause == Cause::Stopped));
         assert_kept_back(&mut robot);
     });
     assert_eq!(names(&arm), ["stop_program"]);
@@ -70,8 +73,8 @@ fn rest_by_a_stop_that_is_not_answered_yet_is_told_as_a_stop() {
     };
     let stopping = arm.when(|state| state.joint_position.0[0] > 5.0, stops).expect("a thread starts");
     let end = robot.run(&Hooked { target: Target::Unknown, ..Hooked::default() }, LONG).expect("it is accepted");
-    assert!(matches!(end.outcome, Outcome::Stopped), "{:?}", end.outcome);
-    assert!(end.waited < Duration::from_secs(2), "its reply was not waited for: {:?}", end.waited);
+    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
+    assert!(end.report.waited < Duration::from_secs(2), "its reply was not waited for: {:?}", end.report.waited);
     assert_stopped_on_the_way(&arm);
     arm.link(Port::Command).to_client().release();
     assert!(stopping.wait(LONG));
@@ -85,16 +88,24 @@ fn a_stop_that_a_packet_shows_takes_the_place_of_a_lost_status() {
     let link = || arm.link(Port::Status).to_client();
     link().hold();
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::StatusLost { .. }), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::StatusLost, "{:?}", end.cause());
     arm.collide();
     link().release();
     arm.clock().sleep(Duration::from_secs(1));
-    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)), "{:?}", robot.unacknowledged());
+    assert!(
+        robot.unacknowledged().is_some_and(|found| found.cause == Cause::ProtectiveStop),
+        "{:?}",
+        robot.unacknowledged()
+    );
     // And not the other way round.
     link().hold();
     let end = robot.wait(LONG);
-    assert!(!end.outcome.is_at_rest(), "{:?}", end.outcome);
-    assert!(matches!(robot.unacknowledged(), Some(Outcome::ProtectiveStop)), "{:?}", robot.unacknowledged());
+    assert!(!matches!(end.cause(), Cause::Reached | Cause::AtRest), "{end:?}");
+    assert!(
+        robot.unacknowledged().is_some_and(|found| found.cause == Cause::ProtectiveStop),
+        "{:?}",
+        robot.unacknowledged()
+    );
 }
 
 #[test]
@@ -104,7 +115,7 @@ fn a_motion_that_was_acknowledged_is_not_waited_for() {
     robot.stop_handle().stop().expect("the controller takes the stop");
     robot.acknowledge();
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::NoMotion), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::NoMotion, "{:?}", end.cause());
     assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
 }
 
@@ -116,6 +127,6 @@ fn a_motion_whose_reply_was_lost_is_waited_for() {
     assert!(error.may_have_run(), "{error:?}");
     let end = robot.wait(LONG);
     // Which motion that was is not known.
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::AtRest, "{:?}", end.cause());
     assert!((arm.state().joint_position.0[0] - FAR).abs() < 0.1);
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_sim::{Delays, Fault, Habit};
 use jaka_sync::motion::JointMove;
-use jaka_sync::{Outcome, Robot};
+use jaka_sync::{Cause, Phase, Rest, Robot};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;
@@ -27,7 +27,7 @@ fn a_pause_is_no_rest() {
     show(&arm, true, true);
     let asked = names(&arm).len();
     let end = robot.wait(Duration::from_secs(5));
-    assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Deadline, "{:?}", end.cause());
     assert!(arm.state().joint_position.0[0] < FAR / 2.0, "it is paused");
     assert_eq!(names(&arm).len(), asked, "nobody asks a paused arm where it is");
     arm.set_state(|state| state.rapid_rate = 1.0);
@@ -35,7 +35,7 @@ fn a_pause_is_no_rest() {
     arm.when(|state| state.at_rest, |controller| controller.set_status([("inpos".to_owned(), true.into())]))
         .expect("a thread starts");
     let end = robot.wait(LONG);
-    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
     assert!((arm.state().joint_position.0[0] - FAR).abs() < 0.1);
 }
 
@@ -49,14 +49,14 @@ fn a_motion_by_an_offset_of_an_arm_that_is_paused_has_no_known_target() {
     assert_eq!(names(&arm), ["joint_move"]);
     show(&arm, false, true);
     let end = robot.wait(LONG);
-    assert!(matches!(end.outcome, Outcome::AtRest), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::AtRest, "{:?}", end.cause());
 }
 
 /// Leaves a query outstanding, which was sent where the arm is at this angle, and nothing to wait for.
 fn leave_a_query(arm: &Arm, robot: &mut Robot, angle: f64) {
     arm.inject_for("get_joint_pos", Fault::Hold);
     let end = robot.run(&to(angle), Duration::from_secs(10)).expect("it is accepted");
-    assert!(matches!(end.outcome, Outcome::Deadline), "{:?}", end.outcome);
+    assert_eq!((end.cause(), end.phase()), (Cause::Unanswered, Phase::MayStillMove), "{end}");
     robot.acknowledge();
 }
 
@@ -69,8 +69,8 @@ fn an_answer_to_a_query_of_before_the_motion_says_nothing_of_its_end() {
     // reply to it.
     let mut waited = || {
         let end = robot.run(&to(20.0), LONG).expect("it is accepted");
-        assert!(end.outcome.is_reached(), "{:?}", end.outcome);
-        end.waited
+        assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
+        end.report.waited
     };
     let (with_old_answer, without) = (waited(), waited());
     // It would be 200 ms less.
@@ -87,7 +87,7 @@ fn where_a_motion_by_an_offset_begins_is_asked_anew() {
     arm.release();
     let offset = JointMove::relative([5.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0);
     let end = robot.run(&offset, LONG).expect("it is accepted");
-    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
     assert!((arm.state().joint_position.0[0] - 5.0).abs() < 0.1);
 }
 
@@ -113,7 +113,7 @@ fn a_packet_of_before_the_motion_says_nothing_of_its_end() {
         };
         let motion = Hooked { before_sending: &disabled_for_a_packet, ..Hooked::default() };
         let end = robot.run(&motion, LONG).expect("it is accepted");
-        assert!(end.outcome.is_reached(), "after another: {is_after_another}, {:?}", end.outcome);
+        assert!(end.cause() == Cause::Reached, "after another: {is_after_another}, {:?}", end.cause());
     }
 }
 
@@ -134,7 +134,7 @@ fn questions_before_an_offset(arm: &Arm, robot: &mut Robot) -> usize {
     let before = names(arm).len();
     robot.start(&JointMove::relative([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0)).expect("it is accepted");
     let questions = names(arm)[before..].iter().take_while(|name| *name == "get_joint_pos").count();
-    assert!(robot.wait(LONG).outcome.is_at_rest());
+    robot.wait(LONG).at_rest().expect("nothing stops it");
     questions
 }
 
@@ -149,7 +149,8 @@ fn where_a_motion_by_an_offset_begins_takes_two_answers_unless_the_last_wait_saw
         arm.inject_for("get_joint_pos", refusal("get_joint_pos"));
     }
     let end = robot.run(&to(20.0), LONG).expect("it is accepted");
-    assert!(matches!(end.outcome, Outcome::AtRest) && end.not_answered.is_some(), "{:?}", end.outcome);
+    assert!(end.rest == Rest::Packets && end.error.is_some(), "{end}");
+    end.at_rest().expect("nothing shows that it is elsewhere");
     arm.clear_faults();
     assert_eq!(questions_before_an_offset(&arm, &mut robot), 2, "packets alone have shown rest");
 }
@@ -163,9 +164,9 @@ fn an_answer_at_the_target_of_a_queue_is_not_its_end() {
         robot.start(&to(angle)).expect("it is accepted");
     }
     let end = robot.wait(LONG);
-    assert!(end.outcome.is_reached() && arm.state().at_rest, "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached && arm.state().at_rest, "{:?}", end.cause());
     // Sixty degrees at 25 deg/s.
-    assert!(end.waited > Duration::from_millis(2400), "{:?}", end.waited);
+    assert!(end.report.waited > Duration::from_millis(2400), "{:?}", end.report.waited);
 }
 
 /// Packets say that it is in position while it has not begun to move, and come seldom.
@@ -182,5 +183,5 @@ fn an_arm_that_begins_late_is_not_at_rest_before_enough_packets_have_said_so() {
         arm.set_state(|state| state.rapid_rate = 1.0);
     };
     let end = beside(arm.clock(), begins, || robot.run(&to(20.0), LONG)).expect("it is accepted");
-    assert!(end.outcome.is_reached(), "{:?}", end.outcome);
+    assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
 }

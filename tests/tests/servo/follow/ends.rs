@@ -6,12 +6,12 @@ use jaka_sim::{Fault, Port};
 use jaka_sync::jaka_motion::TimedPoint;
 use jaka_sync::status::RobotStatus;
 use jaka_sync::types::JointPosition;
-use jaka_sync::{Guard, RobotStop, StreamConfig};
+use jaka_sync::{Cause, End, Guard, RobotStop, StreamConfig};
 
 use super::*;
 
 /// A run on its way, and what becomes of it.
-fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Arm, Robot, FollowEnd) {
+fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Arm, Robot, End) {
     let (arm, mut robot) = ready();
     let run = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start");
     wait_for(&arm, &run, 0.5);
@@ -20,21 +20,24 @@ fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Ar
     (arm, robot, end)
 }
 
-fn assert_ended_on_the_way(end: &FollowEnd, cause: Cause) {
-    assert_eq!(end.cause, cause, "{end}");
-    assert!(end.reached < end.duration && end.reached >= Duration::from_millis(500), "{end:?}");
+fn assert_ended_on_the_way(end: &End, cause: Cause) {
+    assert_eq!(end.cause(), cause, "{end}");
+    assert!(
+        followed(end).reached < followed(end).duration && followed(end).reached >= Duration::from_millis(500),
+        "{end:?}"
+    );
 }
 
 #[test]
 fn a_stop_brakes_along_the_trajectory() {
     let (arm, mut robot, end) = ended_by(&config(), |_, run| run.stop().expect("it goes on"));
     assert_ended_on_the_way(&end, Cause::Stopped);
-    assert!(end.error.is_none() && end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    assert!(end.error.is_none() && end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
     let set_points = judge(&arm, &to_and_fro(), &end);
     let last = set_points.last().expect("there are some");
-    assert!(apart(&to_and_fro().at(end.reached.as_secs_f64()), last) < 1e-6);
+    assert!(apart(&to_and_fro().at(followed(&end).reached.as_secs_f64()), last) < 1e-6);
     assert!(!names(&arm).iter().any(|name| name == "stop_program") && !arm.state().servo_mode);
-    let text = end.completed().expect_err("it was stopped").to_string();
+    let text = end.reached().expect_err("it was stopped").to_string();
     assert!(
         text.starts_with("the motion was stopped before its target (")
             && text.contains(" s of 3.000 s of the trajectory), and the arm is at rest; look at the arm"),
@@ -62,7 +65,7 @@ fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
     assert!(run.progress().time.is_zero() && run.progress().rate == 0.0);
     run.stop().expect("it goes on");
     let end = run.wait();
-    assert_eq!((end.cause, end.reached), (Cause::Stopped, Duration::ZERO));
+    assert_eq!((end.cause(), followed(&end).reached), (Cause::Stopped, Duration::ZERO));
     let at = arm.state().joint_position.0[0] - START[0];
     assert!((10.0..60.0).contains(&at), "{at}");
 }
@@ -72,8 +75,8 @@ fn a_deadline_stops_along_the_trajectory() {
     let (arm, mut robot) = ready();
     let config = config().deadline(Duration::from_millis(1500));
     let end = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config).expect("the arm is at its start").wait();
-    assert_eq!(end.cause, Cause::Deadline, "{end}");
-    assert!(end.error.is_none() && end.reached < end.duration && end.is_at_rest(), "{end:?}");
+    assert_eq!(end.cause(), Cause::Deadline, "{end}");
+    assert!(end.error.is_none() && followed(&end).reached < followed(&end).duration && end.rest.was_seen(), "{end:?}");
     judge(&arm, &to_and_fro().slower(3.0), &end);
     assert!(end.to_string().starts_with("the motion has not ended in time ("), "{end}");
 }
@@ -88,7 +91,8 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
     let end = run.wait();
     assert_ended_on_the_way(&end, Cause::Stopped);
     assert!(
-        end.is_at_rest() && matches!(end.error.as_ref().expect("it says so").kind(), ErrorKind::NotAcknowledged { .. })
+        end.rest.was_seen()
+            && matches!(end.error.as_ref().expect("it says so").kind(), ErrorKind::NotAcknowledged { .. })
     );
     judge(&arm, &to_and_fro(), &end);
     assert!(set_points(&arm).1.contains(&"stop_program".to_owned()));
@@ -100,7 +104,7 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
 fn a_protective_stop_ends_it_at_once() {
     let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.collide());
     assert_ended_on_the_way(&end, Cause::ProtectiveStop);
-    assert!(!end.is_at_rest() && !end.has_left_curve && end.report.landing_cycles == 0, "{end:?}");
+    assert!(!end.rest.was_seen() && !followed(&end).has_left_curve && end.report.landing_cycles == 0, "{end:?}");
     to_and_fro().has(&set_points(&arm).0).expect("no set-point was sent off the curve");
     let (_, _, end) = ended_by(&config(), |arm, _| arm.press_emergency_stop());
     assert_ended_on_the_way(&end, Cause::EmergencyStop);
@@ -113,8 +117,11 @@ fn a_status_that_is_no_longer_known_brakes_it_along_the_trajectory() {
     let run = robot.start_follow(&made(&to_and_fro().slower(2.0)), &config()).expect("the arm is at its start");
     arm.link(Port::Status).to_client().hold();
     let end = run.wait();
-    assert_eq!(end.cause, Cause::StatusLost, "{end}");
-    assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    assert_eq!(end.cause(), Cause::StatusLost, "{end}");
+    assert!(
+        !end.rest.was_seen() && !followed(&end).has_left_curve && followed(&end).reached < followed(&end).duration,
+        "{end:?}"
+    );
     judge(&arm, &to_and_fro().slower(2.0), &end);
     assert!(!arm.state().servo_mode);
 }
@@ -138,10 +145,10 @@ fn an_arm_that_does_not_follow_departs_and_one_that_lags_shows_by_how_much() {
     };
     let end = run(Duration::from_millis(1500), &patient().max_departure(3.0));
     assert_ended_on_the_way(&end, Cause::Departed);
-    assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    assert!(end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
     let [quick, slow] = [0, 150].map(|lag| run(Duration::from_millis(lag), &patient()));
-    assert!(matches!((quick.cause, slow.cause), (Cause::Reached, Cause::Reached)));
-    let [quick, slow] = [quick, slow].map(|end| end.lag.expect("the arm has moved"));
+    assert!(matches!((quick.cause(), slow.cause()), (Cause::Reached, Cause::Reached)));
+    let [quick, slow] = [quick, slow].map(|end| followed(&end).lag.expect("the arm has moved"));
     let more = slow.delay.saturating_sub(quick.delay);
     assert!((80..=220).contains(&more.as_millis()), "{quick:?} {slow:?}");
     assert!(slow.residual_deg[5] > 0.0 && slow.worst_deg[5] >= slow.residual_deg[5], "{slow:?}");
@@ -160,8 +167,11 @@ fn a_link_that_is_held_or_cut_ends_it() {
             arm.links().hold();
         }
         let end = run.wait();
-        assert_eq!(end.cause, if cut { Cause::CommandsLost } else { Cause::Unanswered }, "{cut}: {end}");
-        assert!(!end.is_at_rest() && end.error.as_ref().is_some_and(jaka_sync::Error::may_have_run), "{cut}: {end:?}");
+        assert_eq!(end.cause(), if cut { Cause::CommandsLost } else { Cause::Unanswered }, "{cut}: {end}");
+        assert!(
+            !end.rest.was_seen() && end.error.as_ref().is_some_and(jaka_sync::Error::may_have_run),
+            "{cut}: {end:?}"
+        );
         arm.links().release();
         to_and_fro().slower(3.0).has(&set_points(&arm).0).expect("they are on the curve");
     }
@@ -200,7 +210,7 @@ fn without_reserve() -> (Limits, [TimedPoint; 4]) {
 }
 
 /// End of such a run after a stop near the point where joint 6 turns round, and that point.
-fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (FollowEnd, f64) {
+fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (End, f64) {
     let (limits, points) = without_reserve();
     let (arm, mut robot) = ready_with(arm(), limits);
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
@@ -220,11 +230,14 @@ fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (Fol
 #[test]
 fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_goes_on_until_there_is() {
     let (end, last) = stopped_without_reserve(|robot, _| robot.stop().expect("the controller takes it"));
-    assert_eq!((end.cause, end.has_left_curve), (Cause::Stopped, true), "{end:?}");
-    assert!(end.is_at_rest() && last < -20.0, "next to where it turns: {last}");
+    assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
+    assert!(end.rest.was_seen() && last < -20.0, "next to where it turns: {last}");
     let (end, last) = stopped_without_reserve(|_, run| run.stop().expect("it goes on"));
     // It has stopped at the end, or as good as there.
-    assert!(!end.has_left_curve && end.reached > Duration::from_secs(3) && last > -1.0, "{end:?} {last}");
+    assert!(
+        !followed(&end).has_left_curve && followed(&end).reached > Duration::from_secs(3) && last > -1.0,
+        "{end:?} {last}"
+    );
 }
 
 /// A stop of the robot finds a run on the way to its greatest speed: braking along the trajectory would take longer
@@ -246,10 +259,10 @@ fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_traj
     wait_for(&arm, &run, 1.6);
     stop.stop().expect("the controller takes it");
     let (end, (set_points, _)) = (run.wait(), set_points(&arm));
-    assert_eq!((end.cause, end.has_left_curve), (Cause::Stopped, true), "{end:?}");
+    assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
     let speeds: Vec<f64> = set_points.windows(2).map(|two| (two[1][5] - two[0][5]) / PERIOD).collect();
     let (fastest, last) = (speeds.iter().copied().fold(0.0, f64::max), speeds[speeds.len() - 1]);
-    assert!(end.is_at_rest() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
+    assert!(end.rest.was_seen() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
 }
 
 #[test]
@@ -259,8 +272,11 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
     let guard = Guard::when("joint 6 is low", is_low);
     let run = robot.start_follow_until(&made(&to_and_fro()), &config(), guard.clone()).expect("it is not low yet");
     let end = run.wait();
-    assert_eq!(end.cause, Cause::Guard, "{end}");
-    assert!(end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    assert_eq!(end.cause(), Cause::Guard, "{end}");
+    assert!(
+        end.rest.was_seen() && !followed(&end).has_left_curve && followed(&end).reached < followed(&end).duration,
+        "{end:?}"
+    );
     assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
     judge(&arm, &to_and_fro(), &end);
     let before = names(&arm).len();
@@ -281,8 +297,8 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let curve = Curve::through(&[(0.0, START), (1.0, there)]);
     let end = robot.start_follow_until(&made(&curve), &patient(), Guard::when("joint 1 is far", far));
     let end = end.expect("it is not far yet").wait();
-    assert_eq!((end.cause, end.reached), (Cause::Guard, end.duration), "{end:?}");
-    assert!(end.is_at_rest() && !end.has_left_curve, "{end:?}");
+    assert_eq!((end.cause(), followed(&end).reached), (Cause::Guard, followed(&end).duration), "{end:?}");
+    assert!(end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
     assert!(matches!(end.error.as_ref().expect("it says which").kind(), ErrorKind::GuardTripped { .. }));
     // A stream likewise.
     let (arm, mut robot) = lags();
@@ -304,8 +320,11 @@ fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_brak
     wait_for(&arm, &run, 0.2);
     arm.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
     let end = run.wait();
-    assert_eq!(end.cause, Cause::NotShown, "{end}");
-    assert!(!end.is_at_rest() && !end.has_left_curve && end.reached < end.duration, "{end:?}");
+    assert_eq!(end.cause(), Cause::NotShown, "{end}");
+    assert!(
+        !end.rest.was_seen() && !followed(&end).has_left_curve && followed(&end).reached < followed(&end).duration,
+        "{end:?}"
+    );
     judge(&arm, &curve, &end);
     let text = end.error.as_ref().expect("it says so").to_string();
     assert!(text.contains("it is not known whether the joints follow their set-points"), "{text}");

@@ -1,8 +1,8 @@
 //! Trajectories on an arm that lags behind its set-points, by each filter of 4.60 or none.
 
 use jaka_sim::DigitalInput;
-use jaka_sync::Numbering;
 use jaka_sync::servo::SetServoMoveFilter;
+use jaka_sync::{Cause, Numbering};
 
 use super::*;
 use crate::stream::filters;
@@ -21,11 +21,11 @@ fn a_trajectory_is_completed_where_the_arm_is_at_its_end_whatever_the_filter() {
         let (arm, mut robot, config) = filtered(&filter, 80);
         let end = robot.start_follow(&made(&to_and_fro()), &config).expect("the arm is at its start").wait();
         judge(&arm, &to_and_fro(), &end);
-        assert_eq!((end.cause, end.is_at_rest()), (Cause::Reached, true), "{filter:?}: {end}");
+        assert_eq!((end.cause(), end.rest.was_seen()), (Cause::Reached, true), "{filter:?}: {end}");
         let (state, there) = (arm.state(), JointPosition(to_and_fro().at(3.0)));
         let off = state.joint_position.max_distance(&there);
         assert!(!state.servo_mode && off < 0.1, "{filter:?}: {off}");
-        let lag = end.lag.expect("the arm has moved");
+        let lag = followed(&end).lag.expect("the arm has moved");
         assert!(lag.delay >= Duration::from_millis(60), "{filter:?}: {lag:?}");
     }
 }
@@ -40,9 +40,12 @@ fn a_guard_stops_it_on_its_curve_whatever_the_filter() {
         arm.input(DigitalInput::cabinet(3).high_at(rises)).expect("there is such an input");
         let end = run.wait();
         judge(&arm, &to_and_fro(), &end);
-        assert_eq!((end.cause, end.is_at_rest()), (Cause::Guard, true), "{filter:?}: {end}");
-        assert!(!end.has_left_curve && end.reached < Duration::from_millis(1500), "{filter:?}: {end:?}");
-        let there = JointPosition(to_and_fro().at(end.reached.as_secs_f64()));
+        assert_eq!((end.cause(), end.rest.was_seen()), (Cause::Guard, true), "{filter:?}: {end}");
+        assert!(
+            !followed(&end).has_left_curve && followed(&end).reached < Duration::from_millis(1500),
+            "{filter:?}: {end:?}"
+        );
+        let there = JointPosition(to_and_fro().at(followed(&end).reached.as_secs_f64()));
         let off = arm.state().joint_position.max_distance(&there);
         assert!(off < 0.1, "{filter:?}: {off}");
     }
@@ -57,7 +60,7 @@ fn an_arm_departs_where_it_does_not_follow_and_only_then_whatever_the_filter() {
             let end = end.expect("the arm is at its start").wait();
             judge(&arm, &to_and_fro(), &end);
             let cause = if departs { Cause::Departed } else { Cause::Reached };
-            assert_eq!(end.cause, cause, "{filter:?}, {lag_ms} ms: {end}");
+            assert_eq!(end.cause(), cause, "{filter:?}, {lag_ms} ms: {end}");
         }
     }
 }

@@ -1,0 +1,210 @@
+//! How moving ends.
+
+use std::error::Error as StdError;
+use std::fmt;
+use std::sync::Arc;
+
+use super::Error;
+use crate::cause::Occurrence;
+use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, TripReason};
+
+/// End of a motion, a servo session, a stream or a trajectory.
+///
+/// The same event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end
+/// into an error, so that `?` works from the connection to the end of a motion.
+#[derive(Debug)]
+#[non_exhaustive]
+#[must_use = "a motion may have ended before its target"]
+pub struct End {
+    pub(crate) occurrence: Occurrence,
+    /// Rest of the arm, as it was measured.
+    pub rest: Rest,
+    /// The last packets of a motion that the controller plans, up to ten, the newest last.
+    pub packets: Vec<Arc<Snapshot>>,
+    /// Error that came with the end: what ended a trajectory, where it was not its end, a handle or the deadline; why
+    /// the query for the position of a planned motion failed, which is not [reached](Cause::Reached) then.
+    pub error: Option<Error>,
+    /// Stop that was sent at the end of a motion under a guard, because the guard tripped or because nobody would have
+    /// judged it any longer. An error if the controller has not accepted it: the arm may still move. None where none was
+    /// sent.
+    pub stop: Option<Result<(), Error>>,
+    /// Times, set-points, and how far a trajectory was followed.
+    pub report: Report,
+}
+
+/// Rest of an arm after a motion, as it was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Rest {
+    /// Not seen: the arm may still brake, or move.
+    NotSeen,
+    /// Seen in status packets, which may be old.
+    Packets,
+    /// Seen in answers of the controller to queries after the motion, which agree.
+    Answers,
+}
+
+/// Phase in which a call or a motion ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Phase {
+    /// Nothing that moves the arm was sent, or it did not run.
+    NotSent,
+    /// It was sent, and may have run.
+    MayHaveRun,
+    /// It has ended. The arm may still brake unless its rest was seen.
+    Ended,
+    /// The arm may still move.
+    MayStillMove,
+}
+
+impl Rest {
+    /// True if the arm was seen at rest.
+    pub fn was_seen(self) -> bool {
+        match self {
+            Self::NotSeen => false,
+            Self::Packets | Self::Answers => true,
+        }
+    }
+}
+
+impl End {
+    /// End by this, and of the rest nothing.
+    pub(crate) fn new(occurrence: impl Into<Occurrence>, rest: Rest, report: Report) -> Self {
+        Self { occurrence: occurrence.into(), rest, packets: Vec::new(), error: None, stop: None, report }
+    }
+
+    /// Cause of the end, the first by [precedence](Cause#precedence) of all that is known.
+    pub fn cause(&self) -> Cause {
+        let of = |error: Option<&Error>| error.map_or(Cause::Reached, Error::cause);
+        let stop = self.stop.as_ref().and_then(|stop| stop.as_ref().err());
+        self.occurrence.cause.min(of(self.error.as_ref())).min(of(stop))
+    }
+
+    /// Evidence for the cause, besides the packets and the error.
+    pub fn evidence(&self) -> &Evidence {
+        &self.occurrence.evidence
+    }
+
+    /// Phase in which it ended.
+    pub fn phase(&self) -> Phase {
+        if self.occurrence.cause == Cause::NoMotion || self.is_before_start() {
+            return Phase::NotSent;
+        }
+        let may_move = match (&self.stop, self.is_of_trajectory()) {
+            (Some(accepted), _) => accepted.is_err(),
+            (None, true) => !self.rest.was_seen(),
+            (None, false) => self.occurrence.consequence().may_move(),
+        };
+        if may_move { Phase::MayStillMove } else { Phase::Ended }
+    }
+
+    /// Remedy: what somebody can do about the cause; none where a stop was accepted because of it.
+    pub fn remedy(&self) -> Remedy {
+        if let Some(Ok(())) = self.stop { Remedy::None } else { self.cause().remedy() }
+    }
+
+    /// `Ok` if the arm is where it was sent, and this as an error otherwise.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): it ended otherwise, or its target is not known.
+    pub fn reached(self) -> Result<(), Error> {
+        if self.occurrence.cause == Cause::Reached { Ok(()) } else { Err(Error::not_reached(self)) }
+    }
+
+    /// `Ok` if the arm is at rest and nothing shows that it is not where it was sent: for motions whose target is not
+    /// known, such as relative ones in a queue, and for landings.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): it ended otherwise.
+    pub fn at_rest(self) -> Result<(), Error> {
+        let cause = self.occurrence.cause;
+        let is_done = cause.group() == CauseGroup::Done && cause != Cause::NoMotion;
+        if is_done { Ok(()) } else { Err(Error::not_reached(self)) }
+    }
+
+    /// The trip, if the guard has ended the motion, or kept it from being sent, because one of its conditions holds; and
+    /// this as an error otherwise.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): the motion ended otherwise, a packet could not be judged, or the controller has not
+    /// accepted the stop.
+    pub fn guarded(self) -> Result<Arc<GuardTrip>, Error> {
+        let is_stopped = match &self.stop {
+            Some(accepted) => accepted.is_ok(),
+            None => true,
+        };
+        let trip = self.trip().filter(|trip| trip.reason == TripReason::Holds && is_stopped && !self.has_failed());
+        trip.cloned().ok_or_else(|| Error::not_reached(self))
+    }
+
+    fn trip(&self) -> Option<&Arc<GuardTrip>> {
+        if let Evidence::Trip(trip) = self.evidence() { Some(trip) } else { None }
+    }
+
+    fn is_before_start(&self) -> bool {
+        self.trip().is_some_and(|trip| trip.is_before_start)
+    }
+
+    /// True if a trajectory ended by an error that is no trip of its guard alone.
+    fn has_failed(&self) -> bool {
+        self.is_of_trajectory() && self.error.as_ref().is_some_and(|error| !error.is_trip())
+    }
+
+    #[cfg(feature = "stream")]
+    fn is_of_trajectory(&self) -> bool {
+        self.report.trajectory.is_some()
+    }
+
+    #[cfg(not(feature = "stream"))]
+    #[expect(clippy::unused_self, reason = "trajectories need the feature")]
+    fn is_of_trajectory(&self) -> bool {
+        false
+    }
+
+    pub(super) fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        self.occurrence.source().or_else(|| self.error.as_ref().and_then(StdError::source))
+    }
+
+    /// Writes the fact of a trajectory that ended by an error.
+    fn fmt_error(&self, error: &Error, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (cause, known) = (self.cause(), error.in_end());
+        if known.starts_with(&cause.to_string()) { f.write_str(&known) } else { write!(f, "{cause}: {known}") }
+    }
+
+    /// Writes the fact of a motion that the controller plans, and of the stop and the query for the position.
+    fn fmt_planned(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cause = self.cause();
+        if self.occurrence.cause != cause {
+            write!(f, "{cause}: ")?;
+        }
+        write!(f, "{}", self.occurrence)?;
+        match &self.stop {
+            Some(Ok(())) => f.write_str("; the arm was told to stop")?,
+            Some(Err(error)) => {
+                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?;
+            }
+            None if self.phase() == Phase::MayStillMove => f.write_str("; the arm may still move")?,
+            None => {}
+        }
+        match &self.error {
+            Some(error) => write!(f, "; the query for its position failed: {error}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, and whether its arm is at rest.
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.error {
+            Some(error) if self.is_of_trajectory() => self.fmt_error(error, f)?,
+            _ => self.fmt_planned(f)?,
+        }
+        #[cfg(feature = "stream")]
+        if let Some(trajectory) = self.report.trajectory.as_ref().filter(|_| self.occurrence.cause != Cause::Reached) {
+            let rest = if self.rest.was_seen() { "is at rest" } else { "was not seen at rest" };
+            let (reached, duration) = (trajectory.reached.as_secs_f64(), trajectory.duration.as_secs_f64());
+            write!(f, " ({reached:.3} s of {duration:.3} s of the trajectory), and the arm {rest}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,110 @@
+//! Reports of motions: times, set-points and trajectories.
+
+mod histogram;
+
+use std::time::Duration;
+
+use self::histogram::Histogram;
+
+/// Report of a motion, a servo session, a stream or a trajectory. A motion that the controller plans has no set-points.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Report {
+    /// Time for which the end was waited for; of set-points, the time since servo mode was entered.
+    pub waited: Duration,
+    /// Set-points sent, without those of the landing.
+    pub cycles: u64,
+    /// Set-points sent more than half a period late.
+    pub late_cycles: u64,
+    /// Gaps: set-points that were late by three periods or more. The arm is taken to have stood then.
+    pub gaps: u64,
+    /// The longest of these, by the lateness of the set-point after it; zero without a gap.
+    pub longest_gap: Duration,
+    /// Set-points of the landing: those that braked the arm, and those that held it.
+    pub landing_cycles: u64,
+    /// Answers that accepted a set-point.
+    pub accepted: u64,
+    /// Answers that refused one.
+    pub refused: u64,
+    /// Set-points whose answers never came.
+    pub unanswered: u64,
+    /// The most answers that were outstanding at once.
+    pub most_outstanding: usize,
+    /// Report of a trajectory; none for other motions. Needs the feature `stream`.
+    #[cfg(feature = "stream")]
+    pub trajectory: Option<TrajectoryReport>,
+    lateness: Histogram,
+}
+
+/// Report of a trajectory that was followed. Needs the feature `stream`.
+#[cfg(feature = "stream")]
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct TrajectoryReport {
+    /// The trajectory time of the last set-point on the trajectory.
+    pub reached: Duration,
+    /// Duration of the trajectory at its own speed.
+    pub duration: Duration,
+    /// True if the arm was braked straight on in joint space, and so off the trajectory, because braking along it would
+    /// have taken too long: see [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread has
+    /// panicked.
+    pub has_left_curve: bool,
+    /// Lag of the arm behind its set-points, by status packets; none if these do not tell.
+    pub lag: Option<FollowLag>,
+}
+
+/// Lag of an arm behind its set-points, by the joints of status packets.
+///
+/// The delay is the one with which set-points and packets agree best, by the sum of the squares of all joints'
+/// differences. It is measured from sending a set-point to receiving a packet: the link's and the packets' own delay are
+/// part of it.
+#[cfg(feature = "stream")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FollowLag {
+    /// The delay that fits best, in steps of 1 ms.
+    pub delay: Duration,
+    /// Distance of each joint from its delayed set-points, in degrees: the root of the mean of the squares.
+    pub residual_deg: [f64; 6],
+    /// Greatest distance of each joint from them, in degrees.
+    pub worst_deg: [f64; 6],
+    /// Number of packets that were compared.
+    pub packets: u32,
+}
+
+impl Report {
+    /// Lateness of set-points, at a share from 0 to 1 of them: 0.99 for the 99th percentile, 1 for the maximum. Correct
+    /// to 3 %, and to a microsecond.
+    pub fn lateness(&self, share: f64) -> Duration {
+        self.lateness.at(share)
+    }
+
+    /// Report of set-points, with all the memory that it takes.
+    pub(crate) fn of_set_points() -> Self {
+        Self { lateness: Histogram::new(), ..Self::default() }
+    }
+
+    /// Report of a motion that the controller plans.
+    pub(crate) fn of_wait(waited: Duration) -> Self {
+        Self { waited, ..Self::default() }
+    }
+
+    /// The same report, of a trajectory.
+    #[cfg(feature = "stream")]
+    pub(crate) fn of_trajectory(self, trajectory: TrajectoryReport) -> Self {
+        Self { trajectory: Some(trajectory), ..self }
+    }
+
+    /// Counts a set-point that was so late.
+    pub(crate) fn late(&mut self, late: Duration, period: Duration) {
+        self.cycles += 1;
+        self.late_cycles += u64::from(late > period / 2);
+        self.lateness.add(late);
+    }
+
+    /// Counts a gap.
+    pub(crate) fn gap(&mut self, late: Duration) {
+        self.gaps += 1;
+        self.longest_gap = self.longest_gap.max(late);
+    }
+}
