@@ -250,7 +250,7 @@ impl Client {
         let Some(command) = command.filter(|command| !command.is_empty()) else {
             let excerpt: String = request.chars().take(80).collect();
             return Err(
-                InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
+                InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`").into()
             );
         };
         let outgoing = Outgoing::named(&self.link.clock, command, Cow::Owned(command.to_owned()), timeout);
@@ -313,7 +313,7 @@ fn closed(error: &Error) -> bool {
 
 fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {
     let invalid = |field: &str, value: &Value, allowed: &str| {
-        InvalidArgument::new(command, field, value.to_string(), allowed, false)
+        InvalidArgument::new(command, field, value.to_string(), allowed)
     };
     let mut request = format!("{{\"cmdName\":{}", Value::from(command));
     match parameters {

@@ -95,5 +95,5 @@ pub(super) fn check_scale(scale: f64) -> Result<(), InvalidArgument> {
     if (0.0..=1.0).contains(&scale) {
         return Ok(());
     }
-    Err(InvalidArgument::new(ServoJ::INFO.name, "speed_scale", scale.to_string(), "from 0 to 1".to_owned(), false))
+    Err(InvalidArgument::new(ServoJ::INFO.name, "speed_scale", scale.to_string(), "from 0 to 1".to_owned()))
 }

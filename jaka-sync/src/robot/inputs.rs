@@ -169,7 +169,7 @@ impl InputTest {
         self.place.check(call)?;
         match self.wanted {
             Wanted::Above(threshold) | Wanted::Below(threshold) if !threshold.is_finite() => {
-                Err(InvalidArgument::new(call, "threshold", threshold.to_string(), "a finite number", false))
+                Err(InvalidArgument::new(call, "threshold", threshold.to_string(), "a finite number"))
             }
             _ => Ok(()),
         }
@@ -219,7 +219,7 @@ impl Place {
     }
 
     fn check(self, call: &str) -> Result<(), InvalidArgument> {
-        let invalid = || InvalidArgument::new(call, "input", "0", "at least 1, since inputs are counted from 1", false);
+        let invalid = || InvalidArgument::new(call, "input", "0", "at least 1, since inputs are counted from 1");
         self.index().map(drop).ok_or_else(invalid)
     }
 

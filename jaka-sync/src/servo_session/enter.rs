@@ -98,7 +98,7 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgume
         return Ok(());
     }
     let allowed = format!("at most {MOST_STEPS}: a period of {:?}", CYCLE * MOST_STEPS);
-    Err(InvalidArgument::new(ServoJ::INFO.name, "step_count", count.to_string(), allowed, false))
+    Err(InvalidArgument::new(ServoJ::INFO.name, "step_count", count.to_string(), allowed))
 }
 
 impl<S: MotionStatus> Robot<S> {

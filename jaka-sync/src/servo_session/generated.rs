@@ -197,7 +197,7 @@ pub(crate) fn not_generated(error: GeneratorError, option: &str) -> Error {
         GeneratorError::Start(beyond) => beyond_limit(beyond),
         other => {
             let allowed = "what the robot's limits allow";
-            InvalidArgument::new(ServoJ::INFO.name, option, other.to_string(), allowed, false).into()
+            InvalidArgument::new(ServoJ::INFO.name, option, other.to_string(), allowed).into()
         }
     }
 }
@@ -219,5 +219,5 @@ pub(crate) fn check_at_least(name: &str, given: f64, unit: &str) -> Result<(), I
         return Ok(());
     }
     let allowed = format!("a number of at least {LEAST} {unit}");
-    Err(InvalidArgument::new(ServoJ::INFO.name, name, given.to_string(), allowed, false))
+    Err(InvalidArgument::new(ServoJ::INFO.name, name, given.to_string(), allowed))
 }

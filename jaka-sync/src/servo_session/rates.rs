@@ -79,7 +79,7 @@ impl Rates {
         };
         let value = "a set-point whose distance from the one before is not known".to_owned();
         let allowed = "one of the same kind as before; or enter servo mode again".to_owned();
-        Err(InvalidArgument::new(command, field, value, allowed, false))
+        Err(InvalidArgument::new(command, field, value, allowed))
     }
 
     /// Whether the arm can be as fast as a step asks.
@@ -98,7 +98,7 @@ impl Rates {
         let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
         wrong.map_or(Ok(()), |(name, rate, unit)| {
             let allowed = format!("a number above 0 {unit}");
-            Err(InvalidArgument::new(SetServoMode::INFO.name, name, rate.to_string(), allowed, false))
+            Err(InvalidArgument::new(SetServoMode::INFO.name, name, rate.to_string(), allowed))
         })
     }
 
@@ -151,5 +151,5 @@ fn refused(step: &Step, index: usize, value: String, allowed: String) -> Invalid
         Step::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
         Step::Pose(_) => (ServoP::INFO.name, "pose".to_owned()),
     };
-    InvalidArgument::new(command, field, value, allowed, false)
+    InvalidArgument::new(command, field, value, allowed)
 }

@@ -35,7 +35,7 @@ impl RealtimePriority {
         if !(1..=99).contains(&priority) {
             let allowed = "from 1 to 99".to_owned();
             let name = "realtime_priority";
-            return Err(InvalidArgument::new(ServoJ::INFO.name, name, priority.to_string(), allowed, false).into());
+            return Err(InvalidArgument::new(ServoJ::INFO.name, name, priority.to_string(), allowed).into());
         }
         let taken = Scheduling::of_this_thread().and_then(|own| Scheduling::set_realtime(priority).map(|()| own));
         match taken {

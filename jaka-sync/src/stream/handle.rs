@@ -97,7 +97,7 @@ impl StreamHandle {
         if let Some(time) = for_at_most.filter(|time| *time > LONGEST) {
             let allowed = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
             return Err(
-                InvalidArgument::new(ServoJ::INFO.name, "for_at_most", format!("{time:?}"), allowed, false).into()
+                InvalidArgument::new(ServoJ::INFO.name, "for_at_most", format!("{time:?}"), allowed).into()
             );
         }
         self.desk.check_goal(&goal).map_err(beyond_limit)?;

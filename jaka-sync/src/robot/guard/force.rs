@@ -119,15 +119,15 @@ impl ForceLimit {
             [("change", self.change), ("overtravel", self.overtravel_mm), ("braking", self.braking.unwrap_or(1.0))];
         let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
         if let Some((name, value)) = odd {
-            return Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false));
+            return Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0"));
         }
         if self.overtravel_mm > LONGEST_OVERTRAVEL_MM {
             let value = self.overtravel_mm.to_string();
-            return Err(InvalidArgument::new(call, "overtravel", value, "at most 1000 mm", false));
+            return Err(InvalidArgument::new(call, "overtravel", value, "at most 1000 mm"));
         }
         if self.reaction > LONGEST_REACTION {
             let value = format!("{:?}", self.reaction);
-            return Err(InvalidArgument::new(call, "reaction", value, "at most one minute", false));
+            return Err(InvalidArgument::new(call, "reaction", value, "at most one minute"));
         }
         Ok(())
     }

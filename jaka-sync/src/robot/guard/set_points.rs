@@ -115,7 +115,7 @@ impl SetPointGuard {
             all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
         let within = all().map(|(limit, time_s)| limit.overtravel_mm - speed * time_s).fold(f64::INFINITY, f64::min);
         generator.with_tool_stop(speed, within).map_err(|error| {
-            InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned(), false).into()
+            InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned()).into()
         })
     }
 

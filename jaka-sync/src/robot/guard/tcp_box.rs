@@ -31,7 +31,7 @@ impl TcpBox {
         let Some(odd) = self.least.iter().chain(&self.most).find(|value| !value.is_finite()) else {
             return Ok(());
         };
-        Err(InvalidArgument::new(call, "corner", odd.to_string(), "a finite number of mm", false))
+        Err(InvalidArgument::new(call, "corner", odd.to_string(), "a finite number of mm"))
     }
 
     pub(super) fn contains(&self, packet: &Snapshot) -> Result<bool, NotShown> {
