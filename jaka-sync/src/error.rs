@@ -2,6 +2,7 @@
 
 mod exchanges;
 mod kind;
+mod option_name;
 
 use std::error::Error as StdError;
 use std::fmt;
@@ -12,6 +13,7 @@ use jaka_proto::{NotInFirmware, Refusal};
 
 pub use self::kind::ErrorKind;
 use self::kind::Group;
+pub(crate) use self::option_name::OptionName;
 use crate::Cause;
 
 /// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
@@ -81,7 +83,8 @@ impl Error {
         self.kind().meaning().0 == Group::Refused
     }
 
-    /// True if nothing was sent because the spec forbids the request.
+    /// True if nothing was sent because the spec forbids the request, or because an option of this crate does not take its
+    /// value.
     pub fn is_invalid_argument(&self) -> bool {
         self.kind().meaning().0 == Group::InvalidArgument
     }

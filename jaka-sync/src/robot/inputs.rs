@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use jaka_proto::check::InvalidArgument;
 #[cfg(doc)]
 use jaka_proto::messages::status::RobotStatus;
 
 use crate::cause::Field;
-use crate::{NotShown, Snapshot};
+use crate::error::OptionName;
+use crate::{Error, NotShown, Snapshot};
 
 /// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
 ///
@@ -165,11 +165,11 @@ impl InputTest {
         })
     }
 
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
-        self.place.check(call)?;
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.place.check()?;
         match self.wanted {
             Wanted::Above(threshold) | Wanted::Below(threshold) if !threshold.is_finite() => {
-                Err(InvalidArgument::new(call, "threshold", threshold.to_string(), "a finite number"))
+                Err(OptionName::new("AnalogCondition", "threshold").refuse(threshold, "a finite number"))
             }
             _ => Ok(()),
         }
@@ -218,8 +218,9 @@ impl Place {
         }
     }
 
-    fn check(self, call: &str) -> Result<(), InvalidArgument> {
-        let invalid = || InvalidArgument::new(call, "input", "0", "at least 1, since inputs are counted from 1");
+    fn check(self) -> Result<(), Error> {
+        let number = OptionName::new("Numbering", "number");
+        let invalid = || number.refuse(self.number, "at least 1, since inputs are counted from 1");
         self.index().map(drop).ok_or_else(invalid)
     }
 

@@ -4,10 +4,12 @@ use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
+use jaka_proto::messages::servo::{ServoJ, ServoP};
 
+use super::ServoConfig;
 use super::set_point::{SetPoint, Step};
 use super::turn::length;
+use crate::Error;
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,7 +91,7 @@ impl Rates {
     }
 
     /// Checks that these are numbers above zero.
-    pub(super) fn check_themselves(&self) -> Result<(), InvalidArgument> {
+    pub(super) fn check_themselves(&self) -> Result<(), Error> {
         let rates = [
             ("max_joint_acceleration", self.joint_acceleration[0], "deg/s²"),
             ("max_tcp_speed", self.tcp_speed, "mm/s"),
@@ -97,8 +99,7 @@ impl Rates {
         ];
         let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
         wrong.map_or(Ok(()), |(name, rate, unit)| {
-            let allowed = format!("a number above 0 {unit}");
-            Err(InvalidArgument::new(SetServoMode::INFO.name, name, rate.to_string(), allowed))
+            Err(ServoConfig::option(name).refuse(rate, format!("a number above 0 {unit}")))
         })
     }
 

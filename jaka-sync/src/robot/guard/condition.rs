@@ -2,13 +2,11 @@
 
 use std::fmt;
 
-use jaka_proto::check::InvalidArgument;
-
 use super::Question;
 use super::force::{ForceLimit, contact_force};
 use super::tcp_box::TcpBox;
 use crate::robot::inputs::{InputTest, When};
-use crate::{Snapshot, TripReason};
+use crate::{Error, Snapshot, TripReason};
 
 /// One condition of a guard.
 #[derive(Debug, Clone)]
@@ -63,11 +61,11 @@ impl Judge {
 }
 
 impl Condition {
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         match self {
-            Self::Input(input) => input.check(call),
-            Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(call),
-            Self::Force(limit) => limit.check(call),
+            Self::Input(input) => input.check(),
+            Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(),
+            Self::Force(limit) => limit.check(),
             Self::Question(_) => Ok(()),
         }
     }
