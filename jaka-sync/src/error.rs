@@ -83,7 +83,8 @@ impl Error {
         self.kind().meaning().0 == Group::Refused
     }
 
-    /// True if nothing was sent because the spec forbids the request, or because an option of this crate does not take its
+    /// True if nothing was sent because the spec forbids the request, or because an option of this crate does not take
+    /// its
     /// value.
     pub fn is_invalid_argument(&self) -> bool {
         self.kind().meaning().0 == Group::InvalidArgument

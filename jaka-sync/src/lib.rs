@@ -34,7 +34,6 @@ mod stop;
 #[cfg(feature = "stream")]
 mod stream;
 mod sync;
-mod worded;
 
 pub use call::Call;
 #[cfg(feature = "motion")]

@@ -125,7 +125,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
     /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the limits.
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
     pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
         self.begin_stream(config, None)
     }

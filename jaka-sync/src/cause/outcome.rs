@@ -9,9 +9,8 @@ use jaka_proto::wire::DecodeError;
 use super::table::Cause;
 use super::trip::GuardTrip;
 use crate::Disconnect;
-use crate::worded::worded;
 
-worded! {
+jaka_proto::worded! {
     /// How a motion ended, or why it is not known to have ended.
     #[derive(Debug, Clone)]
     #[non_exhaustive]

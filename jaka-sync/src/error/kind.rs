@@ -11,10 +11,9 @@ use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
 use super::Error;
-use crate::worded::worded;
 use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Outcome, Remedy, StatusProblem};
 
-worded! {
+jaka_proto::worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]

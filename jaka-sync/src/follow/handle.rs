@@ -47,7 +47,8 @@ impl FollowHandle {
     /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
     ///
     /// # Errors
-    /// As [`pause`](Self::pause); [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a scale that is not from 0 to 1.
+    /// As [`pause`](Self::pause); [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a scale that is not
+    /// from 0 to 1.
     pub fn set_speed_scale(&self, scale: f64) -> Result<(), Error> {
         check_scale(OptionName::new("FollowHandle", "speed_scale"), scale)?;
         self.check_open().map(|()| self.orders.set_scale(scale))

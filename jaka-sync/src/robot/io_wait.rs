@@ -72,7 +72,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if
     /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, come again after a silence, cannot be read, or their connection is lost,
-    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0 that is counted from 1.
+    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
+    /// that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), timeout)
     }
@@ -80,7 +81,8 @@ impl<S: MotionStatus> Robot<S> {
     /// The same for an analog input: `IO.tool_analog(1).is_above(2.5)`.
     ///
     /// # Errors
-    /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidOption`] for a threshold that is not a finite number.
+    /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidOption`] for a threshold that is not a
+    /// finite number.
     pub fn wait_for_analog(&self, condition: AnalogCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), timeout)
     }

@@ -48,7 +48,8 @@ impl StreamHandle {
     /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast, [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a longer time,
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast,
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a longer time,
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
         self.give(Goal::Velocity(deg_s), Some(for_at_most))
