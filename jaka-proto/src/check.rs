@@ -121,21 +121,14 @@ impl From<AdvisoryRanges> for Rules {
     }
 }
 
-/// Why a request is not sent.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum NotSent {
-    /// The spec forbids it.
-    InvalidArgument(InvalidArgument),
-    /// The controller's firmware does not have it.
-    NotInFirmware(Box<NotInFirmware>),
-}
-
-impl fmt::Display for NotSent {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::InvalidArgument(invalid) => invalid.fmt(f),
-            Self::NotInFirmware(missing) => missing.fmt(f),
-        }
+crate::worded! {
+    /// Why a request is not sent.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum NotSent {
+        /// The spec forbids it.
+        InvalidArgument(invalid: InvalidArgument) => "{invalid}",
+        /// The controller's firmware does not have it.
+        NotInFirmware(missing: Box<NotInFirmware>) => "{missing}",
     }
 }
 

@@ -62,10 +62,12 @@ struct Place {
     numbering: Numbering,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Side {
-    Cabinet,
-    Tool,
+jaka_proto::worded! {
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    enum Side {
+        Cabinet => "cabinet",
+        Tool => "tool",
+    }
 }
 
 /// A digital input, from a [`Numbering`].
@@ -233,15 +235,11 @@ impl Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let side = match self.side {
-            Side::Cabinet => "cabinet",
-            Side::Tool => "tool",
-        };
         let first = match self.numbering {
             Numbering::FromZero => 0,
             Numbering::FromOne => 1,
         };
-        write!(f, "input {} of the {side} (counted from {first})", self.number)
+        write!(f, "input {} of the {} (counted from {first})", self.number, self.side)
     }
 }
 

@@ -61,24 +61,26 @@ pub struct ForceLimit {
     braking: Option<f64>,
 }
 
-/// Which of the six values of the contact force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum ForceComponent {
-    /// The first value, taken to be the force along x.
-    Fx,
-    /// The second value, taken to be the force along y.
-    Fy,
-    /// The third value, taken to be the force along z.
-    Fz,
-    /// The fourth value, taken to be the torque about x.
-    Tx,
-    /// The fifth value, taken to be the torque about y.
-    Ty,
-    /// The sixth value, taken to be the torque about z.
-    Tz,
-    /// The length of the first three values together, taken to be the force in any direction.
-    Force,
+jaka_proto::worded! {
+    /// Which of the six values of the contact force, displayed as the condition of a [`ForceLimit`] names it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum ForceComponent {
+        /// The first value, taken to be the force along x.
+        Fx => "component fx of the contact force",
+        /// The second value, taken to be the force along y.
+        Fy => "component fy of the contact force",
+        /// The third value, taken to be the force along z.
+        Fz => "component fz of the contact force",
+        /// The fourth value, taken to be the torque about x.
+        Tx => "component tx of the contact force",
+        /// The fifth value, taken to be the torque about y.
+        Ty => "component ty of the contact force",
+        /// The sixth value, taken to be the torque about z.
+        Tz => "component tz of the contact force",
+        /// The length of the first three values together, taken to be the force in any direction.
+        Force => "the contact force",
+    }
 }
 
 /// The longest overtravel that a limit may state, in mm: the same.
@@ -88,14 +90,17 @@ const LONGEST_OVERTRAVEL_MM: f64 = 1000.0;
 const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
-    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm. Any other than a number above 0
+    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm. Any other than a
+    /// number above 0
     /// is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the limit is used.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }
 
-    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is ours. Any
-    /// other than a number above 0, of 1000 at most, is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is
+    /// ours. Any
+    /// other than a number above 0, of 1000 at most, is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn overtravel(mut self, mm: f64) -> Self {
         self.overtravel_mm = mm;
         self
@@ -103,7 +108,8 @@ impl ForceLimit {
 
     /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
     /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, an arm's lag behind them belongs to it, which
-    /// is longer with a filter. More than one minute is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// is longer with a filter. More than one minute is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
@@ -224,16 +230,7 @@ pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {
 
 impl fmt::Display for ForceLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let component = match self.component {
-            ForceComponent::Fx => "component fx of the contact force",
-            ForceComponent::Fy => "component fy of the contact force",
-            ForceComponent::Fz => "component fz of the contact force",
-            ForceComponent::Tx => "component tx of the contact force",
-            ForceComponent::Ty => "component ty of the contact force",
-            ForceComponent::Tz => "component tz of the contact force",
-            ForceComponent::Force => "the contact force",
-        };
-        write!(f, "{component} has changed by more than {}", self.change)
+        write!(f, "{} has changed by more than {}", self.component, self.change)
     }
 }
 
