@@ -125,5 +125,5 @@ fn an_option_of_a_guard_is_named() {
         assert_eq!(text(robot.stream_until(&StreamConfig::new(), guard)), expected);
     }
     assert_not_moved(&arm);
-    assert_eq!(arm.state().joint_position, START);
+    assert_eq!(arm.state().joint_position.0, START);
 }
