@@ -29,12 +29,9 @@ crate::worded! {
     /// How severe a controller's event is.
     ///
     /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether
-    /// the arm is
-    /// stopped, the other fields of the status packet say. For a program that waits for the end of a motion the rule
-    /// is: an error
-    /// ends the wait; a warning and information are reported and end nothing; an unknown event ends the wait only
-    /// together with an
-    /// arm at rest or a stop that the status packet shows.
+    /// the arm is stopped, the other fields of the status packet say. For a program that waits for the end of a motion
+    /// the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown event
+    /// ends the wait only together with an arm at rest or a stop that the status packet shows.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Severity {

@@ -20,7 +20,8 @@ jaka_proto::worded! {
     pub enum ErrorKind {
         /// The spec forbids the request. Nothing was sent; correct the field that is named.
         InvalidArgument(invalid: InvalidArgument) => "{invalid}",
-        /// An option of this crate does not take the value that it was given. Nothing was sent; correct the option.
+        /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent; correct
+        /// the option.
         InvalidOption {
             /// Name of the option, such as `step_count`.
             option: &'static str,

@@ -55,8 +55,7 @@ impl FollowConfig {
     }
 
     /// Sets how fast the trajectory is followed at first: 1 for its own speed, which is the default and the most, down
-    /// to 0 for a pause. Another
-    /// number is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// to 0 for a pause. Another number is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn speed_scale(mut self, scale: f64) -> Self {
         self.scale = scale;
         self

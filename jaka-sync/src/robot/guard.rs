@@ -94,7 +94,7 @@ impl Guard {
 
     /// Fails if a condition has a value that it cannot have.
     pub(super) fn check(&self) -> Result<(), Error> {
-        self.conditions.iter().try_for_each(|condition| condition.check())
+        self.conditions.iter().try_for_each(Condition::check)
     }
 }
 

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use jaka_sync::jaka_motion::Dynamics;
 use jaka_sync::motion::MoveL;
+use jaka_sync::types::JointPosition;
 use jaka_sync::{
     Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, ServoConfig, StreamConfig,
     TcpBox,
@@ -21,9 +22,10 @@ fn text<T: Debug>(result: Result<T, Error>) -> String {
     error.to_string()
 }
 
+/// Servo mode is on where a stream's dynamics are compared with the limits, from where the arm is.
 fn assert_not_moved(arm: &Arm) {
     let sent = names(arm);
-    assert!(!sent.iter().any(|name| ["servo_move", "moveL"].contains(&name.as_str())), "{sent:?}");
+    assert!(!sent.iter().any(|name| ["servo_j", "servo_p", "moveL"].contains(&name.as_str())), "{sent:?}");
 }
 
 #[test]
@@ -125,5 +127,5 @@ fn an_option_of_a_guard_is_named() {
         assert_eq!(text(robot.stream_until(&StreamConfig::new(), guard)), expected);
     }
     assert_not_moved(&arm);
-    assert_eq!(arm.state().joint_position.0, START);
+    assert_eq!(arm.state().joint_position, JointPosition::from(START));
 }

@@ -91,15 +91,13 @@ const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
     /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm. Any other than a
-    /// number above 0
-    /// is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the limit is used.
+    /// number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the limit is used.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }
 
     /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is
-    /// ours. Any
-    /// other than a number above 0, of 1000 at most, is an
+    /// ours. Any other than a number above 0, of 1000 at most, is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn overtravel(mut self, mm: f64) -> Self {
         self.overtravel_mm = mm;
