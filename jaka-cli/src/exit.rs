@@ -190,6 +190,9 @@ mod tests {
         let arm = Arm::simulated().without_power().config(|config| config.reply_timeout(SHORT));
         let (controller, mut client) = arm.with_client();
         assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
+        let (option, of, value, expected) = ("step_count", "ServoConfig", "99".to_owned(), "1 to 12".to_owned());
+        let invalid = ErrorKind::InvalidOption { option, of, value, expected };
+        assert_eq!(code(Err::<(), _>(invalid.into())), USAGE);
         assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
         controller.inject(Fault::Drop);
         assert_eq!(code(client.get_version()), MAY_HAVE_RUN);

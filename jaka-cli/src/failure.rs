@@ -152,6 +152,10 @@ impl fmt::Display for Failure {
                         |names: &[String]| if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
                     write!(f, "interrupted; accepted before: {}; not sent: {}", named(accepted), named(not_sent))
                 }
+                // Without the library's type.
+                ErrorKind::InvalidOption { option, value, expected, .. } => {
+                    write!(f, "option `{option}` is {value}, expected {expected}")
+                }
                 // The fact alone: remedies are hints.
                 kind => kind.fmt(f),
             },

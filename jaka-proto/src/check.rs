@@ -121,25 +121,24 @@ impl From<AdvisoryRanges> for Rules {
     }
 }
 
-/// Why a request is not sent.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum NotSent {
-    /// The spec forbids it.
-    InvalidArgument(InvalidArgument),
-    /// The controller's firmware does not have it.
-    NotInFirmware(Box<NotInFirmware>),
-}
-
-impl fmt::Display for NotSent {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::InvalidArgument(invalid) => invalid.fmt(f),
-            Self::NotInFirmware(missing) => missing.fmt(f),
-        }
+crate::worded! {
+    /// Why a request is not sent.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum NotSent {
+        /// The spec forbids it.
+        InvalidArgument(invalid: InvalidArgument) => "{invalid}",
+        /// The controller's firmware does not have it.
+        NotInFirmware(missing: Box<NotInFirmware>) => "{missing}",
     }
 }
 
 impl std::error::Error for NotSent {}
+
+impl From<InvalidArgument> for NotSent {
+    fn from(invalid: InvalidArgument) -> Self {
+        Self::InvalidArgument(invalid)
+    }
+}
 
 /// A request that the spec forbids. Nothing was sent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -158,16 +157,21 @@ pub struct InvalidArgument {
 }
 
 impl InvalidArgument {
-    /// An argument that is refused before it is sent.
+    /// Value that no firmware takes.
     pub fn new(
         command: impl Into<String>,
         field: impl Into<String>,
         value: impl Into<String>,
         allowed: impl Into<String>,
-        advisory: bool,
     ) -> Self {
         let (command, field) = (command.into(), field.into());
-        Self { command, field, value: value.into(), allowed: allowed.into(), advisory }
+        Self { command, field, value: value.into(), allowed: allowed.into(), advisory: false }
+    }
+
+    /// The same value, refused by an advisory range.
+    #[must_use]
+    pub fn in_advisory_range(self) -> Self {
+        Self { advisory: true, ..self }
     }
 }
 
@@ -259,20 +263,21 @@ impl<'p> Place<'p> {
         }
     }
 
-    fn invalid(&self, value: impl Into<String>, allowed: impl Into<String>, advisory: bool) -> NotSent {
-        NotSent::InvalidArgument(InvalidArgument::new(self.command, self.path(), value, allowed, advisory))
+    fn invalid(&self, value: impl Into<String>, allowed: impl Into<String>) -> InvalidArgument {
+        InvalidArgument::new(self.command, self.path(), value, allowed)
     }
 
     fn number(&self, value: f64, limits: &Limits<'_>) -> Result<(), NotSent> {
         if !value.is_finite() {
-            return Err(self.invalid(value.to_string(), limits.to_string(), false));
+            return Err(self.invalid(value.to_string(), limits.to_string()).into());
         }
         let is_permitted = limits.permit(value, self.rules.ranges);
         if is_permitted && self.advised.allow(value, limits.unit) {
             return Ok(());
         }
         let limits = Limits { advised: self.advised, ..*limits };
-        Err(self.invalid(value.to_string(), limits.to_string(), limits.advisory || is_permitted))
+        let invalid = self.invalid(value.to_string(), limits.to_string());
+        Err(if limits.advisory || is_permitted { invalid.in_advisory_range() } else { invalid }.into())
     }
 
     /// Checks that no element of an array is left out before one that is given: that one would stand in its place.
@@ -283,7 +288,7 @@ impl<'p> Place<'p> {
         let given = elements.iter().rposition(|(_, is_given)| *is_given).unwrap_or_default();
         let Some((name, _)) = elements[..given].iter().find(|(_, is_given)| !is_given) else { return Ok(()) };
         let allowed = "a value, since a later one is given";
-        Err(self.inner(PlaceName::Field(name)).invalid("left out", allowed, false))
+        Err(self.inner(PlaceName::Field(name)).invalid("left out", allowed).into())
     }
 
     /// Checks a value of an enum: `known` is true for the listed values, `advisory` for those of newer firmware.
@@ -294,8 +299,8 @@ impl<'p> Place<'p> {
         match standing {
             Standing::Listed => Ok(()),
             Standing::Advisory if self.rules.ranges == AdvisoryRanges::Ignored => Ok(()),
-            Standing::Advisory => Err(self.invalid(value.to_string(), allowed, true)),
-            Standing::Unknown => Err(self.invalid(value.to_string(), allowed, false)),
+            Standing::Advisory => Err(self.invalid(value.to_string(), allowed).in_advisory_range().into()),
+            Standing::Unknown => Err(self.invalid(value.to_string(), allowed).into()),
         }
     }
 }
@@ -347,7 +352,8 @@ impl Validate for bool {
 impl Validate for String {
     fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
         if !limits.allow_text(self) {
-            return Err(place.invalid(format!("`{self}`"), "printable ASCII", limits.advisory));
+            let invalid = place.invalid(format!("`{self}`"), "printable ASCII");
+            return Err(if limits.advisory { invalid.in_advisory_range() } else { invalid }.into());
         }
         Ok(())
     }

@@ -25,23 +25,25 @@ use crate::wire::{Decode as _, Reader, Value};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ControllerEvent(NonZeroU32);
 
-/// How severe a controller's event is.
-///
-/// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether the arm is
-/// stopped, the other fields of the status packet say. For a program that waits for the end of a motion the rule is: an error
-/// ends the wait; a warning and information are reported and end nothing; an unknown event ends the wait only together with an
-/// arm at rest or a stop that the status packet shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Severity {
-    /// Something failed.
-    Error,
-    /// Something may fail, or was not done.
-    Warning,
-    /// Something happened.
-    Information,
-    /// The table does not have the event's code, as with newer firmware. It may be an error.
-    Unknown,
+crate::worded! {
+    /// How severe a controller's event is.
+    ///
+    /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether
+    /// the arm is stopped, the other fields of the status packet say. For a program that waits for the end of a motion
+    /// the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown event
+    /// ends the wait only together with an arm at rest or a stop that the status packet shows.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Severity {
+        /// Something failed.
+        Error => "error",
+        /// Something may fail, or was not done.
+        Warning => "warning",
+        /// Something happened.
+        Information => "information",
+        /// The table does not have the event's code, as with newer firmware. It may be an error.
+        Unknown => "unknown",
+    }
 }
 
 impl ControllerEvent {
@@ -113,18 +115,6 @@ impl fmt::Display for ControllerEvent {
 impl fmt::Debug for ControllerEvent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "ControllerEvent({:#08x})", self.code())
-    }
-}
-
-/// `error`, `warning`, `information` or `unknown`.
-impl fmt::Display for Severity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Error => "error",
-            Self::Warning => "warning",
-            Self::Information => "information",
-            Self::Unknown => "unknown",
-        })
     }
 }
 

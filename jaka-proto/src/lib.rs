@@ -19,6 +19,7 @@ mod reply;
 mod request;
 pub mod text;
 pub mod wire;
+mod worded;
 
 /// The messages, generated from the spec: a module for each topic, and an enum over all requests.
 pub mod messages {

@@ -1,7 +1,5 @@
 //! Requests from their JSON.
 
-use std::fmt;
-
 use crate::check::{NotSent, Rules};
 use crate::command::{Command, CommandInfo, Visit};
 use crate::messages::Request;
@@ -85,36 +83,27 @@ fn name(json: &str) -> Result<Option<String>, DecodeError> {
     Ok(name)
 }
 
-/// A request that cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum RequestError {
-    /// The text is not a JSON object.
-    Malformed(DecodeError),
-    /// The object has no `cmdName`.
-    Nameless,
-    /// The spec has no such command.
-    Unknown {
-        /// `cmdName` of the request.
-        command: String,
-    },
-    /// A field is missing or does not fit its type.
-    Field {
-        /// `cmdName` of the request.
-        command: String,
-        /// What is wrong with the field.
-        source: DecodeError,
-    },
-}
-
-impl fmt::Display for RequestError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Malformed(_) => f.write_str("the request is not a JSON object"),
-            Self::Nameless => f.write_str("the request has no `cmdName`"),
-            Self::Unknown { command } => write!(f, "the spec has no command `{command}`"),
-            Self::Field { command, .. } => write!(f, "the request `{command}` does not fit the spec"),
-        }
+crate::worded! {
+    /// A request that cannot be read.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum RequestError {
+        /// The text is not a JSON object.
+        Malformed(source: DecodeError) => "the request is not a JSON object",
+        /// The object has no `cmdName`.
+        Nameless => "the request has no `cmdName`",
+        /// The spec has no such command.
+        Unknown {
+            /// `cmdName` of the request.
+            command: String,
+        } => "the spec has no command `{command}`",
+        /// A field is missing or does not fit its type.
+        Field {
+            /// `cmdName` of the request.
+            command: String,
+            /// What is wrong with the field.
+            source: DecodeError,
+        } => "the request `{command}` does not fit the spec",
     }
 }
 

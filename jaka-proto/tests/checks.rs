@@ -129,11 +129,11 @@ fn values_of_an_enum_by_their_standing() {
 
 #[test]
 fn why_a_request_was_not_sent() {
-    let invalid = |advisory| InvalidArgument::new("set_fan", "speed", "11", "at most 10", advisory);
+    let invalid = InvalidArgument::new("set_fan", "speed", "11", "at most 10");
     let text = "`set_fan` was not sent: field `speed` is 11, allowed is at most 10";
-    assert_eq!(NotSent::InvalidArgument(invalid(false)).to_string(), text);
+    assert_eq!(NotSent::from(invalid.clone()).to_string(), text);
     let hint = "; this is advisory: `AdvisoryRanges::Ignored` leaves it to the controller";
-    assert_eq!(NotSent::InvalidArgument(invalid(true)).to_string(), format!("{text}{hint}"));
+    assert_eq!(NotSent::from(invalid.in_advisory_range()).to_string(), format!("{text}{hint}"));
     let firmware = Some("1.5".parse().expect("it is a version"));
     let place = Place::request("set_fan", Rules { firmware, ..Rules::default() });
     let limits = Limits { firmware: FirmwareRange::ALL.since([1, 6]), ..Limits::NONE };

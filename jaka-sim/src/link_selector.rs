@@ -4,29 +4,23 @@ use std::fmt;
 
 use crate::Port;
 
-/// A direction in which bytes pass between a port and its clients.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
-pub enum Direction {
-    /// What clients send: requests. Clients of the status port have nothing to send but the end of their connection.
-    ToController,
-    /// What clients receive: replies and status packets.
-    ToClient,
+jaka_proto::worded! {
+    /// A direction in which bytes pass between a port and its clients, displayed as in the script of a
+    /// [`FaultPlan`](crate::FaultPlan).
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
+    pub enum Direction {
+        /// What clients send: requests. Clients of the status port have nothing to send but the end of their
+        /// connection.
+        ToController => "to-controller",
+        /// What clients receive: replies and status packets.
+        ToClient => "to-client",
+    }
 }
 
 impl Direction {
     /// Both directions.
     pub const ALL: [Self; 2] = [Self::ToController, Self::ToClient];
-}
-
-/// As in the script of a [`FaultPlan`](crate::FaultPlan): `to-controller` or `to-client`.
-impl fmt::Display for Direction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::ToController => "to-controller",
-            Self::ToClient => "to-client",
-        })
-    }
 }
 
 /// The word of a script for both ports, and for both directions.

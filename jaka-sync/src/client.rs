@@ -249,9 +249,7 @@ impl Client {
         let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
         let Some(command) = command.filter(|command| !command.is_empty()) else {
             let excerpt: String = request.chars().take(80).collect();
-            return Err(
-                InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`", false).into()
-            );
+            return Err(InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`").into());
         };
         let outgoing = Outgoing::named(&self.link.clock, command, Cow::Owned(command.to_owned()), timeout);
         self.link.call(&outgoing, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
@@ -312,9 +310,8 @@ fn closed(error: &Error) -> bool {
 }
 
 fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {
-    let invalid = |field: &str, value: &Value, allowed: &str| {
-        InvalidArgument::new(command, field, value.to_string(), allowed, false)
-    };
+    let invalid =
+        |field: &str, value: &Value, allowed: &str| InvalidArgument::new(command, field, value.to_string(), allowed);
     let mut request = format!("{{\"cmdName\":{}", Value::from(command));
     match parameters {
         Value::Null => {}

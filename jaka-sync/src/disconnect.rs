@@ -7,9 +7,7 @@ use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_proto::wire::DecodeError;
 
-use crate::worded::worded;
-
-worded! {
+jaka_proto::worded! {
     /// What broke a connection.
     #[derive(Debug)]
     #[non_exhaustive]

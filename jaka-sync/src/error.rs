@@ -3,6 +3,7 @@
 mod end;
 mod exchanges;
 mod kind;
+mod option_name;
 
 use std::error::Error as StdError;
 use std::fmt;
@@ -14,6 +15,7 @@ use jaka_proto::{NotInFirmware, Refusal};
 pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
+pub(crate) use self::option_name::OptionName;
 use crate::Cause;
 #[cfg(feature = "stream")]
 use crate::cause::Occurrence;
@@ -91,7 +93,8 @@ impl Error {
         self.kind().meaning().0 == Group::Refused
     }
 
-    /// True if nothing was sent because the spec forbids the request.
+    /// True if the spec forbids the request, or an option of this crate does not take its value. Nothing that moves the arm
+    /// was sent.
     pub fn is_invalid_argument(&self) -> bool {
         self.kind().meaning().0 == Group::InvalidArgument
     }

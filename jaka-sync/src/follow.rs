@@ -88,7 +88,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits,
     /// [`ErrorKind::NotShown`] if packets do not show the joints, [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than where the controller's own answer says that the
-    /// joints are to be, [`ErrorKind::BeyondLimit`] if the straight way in joint space to its start is beyond a limit.
+    /// joints are to be, [`ErrorKind::BeyondLimit`] if the straight way in joint space to its start is beyond a limit,
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take.
     pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_, S>, Error> {
         self.begin_follow(trajectory, config, None)
     }
@@ -113,7 +114,7 @@ impl<S: MotionStatus> Robot<S> {
         config: &FollowConfig,
         guard: impl Into<Guard>,
     ) -> Result<FollowRun<'_, S>, Error> {
-        let armed = self.arm_for_set_points(&guard.into(), "start_follow_until")?;
+        let armed = self.arm_for_set_points(&guard.into())?;
         self.begin_follow(trajectory, config, Some(armed))
     }
 

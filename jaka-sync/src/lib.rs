@@ -35,7 +35,6 @@ mod stop;
 #[cfg(feature = "stream")]
 mod stream;
 mod sync;
-mod worded;
 
 pub use call::Call;
 #[cfg(feature = "motion")]

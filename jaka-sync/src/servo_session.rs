@@ -39,6 +39,7 @@ pub use self::session::ServoSession;
 pub(crate) use self::session_end::SessionEnd;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_point::SetPoint;
+use crate::error::OptionName;
 
 /// How a [`ServoSession`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,10 +84,8 @@ impl ServoConfig {
         Self::default()
     }
 
-    /// Sets the servo period, in controller cycles of 8 ms: 1 by default and at least, 12 at most, which [`Robot::enter_servo_mode`]
-    /// checks.
-    ///
-    /// [`Robot::enter_servo_mode`]: crate::Robot::enter_servo_mode
+    /// Sets the servo period, in controller cycles of 8 ms: 1 by default and at least, 12 at most. With more, entering
+    /// servo mode fails with [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn step_count(mut self, cycles: u32) -> Self {
         self.step_count = cycles.max(1);
         self
@@ -118,8 +117,9 @@ impl ServoConfig {
         self
     }
 
-    /// Gives the thread that enters servo mode a real-time priority (`SCHED_FIFO`) until the session ends, from 1 to 99. By default it keeps its own. Needs
-    /// the feature `realtime`, and Linux.
+    /// Gives the thread that enters servo mode a real-time priority (`SCHED_FIFO`) until the session ends, from 1 to
+    /// 99; another is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). By default it keeps its own.
+    /// Needs the feature `realtime`, and Linux.
     ///
     /// Then only the system and threads of this or a higher real-time priority keep it from its core. 20 suits where there are no others: from 50 on it
     /// would go before what a real-time kernel (`PREEMPT_RT`) does for the network. Of a [`ServoSession`] it is the caller's thread, which also computes the
@@ -142,22 +142,26 @@ impl ServoConfig {
         self
     }
 
-    /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the arm is braked when the
-    /// session ends, in deg/s²: 720 by default, which the document advises at most (4.7). More than 0. If the robot has limits, it is braked with
-    /// their accelerations. From 100 deg/s a landing takes 0.14 s with 720 deg/s², and 10 s with 10.
+    /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the
+    /// arm is braked when the session ends, in deg/s²: 720 by default, which the document advises at most (4.7). Any
+    /// other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). If the robot
+    /// has limits, it is braked with their accelerations. From 100 deg/s a landing takes 0.14 s with 720 deg/s², and 10
+    /// s with 10.
     pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
         self.rates.joint_acceleration = [acceleration_deg_s2; 6];
         self
     }
 
-    /// Sets how fast set-points that are poses may move the tool centre point, in mm/s: 3000 by default, which is ours. More than 0.
+    /// Sets how fast set-points that are poses may move the tool centre point, in mm/s: 3000 by default, which is ours.
+    /// Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_tcp_speed(mut self, speed_mm_s: f64) -> Self {
         self.rates.tcp_speed = speed_mm_s;
         self
     }
 
     /// Sets how fast the speed of the tool centre point may change from one set-point that is a pose to the next, and with which
-    /// acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at most (4.9). More than 0.
+    /// acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at most (4.9).
+    /// Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_tcp_acceleration(mut self, acceleration_mm_s2: f64) -> Self {
         self.rates.tcp_acceleration = acceleration_mm_s2;
         self
@@ -186,6 +190,11 @@ impl ServoConfig {
     pub(crate) fn most_unanswered(&self) -> usize {
         let count = self.max_unanswered.as_nanos() / self.period().as_nanos();
         usize::try_from(count).unwrap_or(usize::MAX).max(FEWEST_UNANSWERED)
+    }
+
+    /// Name of one of its options.
+    const fn option(name: &'static str) -> OptionName {
+        OptionName::new("ServoConfig", name)
     }
 
     /// The time between two set-points.

@@ -7,9 +7,8 @@ use std::time::Duration;
 use jaka_proto::wire::DecodeError;
 
 use crate::Disconnect;
-use crate::worded::worded;
 
-worded! {
+jaka_proto::worded! {
     /// Why the state of a robot is not known.
     #[derive(Debug, Clone)]
     #[non_exhaustive]

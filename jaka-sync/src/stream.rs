@@ -9,12 +9,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::Dynamics;
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
 #[cfg(doc)]
 use crate::ErrorKind;
+use crate::error::OptionName;
 use crate::robot::SetPointGuard;
 use crate::servo_session::check_at_least;
 use crate::servo_thread::ServoThread;
@@ -50,14 +50,15 @@ impl StreamConfig {
     }
 
     /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks with which a joint reaches its acceleration
-    /// in 0.1 s, which is ours ([`Dynamics::of`]).
+    /// in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the limits are an [`ErrorKind::InvalidOption`].
     pub fn dynamics(mut self, dynamics: Dynamics) -> Self {
         self.dynamics = Some(dynamics);
         self
     }
 
     /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the
-    /// stream lands, and ends with [`ErrorKind::Departed`].
+    /// stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no number, is an
+    /// [`ErrorKind::InvalidOption`].
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
@@ -71,8 +72,13 @@ impl StreamConfig {
         self
     }
 
-    fn check(&self) -> Result<(), InvalidArgument> {
-        check_at_least("max_departure", self.max_departure_deg, "deg")
+    /// Name of one of its options.
+    const fn option(name: &'static str) -> OptionName {
+        OptionName::new("StreamConfig", name)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_at_least(Self::option("max_departure"), self.max_departure_deg, "deg")
     }
 }
 
@@ -119,7 +125,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
     /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidArgument`] if the dynamics are beyond the limits.
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
     pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
         self.begin_stream(config, None)
     }
@@ -139,7 +146,7 @@ impl<S: MotionStatus> Robot<S> {
     /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
     /// period).
     pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
-        let armed = self.arm_for_set_points(&guard.into(), "stream_until")?;
+        let armed = self.arm_for_set_points(&guard.into())?;
         self.begin_stream(config, Some(armed))
     }
 

@@ -1,6 +1,5 @@
 //! Where a point of the arm may be.
 
-use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::{Point3, Unit, Vector3};
@@ -20,15 +19,18 @@ pub struct Region {
     frame: RegionFrame,
 }
 
-/// A point of the arm.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Point {
-    /// The tool centre point.
-    Tcp,
-    /// The end of the upper arm, on the axis of joint 3: the third of [`Model::joint_frames`](crate::Model::joint_frames).
-    Elbow,
-    /// Where the axes of joints 5 and 6 meet: the fifth of [`Model::joint_frames`](crate::Model::joint_frames).
-    Wrist,
+jaka_proto::worded! {
+    /// A point of the arm.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Point {
+        /// The tool centre point.
+        Tcp => "tool centre point",
+        /// The end of the upper arm, on the axis of joint 3: the third of
+        /// [`Model::joint_frames`](crate::Model::joint_frames).
+        Elbow => "elbow",
+        /// Where the axes of joints 5 and 6 meet: the fifth of [`Model::joint_frames`](crate::Model::joint_frames).
+        Wrist => "wrist",
+    }
 }
 
 /// From where a region is seen.
@@ -180,15 +182,5 @@ impl Point {
             Self::Elbow => 2,
             Self::Wrist => 4,
         }
-    }
-}
-
-impl fmt::Display for Point {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Tcp => "tool centre point",
-            Self::Elbow => "elbow",
-            Self::Wrist => "wrist",
-        })
     }
 }

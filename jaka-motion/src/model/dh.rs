@@ -1,5 +1,7 @@
 //! A published arm with the Denavit-Hartenberg parameters of its own controller.
 
+use std::fmt;
+
 use jaka_proto::messages::kinematics::GetDhParamReply;
 
 use super::Model;
@@ -12,11 +14,7 @@ const LENGTH: f64 = 5.0;
 const ANGLE: f64 = 1.0;
 
 /// Denavit-Hartenberg parameters that are not those of the published arm.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "DH parameter {parameter} of joint {joint} is {found} {unit}; that of the {model} is {published} {unit}",
-    unit = if matches!(*parameter, "a" | "d") { "mm" } else { "deg" }
-)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct DhMismatch {
     /// The published arm's name.
@@ -30,6 +28,19 @@ pub struct DhMismatch {
     /// What the published arm has.
     pub published: f64,
 }
+
+impl fmt::Display for DhMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { model, parameter, joint, found, published } = self;
+        let unit = if matches!(*parameter, "a" | "d") { "mm" } else { "deg" };
+        write!(
+            f,
+            "DH parameter {parameter} of joint {joint} is {found} {unit}; that of the {model} is {published} {unit}"
+        )
+    }
+}
+
+impl std::error::Error for DhMismatch {}
 
 impl Model {
     /// This arm with the parameters that its controller's `get_dh_param` (section 4.82) answers.

@@ -1,7 +1,5 @@
 //! How far joint positions are from those at which the arm loses a direction.
 
-use std::fmt;
-
 use jaka_proto::messages::types::JointPosition;
 use nalgebra::{Isometry3, Matrix6, Vector3};
 
@@ -27,30 +25,22 @@ pub struct SingularityDistance {
     pub smallest_singular_value: f64,
 }
 
-/// Where the arm loses a direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Singularity {
-    /// The wrist is above the shoulder.
-    Shoulder,
-    /// The arm is stretched.
-    Elbow,
-    /// Joint 5 puts the axes of joints 4 and 6 in line.
-    Wrist,
+jaka_proto::worded! {
+    /// Where the arm loses a direction.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Singularity {
+        /// The wrist is above the shoulder.
+        Shoulder => "shoulder",
+        /// The arm is stretched.
+        Elbow => "elbow",
+        /// Joint 5 puts the axes of joints 4 and 6 in line.
+        Wrist => "wrist",
+    }
 }
 
 impl Singularity {
     /// All three, in the order of the joints.
     pub(crate) const ALL: [Self; 3] = [Self::Shoulder, Self::Elbow, Self::Wrist];
-}
-
-impl fmt::Display for Singularity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Shoulder => "shoulder",
-            Self::Elbow => "elbow",
-            Self::Wrist => "wrist",
-        })
-    }
 }
 
 /// The most rounds of the search for singular values. It takes about ten.

@@ -5,103 +5,110 @@ use crate::beyond::Beyond;
 /// Longest duration of a trajectory, in seconds: a week, which is ours. Times stay exact to a nanosecond.
 pub(super) const LONGEST_S: f64 = 604_800.0;
 
-/// Why a [`Trajectory`](crate::Trajectory) cannot be made. Way-points are counted from 1.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum TrajectoryError {
-    /// There are fewer than two way-points.
-    #[error("a trajectory takes at least 2 way-points; given {given}")]
-    TooFew {
-        /// How many there are.
-        given: usize,
-    },
-    /// A number is not finite.
-    #[error("way-point {way_point}: its {what} is not finite")]
-    NotFinite {
-        /// The way-point.
-        way_point: usize,
-        /// Of what.
-        what: &'static str,
-    },
-    /// The first way-point is not at 0 s.
-    #[error("way-point 1 is at {time_s} s; the first must be at 0 s")]
-    FirstTime {
-        /// Its time in seconds.
-        time_s: f64,
-    },
-    /// A way-point does not come after the one before it.
-    #[error("way-point {way_point} is at {time_s} s, and the one before it at {before_s} s; times must increase")]
-    Time {
-        /// The way-point.
-        way_point: usize,
-        /// Its time in seconds.
-        time_s: f64,
-        /// That of the one before, in seconds.
-        before_s: f64,
-    },
-    /// Some way-points have velocities or accelerations and others do not, or they have accelerations alone.
-    #[error("way-point {way_point}: either all way-points have {}", all_or_none(what))]
-    Uneven {
-        /// The first way-point that differs from the first of all.
-        way_point: usize,
-        /// What it lacks, or has alone: `velocity` or `acceleration`.
-        what: &'static str,
-    },
-    /// The first or the last way-point is passed, although the arm rests before and after a trajectory.
-    #[error(
-        "way-point {way_point}: joint {joint} turns at {speed_deg_s} deg/s; a trajectory {} at rest",
-        if *way_point == 1 { "starts" } else { "ends" }
-    )]
-    NotAtRest {
-        /// The way-point.
-        way_point: usize,
-        /// The joint, 1 to 6.
-        joint: usize,
-        /// Its speed there, in deg/s.
-        speed_deg_s: f64,
-    },
-    /// The first way-point is a pose, for which several joint positions can be.
-    #[error("way-point 1 is a pose, which several joint positions reach; the first must be joint positions")]
-    StartsWithPose,
-    /// All way-points are at one place.
-    #[error("all way-points are at one place")]
-    NoWay,
-    /// The trajectory takes longer than a week.
-    #[error("the trajectory takes {duration_s:.3e} s; at most {LONGEST_S} s, a week, are allowed")]
-    TooLong {
-        /// Its duration in seconds.
-        duration_s: f64,
-    },
-    /// A setting is not what it should be.
-    #[error("{what}: {given} is not {expected}")]
-    Setting {
-        /// Which, for example `corner_mm`.
-        what: &'static str,
-        /// The number that was given.
-        given: f64,
-        /// What it should be, for example `finite and at least 0`.
-        expected: &'static str,
-    },
-    /// The arm may not be at a way-point.
-    #[error("way-point {way_point}: {beyond}")]
-    Place {
-        /// The way-point.
-        way_point: usize,
-        /// What is exceeded there.
-        #[source]
-        beyond: Box<Beyond>,
-    },
-    /// The trajectory is not within the arm's limits.
-    #[error("{}: {beyond}", place(*after, *time_s))]
-    Beyond {
-        /// The last way-point before the place, or the one at it.
-        after: usize,
-        /// When, in seconds from the start, if the trajectory has got its times already.
-        time_s: Option<f64>,
-        /// What is exceeded.
-        #[source]
-        beyond: Box<Beyond>,
-    },
+jaka_proto::worded! {
+    /// Why a [`Trajectory`](crate::Trajectory) cannot be made. Way-points are counted from 1.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum TrajectoryError {
+        /// There are fewer than two way-points.
+        TooFew {
+            /// How many there are.
+            given: usize,
+        } => "a trajectory takes at least 2 way-points; given {given}",
+        /// A number is not finite.
+        NotFinite {
+            /// The way-point.
+            way_point: usize,
+            /// Of what.
+            what: &'static str,
+        } => "way-point {way_point}: its {what} is not finite",
+        /// The first way-point is not at 0 s.
+        FirstTime {
+            /// Its time in seconds.
+            time_s: f64,
+        } => "way-point 1 is at {time_s} s; the first must be at 0 s",
+        /// A way-point does not come after the one before it.
+        Time {
+            /// The way-point.
+            way_point: usize,
+            /// Its time in seconds.
+            time_s: f64,
+            /// That of the one before, in seconds.
+            before_s: f64,
+        } => "way-point {way_point} is at {time_s} s, and the one before it at {before_s} s; times must increase",
+        /// Some way-points have velocities or accelerations and others do not, or they have accelerations alone.
+        Uneven {
+            /// The first way-point that differs from the first of all.
+            way_point: usize,
+            /// What it lacks, or has alone: `velocity` or `acceleration`.
+            what: &'static str,
+        } => (format!("way-point {way_point}: either all way-points have {}", all_or_none(what))),
+        /// The first or the last way-point is passed, although the arm rests before and after a trajectory.
+        NotAtRest {
+            /// The way-point.
+            way_point: usize,
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// Its speed there, in deg/s.
+            speed_deg_s: f64,
+        } => (format!(
+            "way-point {way_point}: joint {joint} turns at {speed_deg_s} deg/s; a trajectory {} at rest",
+            if *way_point == 1 { "starts" } else { "ends" }
+        )),
+        /// The first way-point is a pose, for which several joint positions can be.
+        StartsWithPose =>
+            "way-point 1 is a pose, which several joint positions reach; the first must be joint positions",
+        /// All way-points are at one place.
+        NoWay => "all way-points are at one place",
+        /// The trajectory takes longer than a week.
+        TooLong {
+            /// Its duration in seconds.
+            duration_s: f64,
+        } => "the trajectory takes {duration_s:.3e} s; at most {LONGEST_S} s, a week, are allowed",
+        /// A setting is not what it should be.
+        Setting {
+            /// Which, for example `corner_mm`.
+            what: &'static str,
+            /// The number that was given.
+            given: f64,
+            /// What it should be, for example `finite and at least 0`.
+            expected: &'static str,
+        } => "{what}: {given} is not {expected}",
+        /// The arm may not be at a way-point.
+        Place {
+            /// The way-point.
+            way_point: usize,
+            /// What is exceeded there.
+            beyond: Box<Beyond>,
+        } => "way-point {way_point}: {beyond}",
+        /// The trajectory is not within the arm's limits.
+        Beyond {
+            /// The last way-point before the place, or the one at it.
+            after: usize,
+            /// When, in seconds from the start, if the trajectory has got its times already.
+            time_s: Option<f64>,
+            /// What is exceeded.
+            beyond: Box<Beyond>,
+        } => (format!("{}: {beyond}", place(*after, *time_s))),
+    }
+}
+
+impl std::error::Error for TrajectoryError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Place { beyond, .. } | Self::Beyond { beyond, .. } => Some(&**beyond),
+            Self::TooFew { .. }
+            | Self::NotFinite { .. }
+            | Self::FirstTime { .. }
+            | Self::Time { .. }
+            | Self::Uneven { .. }
+            | Self::NotAtRest { .. }
+            | Self::StartsWithPose
+            | Self::NoWay
+            | Self::TooLong { .. }
+            | Self::Setting { .. } => None,
+        }
+    }
 }
 
 fn all_or_none(what: &str) -> String {

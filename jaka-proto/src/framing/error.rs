@@ -6,36 +6,28 @@ use std::fmt;
 /// The most bytes that an [`Excerpt`] holds.
 pub(super) const EXCERPT: usize = 64;
 
-/// Why a byte stream has no next frame.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum FrameError {
-    /// Bytes between frames that begin none.
-    Garbage {
-        /// The first of them, as far as received.
-        excerpt: Excerpt,
-    },
-    /// A frame that has not ended at the limit.
-    TooLong {
-        /// The limit, in bytes.
-        limit: usize,
-        /// How the frame begins.
-        excerpt: Excerpt,
-    },
-    /// A status packet inside of which the next one begins.
-    Cut {
-        /// What came last of it.
-        excerpt: Excerpt,
-    },
-}
-
-impl fmt::Display for FrameError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Garbage { excerpt } => write!(f, "bytes that do not begin a frame: `{excerpt}`"),
-            Self::TooLong { limit, excerpt } => write!(f, "frame longer than {limit} bytes: `{excerpt}`"),
-            Self::Cut { excerpt } => write!(f, "packet that breaks off at `{excerpt}`"),
-        }
+crate::worded! {
+    /// Why a byte stream has no next frame.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum FrameError {
+        /// Bytes between frames that begin none.
+        Garbage {
+            /// The first of them, as far as received.
+            excerpt: Excerpt,
+        } => "bytes that do not begin a frame: `{excerpt}`",
+        /// A frame that has not ended at the limit.
+        TooLong {
+            /// The limit, in bytes.
+            limit: usize,
+            /// How the frame begins.
+            excerpt: Excerpt,
+        } => "frame longer than {limit} bytes: `{excerpt}`",
+        /// A status packet inside of which the next one begins.
+        Cut {
+            /// What came last of it.
+            excerpt: Excerpt,
+        } => "packet that breaks off at `{excerpt}`",
     }
 }
 

@@ -1,7 +1,5 @@
 //! The three forms of a rotation: roll, pitch and yaw, matrix, quaternion.
 
-use std::fmt;
-
 /// An orientation as a quaternion, `w + xi + yj + zk`; a unit quaternion where it comes from a pose.
 ///
 /// There is no conversion from an array on purpose: some libraries put `w` first, others last.
@@ -17,22 +15,15 @@ pub struct Quaternion {
     pub z: f64,
 }
 
-/// A quaternion or matrix that is not a rotation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NotARotation {
-    /// The quaternion's length is not near one.
-    Quaternion,
-    /// The matrix mirrors, or its rows are not nearly of length one and at right angles.
-    Matrix,
-}
-
-impl fmt::Display for NotARotation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Quaternion => "the quaternion is not a rotation: its length is not near one",
-            Self::Matrix => "the matrix is not a rotation: its rows are not near a right-handed set of unit vectors",
-        })
+crate::worded! {
+    /// A quaternion or matrix that is not a rotation.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum NotARotation {
+        /// The quaternion's length is not near one.
+        Quaternion => "the quaternion is not a rotation: its length is not near one",
+        /// The matrix mirrors, or its rows are not nearly of length one and at right angles.
+        Matrix => "the matrix is not a rotation: its rows are not near a right-handed set of unit vectors",
     }
 }
 

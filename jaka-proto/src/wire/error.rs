@@ -15,12 +15,26 @@ struct Inner {
     kind: Kind,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum Kind {
-    Malformed { expected: &'static str, offset: usize, found: String },
-    Unfit { expected: String, found: String },
-    Missing { key: Cow<'static, str> },
-    Repeated,
+crate::worded! {
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    enum Kind {
+        Malformed { expected: &'static str, offset: usize, found: String } => (malformed(expected, *offset, found)),
+        Unfit { expected: String, found: String } => "expected {expected}, found `{found}`",
+        Missing { key: Cow<'static, str> } => (missing(key)),
+        Repeated => "the key appears twice",
+    }
+}
+
+fn malformed(expected: &str, offset: usize, found: &str) -> String {
+    if found.is_empty() {
+        format!("not JSON: expected {expected} at byte {offset}, where the text ends")
+    } else {
+        format!("not JSON: expected {expected} at byte {offset}, found `{found}`")
+    }
+}
+
+fn missing(key: &str) -> String {
+    if key.is_empty() { "the element is missing".to_owned() } else { format!("the key `{key}` is missing") }
 }
 
 impl DecodeError {
@@ -94,23 +108,11 @@ impl DecodeError {
 /// In one line, whatever the message holds: see [`text`](crate::text).
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut f = VisibleWriter(f);
         let Inner { path, kind } = &*self.0;
         if !path.is_empty() {
-            write!(f, "field `{path}`: ")?;
+            write!(VisibleWriter(&mut *f), "field `{path}`: ")?;
         }
-        match kind {
-            Kind::Malformed { expected, offset, found } if found.is_empty() => {
-                write!(f, "not JSON: expected {expected} at byte {offset}, where the text ends")
-            }
-            Kind::Malformed { expected, offset, found } => {
-                write!(f, "not JSON: expected {expected} at byte {offset}, found `{found}`")
-            }
-            Kind::Unfit { expected, found } => write!(f, "expected {expected}, found `{found}`"),
-            Kind::Missing { key } if key.is_empty() => f.write_str("the element is missing"),
-            Kind::Missing { key } => write!(f, "the key `{key}` is missing"),
-            Kind::Repeated => f.write_str("the key appears twice"),
-        }
+        write!(f, "{kind}")
     }
 }
 

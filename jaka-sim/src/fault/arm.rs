@@ -9,35 +9,39 @@ use super::{ScriptError, quoted, read_time};
 use crate::State;
 use crate::input_script::{InputChange, Side};
 
-/// What happens to the arm or to a digital input, which is given by its place in the list of the [`State`], from 0.
-///
-/// [`Controller::at`](crate::Controller::at) and [`Builder::at`](crate::Builder::at) have it happen. It has a text form, as `jaka sim --schedule` takes it.
-///
-/// ```
-/// use jaka_sim::ArmFault;
-///
-/// assert_eq!("input 3 high".parse(), Ok(ArmFault::InputHigh(3)));
-/// assert_eq!(ArmFault::PressEmergencyStop.to_string(), "press-emergency-stop");
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ArmFault {
-    /// A collision: a protective stop and the error `0xf0034`, until `clear_error`. `collide` as a text.
-    Collide,
-    /// The emergency stop is pressed: the arm is not enabled, and cannot be. `press-emergency-stop` as a text.
-    PressEmergencyStop,
-    /// The emergency stop is released. The arm stays disabled until it is enabled again. `release-emergency-stop` as a text.
-    ReleaseEmergencyStop,
-    /// The arm loses its power. `cut-power` as a text.
-    CutPower,
-    /// An input of the cabinet goes high. `input 3 high` as a text.
-    InputHigh(usize),
-    /// An input of the cabinet goes low. `input 3 low` as a text.
-    InputLow(usize),
-    /// An input of the tool goes high. `tool-input 0 high` as a text.
-    ToolInputHigh(usize),
-    /// An input of the tool goes low. `tool-input 0 low` as a text.
-    ToolInputLow(usize),
+jaka_proto::worded! {
+    /// What happens to the arm or to a digital input, which is given by its place in the list of the [`State`], from 0.
+    ///
+    /// [`Controller::at`](crate::Controller::at) and [`Builder::at`](crate::Builder::at) have it happen. It has a text
+    /// form, as `jaka sim --schedule` takes it.
+    ///
+    /// ```
+    /// use jaka_sim::ArmFault;
+    ///
+    /// assert_eq!("input 3 high".parse(), Ok(ArmFault::InputHigh(3)));
+    /// assert_eq!(ArmFault::PressEmergencyStop.to_string(), "press-emergency-stop");
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum ArmFault {
+        /// A collision: a protective stop and the error `0xf0034`, until `clear_error`. `collide` as a text.
+        Collide => "collide",
+        /// The emergency stop is pressed: the arm is not enabled, and cannot be. `press-emergency-stop` as a text.
+        PressEmergencyStop => "press-emergency-stop",
+        /// The emergency stop is released. The arm stays disabled until it is enabled again. `release-emergency-stop`
+        /// as a text.
+        ReleaseEmergencyStop => "release-emergency-stop",
+        /// The arm loses its power. `cut-power` as a text.
+        CutPower => "cut-power",
+        /// An input of the cabinet goes high. `input 3 high` as a text.
+        InputHigh(index: usize) => "input {index} high",
+        /// An input of the cabinet goes low. `input 3 low` as a text.
+        InputLow(index: usize) => "input {index} low",
+        /// An input of the tool goes high. `tool-input 0 high` as a text.
+        ToolInputHigh(index: usize) => "tool-input {index} high",
+        /// An input of the tool goes low. `tool-input 0 low` as a text.
+        ToolInputLow(index: usize) => "tool-input {index} low",
+    }
 }
 
 impl ArmFault {
@@ -149,21 +153,6 @@ impl FromStr for ArmEvent {
         let at = if rest.is_empty() { Some(Duration::ZERO) } else { rest.strip_prefix(" at ").and_then(read_time) };
         let wanted = || format!("a time may follow, as in `{fault} at 2s` or `… at 500ms`");
         Ok(Self { fault, at: at.ok_or_else(|| ScriptError::of_text(&fault.to_string(), wanted()))? })
-    }
-}
-
-impl fmt::Display for ArmFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Collide => f.write_str("collide"),
-            Self::PressEmergencyStop => f.write_str("press-emergency-stop"),
-            Self::ReleaseEmergencyStop => f.write_str("release-emergency-stop"),
-            Self::CutPower => f.write_str("cut-power"),
-            Self::InputHigh(index) => write!(f, "input {index} high"),
-            Self::InputLow(index) => write!(f, "input {index} low"),
-            Self::ToolInputHigh(index) => write!(f, "tool-input {index} high"),
-            Self::ToolInputLow(index) => write!(f, "tool-input {index} low"),
-        }
     }
 }
 

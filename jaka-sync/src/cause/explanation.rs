@@ -4,9 +4,8 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 
 use super::table::Cause;
-use crate::worded::worded;
 
-worded! {
+jaka_proto::worded! {
     /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]

@@ -2,9 +2,7 @@
 
 use std::time::Duration;
 
-use crate::worded::worded;
-
-worded! {
+jaka_proto::worded! {
     /// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not known.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]

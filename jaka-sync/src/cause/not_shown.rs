@@ -7,9 +7,8 @@ use jaka_proto::messages::types::JointPosition;
 use jaka_proto::wire::DecodeError;
 
 use crate::Snapshot;
-use crate::worded::worded;
 
-worded! {
+jaka_proto::worded! {
     /// Why status packets do not show what is asked of them.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]

@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use crate::worded::worded;
-
-worded! {
+jaka_proto::worded! {
     /// What somebody can do about a [`Cause`](crate::Cause), in the calls of this crate. A program that shows other
     /// calls matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,8 +1,6 @@
 //! Why a motion could not be checked.
 
-use crate::worded::worded;
-
-worded! {
+jaka_proto::worded! {
     /// Why a motion or a set-point could not be checked against the limits.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     #[non_exhaustive]

@@ -14,16 +14,27 @@ use super::Error;
 use super::end::{End, Phase};
 #[cfg(feature = "stream")]
 use crate::Evidence;
-use crate::worded::worded;
 use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
 
-worded! {
+jaka_proto::worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
         /// The spec forbids the request. Nothing was sent; correct the field that is named.
         InvalidArgument(invalid: InvalidArgument) => "{invalid}",
+        /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent; correct
+        /// the option.
+        InvalidOption {
+            /// Name of the option, such as `step_count`.
+            option: &'static str,
+            /// Type that has the option, such as `ServoConfig`.
+            of: &'static str,
+            /// Value that was given.
+            value: String,
+            /// Values that the option takes, in words.
+            expected: String,
+        } => "option `{option}` of `{of}` is {value}, expected {expected}",
         /// The controller's firmware does not have the command, or a field that is given. Nothing was sent.
         ///
         /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
@@ -366,6 +377,7 @@ impl ErrorKind {
             Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
             Self::NotLanded { first, landing } => first.cause().min(landing.cause()),
             Self::InvalidArgument(_)
+            | Self::InvalidOption { .. }
             | Self::NotInFirmware(_)
             | Self::Connect { .. }
             | Self::PortInAddress { .. }
@@ -421,7 +433,7 @@ impl ErrorKind {
     /// Each kind is named, so that a new one does not compile before it is decided what it means.
     pub(super) fn meaning(&self) -> Meaning<'_> {
         match self {
-            Self::InvalidArgument(_) => (Group::InvalidArgument, false, None),
+            Self::InvalidArgument(_) | Self::InvalidOption { .. } => (Group::InvalidArgument, false, None),
             Self::NotInFirmware(_) => (Group::NotInFirmware, false, None),
             Self::Connect { source, .. } => (Group::Connect, false, Some(source)),
             Self::PortInAddress { .. } => (Group::Connect, false, None),

@@ -3,8 +3,9 @@
 use jaka_motion::{Bound, Checker, Dynamics, Generator, Goal};
 use jaka_proto::messages::types::JointPosition;
 
-use super::start;
+use super::{FollowConfig, start};
 use crate::Error;
+use crate::error::OptionName;
 use crate::robot::SetPointGuard;
 use crate::servo_session::{beyond_limit, generator, not_generated};
 
@@ -29,7 +30,7 @@ const THERE: f64 = 2e-6;
 const PERIODS_HELD: u32 = 2;
 
 /// What asks for it.
-const OPTION: &str = "approach";
+const OPTION: OptionName = FollowConfig::option("approach");
 
 impl Approach {
     pub(super) fn new(

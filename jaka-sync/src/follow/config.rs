@@ -2,12 +2,9 @@
 
 use std::time::Duration;
 
-use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
-
-use crate::ServoConfig;
+use crate::error::OptionName;
 use crate::servo_session::check_at_least;
+use crate::{Error, ServoConfig};
 
 /// How a trajectory is followed: see [`Robot::start_follow`](crate::Robot::start_follow).
 #[derive(Debug, Clone, PartialEq)]
@@ -50,13 +47,15 @@ impl FollowConfig {
     /// Moves the arm to where the trajectory starts first, with at most this speed of each joint in deg/s.
     ///
     /// The way is straight in joint space, and checked before anything is sent. Without this, a trajectory that starts more than 0.01 deg elsewhere than
-    /// where the joints are to be is refused.
+    /// where the joints are to be is refused. A speed below 0.001 deg/s is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn approach(mut self, speed_deg_s: f64) -> Self {
         self.approach_deg_s = Some(speed_deg_s);
         self
     }
 
-    /// Sets how fast the trajectory is followed at first: 1 for its own speed, which is the default and the most, down to 0 for a pause.
+    /// Sets how fast the trajectory is followed at first: 1 for its own speed, which is the default and the most, down
+    /// to 0 for a pause. Another number is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn speed_scale(mut self, scale: f64) -> Self {
         self.scale = scale;
         self
@@ -69,7 +68,8 @@ impl FollowConfig {
     }
 
     /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the run
-    /// ends with [`Cause::Departed`](crate::Cause::Departed).
+    /// ends with [`Cause::Departed`](crate::Cause::Departed). Less than 0.001, or no number, is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
@@ -84,16 +84,18 @@ impl FollowConfig {
         self
     }
 
-    pub(super) fn check(&self) -> Result<(), InvalidArgument> {
-        check_scale(self.scale)?;
-        check_at_least("max_departure", self.max_departure_deg, "deg")?;
-        self.approach_deg_s.map_or(Ok(()), |speed| check_at_least("approach", speed, "deg/s"))
+    /// Name of one of its options.
+    pub(super) const fn option(name: &'static str) -> OptionName {
+        OptionName::new("FollowConfig", name)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        check_scale(Self::option("speed_scale"), self.scale)?;
+        check_at_least(Self::option("max_departure"), self.max_departure_deg, "deg")?;
+        self.approach_deg_s.map_or(Ok(()), |speed| check_at_least(Self::option("approach"), speed, "deg/s"))
     }
 }
 
-pub(super) fn check_scale(scale: f64) -> Result<(), InvalidArgument> {
-    if (0.0..=1.0).contains(&scale) {
-        return Ok(());
-    }
-    Err(InvalidArgument::new(ServoJ::INFO.name, "speed_scale", scale.to_string(), "from 0 to 1".to_owned(), false))
+pub(super) fn check_scale(option: OptionName, scale: f64) -> Result<(), Error> {
+    if (0.0..=1.0).contains(&scale) { Ok(()) } else { Err(option.refuse(scale, "0 to 1")) }
 }

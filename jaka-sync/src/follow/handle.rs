@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::config::check_scale;
 use super::orders::Orders;
+use crate::error::OptionName;
 use crate::{Cause, End, Error, Report, Rest, TrajectoryReport};
 
 /// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
@@ -46,9 +47,10 @@ impl FollowHandle {
     /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
     ///
     /// # Errors
-    /// As [`pause`](Self::pause); [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a scale that is not from 0 to 1.
+    /// As [`pause`](Self::pause); [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a scale that is not
+    /// from 0 to 1.
     pub fn set_speed_scale(&self, scale: f64) -> Result<(), Error> {
-        check_scale(scale)?;
+        check_scale(OptionName::new("FollowHandle", "speed_scale"), scale)?;
         self.check_open().map(|()| self.orders.set_scale(scale))
     }
 

@@ -12,7 +12,6 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::status::RobotStatus;
 
 pub(crate) use self::armed::Armed;
@@ -94,8 +93,8 @@ impl Guard {
     }
 
     /// Fails if a condition has a value that it cannot have.
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
-        self.conditions.iter().try_for_each(|condition| condition.check(call))
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.conditions.iter().try_for_each(Condition::check)
     }
 }
 

@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use jaka_proto::check::InvalidArgument;
 #[cfg(doc)]
 use jaka_proto::messages::status::RobotStatus;
 
 use crate::cause::Field;
-use crate::{NotShown, Snapshot};
+use crate::error::OptionName;
+use crate::{Error, NotShown, Snapshot};
 
 /// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
 ///
@@ -62,10 +62,12 @@ struct Place {
     numbering: Numbering,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Side {
-    Cabinet,
-    Tool,
+jaka_proto::worded! {
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    enum Side {
+        Cabinet => "cabinet",
+        Tool => "tool",
+    }
 }
 
 /// A digital input, from a [`Numbering`].
@@ -165,11 +167,11 @@ impl InputTest {
         })
     }
 
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
-        self.place.check(call)?;
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.place.check()?;
         match self.wanted {
             Wanted::Above(threshold) | Wanted::Below(threshold) if !threshold.is_finite() => {
-                Err(InvalidArgument::new(call, "threshold", threshold.to_string(), "a finite number", false))
+                Err(OptionName::new("AnalogCondition", "threshold").refuse(threshold, "a finite number"))
             }
             _ => Ok(()),
         }
@@ -218,8 +220,9 @@ impl Place {
         }
     }
 
-    fn check(self, call: &str) -> Result<(), InvalidArgument> {
-        let invalid = || InvalidArgument::new(call, "input", "0", "at least 1, since inputs are counted from 1", false);
+    fn check(self) -> Result<(), Error> {
+        let number = OptionName::new("Numbering", "number");
+        let invalid = || number.refuse(self.number, "at least 1, since inputs are counted from 1");
         self.index().map(drop).ok_or_else(invalid)
     }
 
@@ -232,15 +235,11 @@ impl Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let side = match self.side {
-            Side::Cabinet => "cabinet",
-            Side::Tool => "tool",
-        };
         let first = match self.numbering {
             Numbering::FromZero => 0,
             Numbering::FromOne => 1,
         };
-        write!(f, "input {} of the {side} (counted from {first})", self.number)
+        write!(f, "input {} of the {} (counted from {first})", self.number, self.side)
     }
 }
 

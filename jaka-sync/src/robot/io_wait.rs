@@ -72,21 +72,23 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`], which tells what the last packet says of the input. At once [`ErrorKind::NotShown`] if
     /// a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, come again after a silence, cannot be read, or their connection is lost,
-    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidArgument`] for a number 0 that is counted from 1.
+    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
+    /// that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
-        self.wait_for(&condition.into(), "wait_for_input", timeout)
+        self.wait_for(&condition.into(), timeout)
     }
 
     /// The same for an analog input: `IO.tool_analog(1).is_above(2.5)`.
     ///
     /// # Errors
-    /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidArgument`] for a threshold that is not a finite number.
+    /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidOption`] for a threshold that is not a
+    /// finite number.
     pub fn wait_for_analog(&self, condition: AnalogCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
-        self.wait_for(&condition.into(), "wait_for_analog", timeout)
+        self.wait_for(&condition.into(), timeout)
     }
 
-    fn wait_for(&self, guard: &Guard, call: &str, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
-        guard.check(call)?;
+    fn wait_for(&self, guard: &Guard, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
+        guard.check()?;
         let since = self.clock().stopwatch();
         let what = guard.to_string();
         let attach = |kind: ErrorKind| self.client.link.attach(kind.into());

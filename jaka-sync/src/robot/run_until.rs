@@ -47,10 +47,11 @@ impl<S: MotionStatus> Robot<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if the controller has
-    /// not accepted that. Nothing was sent after [`ErrorKind::NotShown`] (packets do not show what the guard needs),
-    /// [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed), [`ErrorKind::StatusUnknown`], also with
-    /// [`allow_motion_without_status`](Self::allow_motion_without_status), and [`ErrorKind::Thread`].
+    /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if
+    /// the controller has not accepted that. Nothing was sent after [`ErrorKind::NotShown`] (packets do not show what
+    /// the guard needs), [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed),
+    /// [`ErrorKind::StatusUnknown`], also with [`allow_motion_without_status`](Self::allow_motion_without_status),
+    /// [`ErrorKind::InvalidOption`] (a condition has a value that it does not take), and [`ErrorKind::Thread`].
     pub fn run_until<M: Motion>(
         &mut self,
         motion: &M,
@@ -58,7 +59,7 @@ impl<S: MotionStatus> Robot<S> {
         timeout: Duration,
     ) -> Result<End, Error> {
         let (since, guard) = (self.clock().stopwatch(), guard.into());
-        guard.check("run_until")?;
+        guard.check()?;
         self.client.link.check_open(M::INFO.name)?;
         self.latch.check()?;
         let left = || since.left_of(timeout);

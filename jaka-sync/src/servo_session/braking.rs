@@ -23,6 +23,7 @@ impl Braking {
             ErrorKind::Refused { .. }
             | ErrorKind::UnexpectedReply { .. }
             | ErrorKind::InvalidArgument(_)
+            | ErrorKind::InvalidOption { .. }
             | ErrorKind::NotInFirmware(_)
             | ErrorKind::GuardTripped { .. }
             | ErrorKind::SetPointLate { .. }

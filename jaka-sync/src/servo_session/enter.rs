@@ -3,8 +3,7 @@
 use std::time::Duration;
 
 use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode, SetServoMoveFilter};
+use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
 
 use super::course::Course;
@@ -94,13 +93,13 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
 }
 
 /// A longer period would let one set-point move the arm far.
-pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), InvalidArgument> {
+pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
     let count = config.step_count;
     if count <= MOST_STEPS {
         return Ok(());
     }
-    let allowed = format!("at most {MOST_STEPS}: a period of {:?}", CYCLE * MOST_STEPS);
-    Err(InvalidArgument::new(ServoJ::INFO.name, "step_count", count.to_string(), allowed, false))
+    let expected = format!("1 to {MOST_STEPS}: a period of at most {:?}", CYCLE * MOST_STEPS);
+    Err(ServoConfig::option("step_count").refuse(count, expected))
 }
 
 impl<S: MotionStatus> Robot<S> {

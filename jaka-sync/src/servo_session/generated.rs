@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use jaka_motion::{Beyond, Checker, Dynamics, Generator, GeneratorError};
 use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
 
@@ -15,6 +14,7 @@ use super::lag::LagFit;
 use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::cause::shown_joints;
+use crate::error::OptionName;
 use crate::robot::{MeasuredLag, SetPointGuard};
 use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Robot, Snapshot, Unchecked};
 
@@ -179,7 +179,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 /// A generator that is slow enough for the guard, if there is one. `option` is where its dynamics come from.
 pub(crate) fn generator(
     checker: &Checker,
-    (dynamics, option): (Dynamics, &str),
+    (dynamics, option): (Dynamics, OptionName),
     start: JointPosition,
     period_s: f64,
     guard: Option<&SetPointGuard>,
@@ -192,13 +192,16 @@ pub(crate) fn generator(
 }
 
 /// Why there is no generator for what an option asks for.
-pub(crate) fn not_generated(error: GeneratorError, option: &str) -> Error {
+pub(crate) fn not_generated(error: GeneratorError, option: OptionName) -> Error {
     match error {
         GeneratorError::Start(beyond) => beyond_limit(beyond),
-        other => {
-            let allowed = "what the robot's limits allow";
-            InvalidArgument::new(ServoJ::INFO.name, option, other.to_string(), allowed, false).into()
+        GeneratorError::TooLittle { what, unit, joint, given, least } => option
+            .refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), format!("at least {least} {unit}")),
+        GeneratorError::BeyondLimit { what, unit, joint, given, limit } => {
+            let expected = format!("at most {limit} {unit}, the arm's limit");
+            option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)
         }
+        other => option.refuse(other, "what the robot's limits allow"),
     }
 }
 
@@ -214,10 +217,9 @@ pub(crate) fn no_limits() -> Error {
 const LEAST: f64 = 1e-3;
 
 /// Checks what a configuration says of an angle or a speed.
-pub(crate) fn check_at_least(name: &str, given: f64, unit: &str) -> Result<(), InvalidArgument> {
+pub(crate) fn check_at_least(option: OptionName, given: f64, unit: &str) -> Result<(), Error> {
     if given.is_finite() && given >= LEAST {
         return Ok(());
     }
-    let allowed = format!("a number of at least {LEAST} {unit}");
-    Err(InvalidArgument::new(ServoJ::INFO.name, name, given.to_string(), allowed, false))
+    Err(option.refuse(given, format!("a number of at least {LEAST} {unit}")))
 }

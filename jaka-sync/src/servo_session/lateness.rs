@@ -16,7 +16,8 @@ impl ServoConfig {
     /// configuration. `jaka jitter` prints it.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument), and `ErrorKind::RealtimePriority` if the system does not allow the priority.
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption), and `ErrorKind::RealtimePriority` if the system
+    /// does not allow the priority.
     pub fn measure_lateness(&self, time: Duration) -> Result<Vec<Duration>, Error> {
         check_step_count(self)?;
         #[cfg(feature = "realtime")]

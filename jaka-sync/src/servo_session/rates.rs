@@ -4,10 +4,12 @@ use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
+use jaka_proto::messages::servo::{ServoJ, ServoP};
 
+use super::ServoConfig;
 use super::set_point::{SetPoint, Step};
 use super::turn::length;
+use crate::Error;
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +81,7 @@ impl Rates {
         };
         let value = "a set-point whose distance from the one before is not known".to_owned();
         let allowed = "one of the same kind as before; or enter servo mode again".to_owned();
-        Err(InvalidArgument::new(command, field, value, allowed, false))
+        Err(InvalidArgument::new(command, field, value, allowed))
     }
 
     /// Whether the arm can be as fast as a step asks.
@@ -89,7 +91,7 @@ impl Rates {
     }
 
     /// Checks that these are numbers above zero.
-    pub(super) fn check_themselves(&self) -> Result<(), InvalidArgument> {
+    pub(super) fn check_themselves(&self) -> Result<(), Error> {
         let rates = [
             ("max_joint_acceleration", self.joint_acceleration[0], "deg/s²"),
             ("max_tcp_speed", self.tcp_speed, "mm/s"),
@@ -97,8 +99,7 @@ impl Rates {
         ];
         let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
         wrong.map_or(Ok(()), |(name, rate, unit)| {
-            let allowed = format!("a number above 0 {unit}");
-            Err(InvalidArgument::new(SetServoMode::INFO.name, name, rate.to_string(), allowed, false))
+            Err(ServoConfig::option(name).refuse(rate, format!("a number above 0 {unit}")))
         })
     }
 
@@ -151,5 +152,5 @@ fn refused(step: &Step, index: usize, value: String, allowed: String) -> Invalid
         Step::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
         Step::Pose(_) => (ServoP::INFO.name, "pose".to_owned()),
     };
-    InvalidArgument::new(command, field, value, allowed, false)
+    InvalidArgument::new(command, field, value, allowed)
 }

@@ -8,10 +8,6 @@ mod scheduling;
 
 use std::thread::{self, ThreadId};
 
-use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
-
 use self::scheduling::Scheduling;
 use super::ServoConfig;
 use crate::{Error, ErrorKind};
@@ -33,9 +29,7 @@ impl ServoConfig {
 impl RealtimePriority {
     fn take(priority: u8) -> Result<Self, Error> {
         if !(1..=99).contains(&priority) {
-            let allowed = "from 1 to 99".to_owned();
-            let name = "realtime_priority";
-            return Err(InvalidArgument::new(ServoJ::INFO.name, name, priority.to_string(), allowed, false).into());
+            return Err(ServoConfig::option("realtime_priority").refuse(priority, "1 to 99"));
         }
         let taken = Scheduling::of_this_thread().and_then(|own| Scheduling::set_realtime(priority).map(|()| own));
         match taken {

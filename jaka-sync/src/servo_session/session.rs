@@ -30,10 +30,12 @@ use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
 /// session does the same without a report, also while a panic unwinds.
 ///
 /// # Entering
-/// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not been waited for, while servo
-/// mode is on already, and where the controller acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
-/// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, and as [`Client::call`](crate::Client::call). If
-/// something fails after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
+/// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
+/// been waited for, while servo mode is on already, and where the controller acknowledges servo mode and does not enter
+/// it; with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] where the status is stale,
+/// missing or unreadable, with [`ErrorKind::InvalidOption`] for a [`ServoConfig`] with a value that it does not take,
+/// and as [`Client::call`](crate::Client::call). If something fails after servo mode was asked for, it is left again;
+/// [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # Set-points
 /// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be

@@ -74,7 +74,7 @@ fn generator_at_start<S: MotionStatus>(
 ) -> Result<Generator, Error> {
     let (checker, start) = session.checker_and_start().ok_or_else(no_limits)?;
     let dynamics = config.dynamics.unwrap_or_else(|| Dynamics::of(checker.limits()));
-    generator(checker, (dynamics, "dynamics"), start, config.servo.period().as_secs_f64(), guard)
+    generator(checker, (dynamics, StreamConfig::option("dynamics")), start, config.servo.period().as_secs_f64(), guard)
 }
 
 /// What the generator makes of the orders of the handles.

@@ -4,13 +4,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::{Bound, Generator, Goal, TcpVelocity};
-use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
-use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::target::Targets;
 use crate::Error;
+use crate::error::OptionName;
 use crate::servo_session::{SessionEnd, beyond_limit};
 
 /// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
@@ -50,7 +48,8 @@ impl StreamHandle {
     /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast, [`ErrorKind::InvalidArgument`](crate::ErrorKind::InvalidArgument) for a longer time,
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if a joint may not be as fast,
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a longer time,
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
         self.give(Goal::Velocity(deg_s), Some(for_at_most))
@@ -95,10 +94,8 @@ impl StreamHandle {
 
     fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), Error> {
         if let Some(time) = for_at_most.filter(|time| *time > LONGEST) {
-            let allowed = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
-            return Err(
-                InvalidArgument::new(ServoJ::INFO.name, "for_at_most", format!("{time:?}"), allowed, false).into()
-            );
+            let expected = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
+            return Err(OptionName::new("StreamHandle", "for_at_most").refuse(format_args!("{time:?}"), expected));
         }
         self.desk.check_goal(&goal).map_err(beyond_limit)?;
         self.targets.give(goal, for_at_most).map_err(SessionEnd::into_error)

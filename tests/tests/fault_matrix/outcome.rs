@@ -1,46 +1,48 @@
 //! What calls end with.
 
-use std::fmt;
-
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sync::{Disconnect, Error, ErrorKind};
 
-/// What a call ended with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Outcome {
-    /// Success, with the data that the simulator had.
-    Ok,
-    Refused,
-    /// The reply does not fit the spec.
-    Unexpected,
-    Timeout,
-    ReplyLost,
-    /// The connection is broken for good.
-    Broken(Cause),
-    /// The motion was accepted; status packets stopped coming, or their connection ended.
-    StatusLost,
-    /// The motion was accepted, and its end is not known at the deadline.
-    Deadline,
-    /// Nothing that moves the arm was sent, since the status is not known.
-    StatusUnknown,
-    /// It is not known whether servo mode was left, and the connection works on.
-    NotLeft,
+jaka_proto::worded! {
+    /// What a call ended with.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Outcome {
+        /// Success, with the data that the simulator had.
+        Ok => "ok",
+        Refused => "refused",
+        /// The reply does not fit the spec.
+        Unexpected => "unexpected",
+        Timeout => "timeout",
+        ReplyLost => "reply lost",
+        /// The connection is broken for good.
+        Broken(cause: Cause) => "**{cause}**",
+        /// The motion was accepted; status packets stopped coming, or their connection ended.
+        StatusLost => "status lost",
+        /// The motion was accepted, and its end is not known at the deadline.
+        Deadline => "deadline",
+        /// Nothing that moves the arm was sent, since the status is not known.
+        StatusUnknown => "status unknown",
+        /// It is not known whether servo mode was left, and the connection works on.
+        NotLeft => "not left",
+    }
 }
 
-/// What broke a connection.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cause {
-    /// Its end, or an error of the system.
-    End,
-    Garbage,
-    TooLong,
-    NotJson,
-    Unsolicited,
-    Nameless,
-    Ambiguous,
-    /// This side has reset it, since set-points and the end of servo mode were not answered.
-    Reset,
+jaka_proto::worded! {
+    /// What broke a connection.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Cause {
+        /// Its end, or an error of the system.
+        End => "end",
+        Garbage => "garbage",
+        TooLong => "too long",
+        NotJson => "not JSON",
+        Unsolicited => "unsolicited",
+        Nameless => "nameless",
+        Ambiguous => "ambiguous",
+        /// This side has reset it, since set-points and the end of servo mode were not answered.
+        Reset => "reset",
+    }
 }
 
 impl Outcome {
@@ -87,37 +89,5 @@ impl Cause {
             Disconnect::Reset { .. } => Self::Reset,
             other => panic!("no fault may lead to {other:?}"),
         }
-    }
-}
-
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Ok => f.write_str("ok"),
-            Self::Refused => f.write_str("refused"),
-            Self::Unexpected => f.write_str("unexpected"),
-            Self::Timeout => f.write_str("timeout"),
-            Self::ReplyLost => f.write_str("reply lost"),
-            Self::Broken(cause) => write!(f, "**{cause}**"),
-            Self::StatusLost => f.write_str("status lost"),
-            Self::Deadline => f.write_str("deadline"),
-            Self::StatusUnknown => f.write_str("status unknown"),
-            Self::NotLeft => f.write_str("not left"),
-        }
-    }
-}
-
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::End => "end",
-            Self::Garbage => "garbage",
-            Self::TooLong => "too long",
-            Self::NotJson => "not JSON",
-            Self::Unsolicited => "unsolicited",
-            Self::Nameless => "nameless",
-            Self::Ambiguous => "ambiguous",
-            Self::Reset => "reset",
-        })
     }
 }

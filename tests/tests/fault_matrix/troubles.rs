@@ -1,6 +1,5 @@
 //! What goes wrong: the rows of the matrix.
 
-use std::fmt;
 use std::time::Duration;
 
 use jaka_proto::messages::motion::Jog;
@@ -12,17 +11,19 @@ use proptest::test_runner::TestRng;
 
 use crate::link::LinkTrouble;
 
-/// Something that goes wrong on one of the ports.
-#[derive(Debug, Clone)]
-pub(crate) enum Trouble {
-    Reply(Fault),
-    /// The controller refuses the command.
-    Refusal,
-    /// The reply says that the command was accepted, and has none of its fields.
-    Misfit,
-    Status(StatusFault),
-    /// What passes on the links is held, late, slow or lost.
-    Link(LinkTrouble),
+jaka_proto::worded! {
+    /// Something that goes wrong on one of the ports.
+    #[derive(Debug, Clone)]
+    pub(crate) enum Trouble {
+        Reply(fault: Fault) => "{fault}",
+        /// The controller refuses the command.
+        Refusal => "a refusal",
+        /// The reply says that the command was accepted, and has none of its fields.
+        Misfit => "a reply without its fields",
+        Status(fault: StatusFault) => "status {fault}",
+        /// What passes on the links is held, late, slow or lost.
+        Link(link: LinkTrouble) => "{link}",
+    }
 }
 
 /// Later than any call waits that is to see a timeout.
@@ -110,16 +111,4 @@ pub(crate) fn pause(random: &mut TestRng) -> Duration {
 
 fn below(random: &mut TestRng, limit: usize) -> usize {
     usize::try_from(random.next_u64() % limit as u64).expect("it is below a usize")
-}
-
-impl fmt::Display for Trouble {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Reply(fault) => fault.fmt(f),
-            Self::Refusal => f.write_str("a refusal"),
-            Self::Misfit => f.write_str("a reply without its fields"),
-            Self::Status(fault) => write!(f, "status {fault}"),
-            Self::Link(link) => link.fmt(f),
-        }
-    }
 }

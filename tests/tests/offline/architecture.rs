@@ -324,3 +324,35 @@ fn circles_are_found() {
     let none = [("a", "use x::X;"), ("a::x", "use super::Y; use b::y::c;"), ("a::y", "super::x::f();"), ("b", "")];
     assert!(found(&none).is_empty());
 }
+
+/// Enums whose `Display` matches on the variants and does not come from `worded!`: ARCHITECTURE.md, "Errors", says why.
+const TEXTS_ELSEWHERE: &[&str] = &[
+    "jaka-cli/src/failure.rs: Failure",
+    "jaka-proto/src/worded.rs: $name",
+    "jaka-proto-derive/src/enums.rs: #name",
+    "jaka-sim/src/command_port/request_reader.rs: Incoming",
+    "jaka-sim/src/fault/kinds.rs: $Kinds",
+    "jaka-sim/src/underrun.rs: Underrun",
+    "spec/src/tools/diff.rs: Impact",
+];
+
+#[test]
+fn the_text_of_a_variant_stands_next_to_it() {
+    let mut found = BTreeSet::new();
+    for (folder, _) in CRATES {
+        for path in sources(&workspace().join(folder).join("src")) {
+            let (code, path) =
+                (code(&text(&path)), path.strip_prefix(workspace()).expect("it is in it").display().to_string());
+            assert!(!code.contains("thiserror"), "{path}");
+            for implementation in code.split("Display for ").skip(1) {
+                let (name, rest) = implementation.split_once(" {").expect("a body follows");
+                let body = rest.split("\nimpl").next().unwrap_or_default();
+                let body = body.split("\n}\n").next().unwrap_or_default();
+                if body.contains("match self {") || body.contains("match *self {") {
+                    found.insert(format!("{path}: {name}"));
+                }
+            }
+        }
+    }
+    assert_eq!(found, TEXTS_ELSEWHERE.iter().map(ToString::to_string).collect());
+}

@@ -68,7 +68,7 @@ fn turned(by: [f64; 6]) -> [f64; 6] {
     std::array::from_fn(|joint| START[joint] + by[joint])
 }
 
-fn made(curve: &Curve) -> Trajectory {
+pub(crate) fn made(curve: &Curve) -> Trajectory {
     trajectory(curve, &Checker::new(limits(), Frames::new())).expect("within the limits")
 }
 
@@ -188,7 +188,7 @@ fn a_scale_that_is_none_is_refused_and_the_run_goes_on() {
     let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
     for scale in [-0.1, 1.01, f64::NAN] {
         let error = run.set_speed_scale(scale).expect_err("it is not from 0 to 1");
-        assert!(error.to_string().contains("field `speed_scale`"), "{error}");
+        assert!(error.to_string().starts_with("option `speed_scale` of `FollowHandle` is "), "{error}");
     }
     run.stop().expect("it goes on");
     assert_eq!(run.wait().cause(), Cause::Stopped);

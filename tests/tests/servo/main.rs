@@ -7,6 +7,7 @@ mod held_up;
 mod landing;
 mod landing_links;
 mod late;
+mod options;
 #[cfg(target_os = "linux")]
 mod realtime;
 mod received;

@@ -189,7 +189,7 @@ fn give(handle: &StreamHandle, random: &mut Random, rig: &Rig, goal: Goal, time:
 fn is_refused(given: Result<(), Error>) -> bool {
     given.is_err_and(|error| {
         let kind = error.kind();
-        assert!(matches!(kind, ErrorKind::BeyondLimit { .. } | ErrorKind::InvalidArgument(_)), "{error}");
+        assert!(matches!(kind, ErrorKind::BeyondLimit { .. } | ErrorKind::InvalidOption { .. }), "{error}");
         true
     })
 }

@@ -1,23 +1,21 @@
 //! One condition of a guard, and its judgement of packets.
 
-use std::fmt;
-
-use jaka_proto::check::InvalidArgument;
-
 use super::Question;
 use super::force::{ForceLimit, contact_force};
 use super::tcp_box::TcpBox;
 use crate::robot::inputs::{InputTest, When};
-use crate::{Snapshot, TripReason};
+use crate::{Error, Snapshot, TripReason};
 
-/// One condition of a guard.
-#[derive(Debug, Clone)]
-pub(in crate::robot) enum Condition {
-    Input(InputTest),
-    Inside(TcpBox),
-    Outside(TcpBox),
-    Force(ForceLimit),
-    Question(Question),
+jaka_proto::worded! {
+    /// One condition of a guard.
+    #[derive(Debug, Clone)]
+    pub(in crate::robot) enum Condition {
+        Input(input: InputTest) => "{input}",
+        Inside(tcp_box: TcpBox) => "the tool centre point is in {tcp_box}",
+        Outside(tcp_box: TcpBox) => "the tool centre point is outside {tcp_box}",
+        Force(limit: ForceLimit) => "{limit}",
+        Question(question: Question) => (&*question.text),
+    }
 }
 
 /// A condition, and what it must know of packets before.
@@ -63,11 +61,11 @@ impl Judge {
 }
 
 impl Condition {
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         match self {
-            Self::Input(input) => input.check(call),
-            Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(call),
-            Self::Force(limit) => limit.check(call),
+            Self::Input(input) => input.check(),
+            Self::Inside(tcp_box) | Self::Outside(tcp_box) => tcp_box.check(),
+            Self::Force(limit) => limit.check(),
             Self::Question(_) => Ok(()),
         }
     }
@@ -75,17 +73,5 @@ impl Condition {
     /// What a packet says of the input that the condition is about, if it is about one.
     pub(in crate::robot) fn says(&self, packet: &Snapshot) -> Option<String> {
         if let Self::Input(input) = self { input.says(packet) } else { None }
-    }
-}
-
-impl fmt::Display for Condition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Input(input) => input.fmt(f),
-            Self::Inside(tcp_box) => write!(f, "the tool centre point is in {tcp_box}"),
-            Self::Outside(tcp_box) => write!(f, "the tool centre point is outside {tcp_box}"),
-            Self::Force(limit) => limit.fmt(f),
-            Self::Question(question) => f.write_str(&question.text),
-        }
     }
 }

@@ -5,11 +5,11 @@ use std::time::Duration;
 
 #[cfg(feature = "stream")]
 use jaka_motion::Overtravel;
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::wire::{DecodeError, Typed};
 
 use crate::cause::Field;
-use crate::{NotGuarded, NotShown, Snapshot};
+use crate::error::OptionName;
+use crate::{Error, NotGuarded, NotShown, Snapshot};
 
 /// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion is stopped.
 ///
@@ -61,24 +61,26 @@ pub struct ForceLimit {
     braking: Option<f64>,
 }
 
-/// Which of the six values of the contact force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum ForceComponent {
-    /// The first value, taken to be the force along x.
-    Fx,
-    /// The second value, taken to be the force along y.
-    Fy,
-    /// The third value, taken to be the force along z.
-    Fz,
-    /// The fourth value, taken to be the torque about x.
-    Tx,
-    /// The fifth value, taken to be the torque about y.
-    Ty,
-    /// The sixth value, taken to be the torque about z.
-    Tz,
-    /// The length of the first three values together, taken to be the force in any direction.
-    Force,
+jaka_proto::worded! {
+    /// Which of the six values of the contact force, displayed as the condition of a [`ForceLimit`] names it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum ForceComponent {
+        /// The first value, taken to be the force along x.
+        Fx => "component fx of the contact force",
+        /// The second value, taken to be the force along y.
+        Fy => "component fy of the contact force",
+        /// The third value, taken to be the force along z.
+        Fz => "component fz of the contact force",
+        /// The fourth value, taken to be the torque about x.
+        Tx => "component tx of the contact force",
+        /// The fifth value, taken to be the torque about y.
+        Ty => "component ty of the contact force",
+        /// The sixth value, taken to be the torque about z.
+        Tz => "component tz of the contact force",
+        /// The length of the first three values together, taken to be the force in any direction.
+        Force => "the contact force",
+    }
 }
 
 /// The longest overtravel that a limit may state, in mm: the same.
@@ -88,12 +90,15 @@ const LONGEST_OVERTRAVEL_MM: f64 = 1000.0;
 const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
-    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm.
+    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm. Any other than a
+    /// number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the limit is used.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }
 
-    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is ours.
+    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is
+    /// ours. Any other than a number above 0, of 1000 at most, is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn overtravel(mut self, mm: f64) -> Self {
         self.overtravel_mm = mm;
         self
@@ -101,33 +106,38 @@ impl ForceLimit {
 
     /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
     /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, an arm's lag behind them belongs to it, which
-    /// is longer with a filter. One minute is the most.
+    /// is longer with a filter. More than one minute is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
     }
 
     /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No source says how a
-    /// controller brakes on `stop_program`.
+    /// controller brakes on `stop_program`. Any other than a number above 0 is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn braking(mut self, mm_s2: f64) -> Self {
         self.braking = Some(mm_s2);
         self
     }
 
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+    /// Name of one of its options.
+    pub(super) const fn option(name: &'static str) -> OptionName {
+        OptionName::new("ForceLimit", name)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
         let numbers =
             [("change", self.change), ("overtravel", self.overtravel_mm), ("braking", self.braking.unwrap_or(1.0))];
         let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
         if let Some((name, value)) = odd {
-            return Err(InvalidArgument::new(call, name, value.to_string(), "a number above 0", false));
+            return Err(Self::option(name).refuse(value, "a number above 0"));
         }
         if self.overtravel_mm > LONGEST_OVERTRAVEL_MM {
-            let value = self.overtravel_mm.to_string();
-            return Err(InvalidArgument::new(call, "overtravel", value, "at most 1000 mm", false));
+            return Err(Self::option("overtravel").refuse(self.overtravel_mm, "at most 1000 mm"));
         }
         if self.reaction > LONGEST_REACTION {
-            let value = format!("{:?}", self.reaction);
-            return Err(InvalidArgument::new(call, "reaction", value, "at most one minute", false));
+            return Err(Self::option("reaction").refuse(format_args!("{:?}", self.reaction), "at most one minute"));
         }
         Ok(())
     }
@@ -218,16 +228,7 @@ pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {
 
 impl fmt::Display for ForceLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let component = match self.component {
-            ForceComponent::Fx => "component fx of the contact force",
-            ForceComponent::Fy => "component fy of the contact force",
-            ForceComponent::Fz => "component fz of the contact force",
-            ForceComponent::Tx => "component tx of the contact force",
-            ForceComponent::Ty => "component ty of the contact force",
-            ForceComponent::Tz => "component tz of the contact force",
-            ForceComponent::Force => "the contact force",
-        };
-        write!(f, "{component} has changed by more than {}", self.change)
+        write!(f, "{} has changed by more than {}", self.component, self.change)
     }
 }
 
@@ -247,9 +248,9 @@ mod tests {
     fn overtravel_and_reaction_have_a_greatest_value() {
         let limit = || ForceLimit::new(ForceComponent::Fz, 1.0);
         let minute = Duration::from_secs(60);
-        assert!(limit().overtravel(1000.0).reaction(minute).check("run_until").is_ok());
+        assert!(limit().overtravel(1000.0).reaction(minute).check().is_ok());
         for beyond in [limit().overtravel(1000.1), limit().reaction(minute + Duration::from_nanos(1))] {
-            let error = beyond.check("run_until").expect_err("it is beyond");
+            let error = beyond.check().expect_err("it is beyond");
             assert!(error.to_string().contains("at most "), "{error}");
         }
     }
@@ -280,9 +281,9 @@ mod tests {
     #[test]
     fn a_reaction_beyond_all_measure_is_refused() {
         let limit = |reaction| ForceLimit::new(ForceComponent::Fz, 1.0).reaction(reaction);
-        assert!(limit(LONGEST_REACTION).check("run_until").is_ok());
+        assert!(limit(LONGEST_REACTION).check().is_ok());
         for reaction in [LONGEST_REACTION + Duration::from_nanos(1), Duration::MAX] {
-            let error = limit(reaction).check("run_until").expect_err("it is too long");
+            let error = limit(reaction).check().expect_err("it is too long");
             assert!(error.to_string().contains("reaction"), "{error}");
             assert!(limit(reaction).check_speed(1.0, Some(500.0), Duration::from_millis(8)).is_err());
         }

@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Generator};
 use jaka_proto::Command;
-use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::ServoJ;
 
 use super::{Armed, ForceLimit, Guard};
@@ -114,9 +113,9 @@ impl SetPointGuard {
         let speed =
             all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
         let within = all().map(|(limit, time_s)| limit.overtravel_mm - speed * time_s).fold(f64::INFINITY, f64::min);
-        generator.with_tool_stop(speed, within).map_err(|error| {
-            InvalidArgument::new(ServoJ::INFO.name, "overtravel", error.to_string(), "more".to_owned(), false).into()
-        })
+        let least = all().map(|(limit, _)| limit.overtravel_mm).fold(f64::INFINITY, f64::min);
+        let too_short = |error| ForceLimit::option("overtravel").refuse(least, format!("more ({error})"));
+        generator.with_tool_stop(speed, within).map_err(too_short)
     }
 
     /// For how many periods of so many seconds an arm must rest until a contact before is known.
@@ -137,8 +136,8 @@ impl Force {
 
 impl<S: MotionStatus> Robot<S> {
     /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
-    pub(crate) fn arm_for_set_points(&self, guard: &Guard, call: &str) -> Result<SetPointGuard, Error> {
-        guard.check(call)?;
+    pub(crate) fn arm_for_set_points(&self, guard: &Guard) -> Result<SetPointGuard, Error> {
+        guard.check()?;
         self.latch.check()?;
         let (link, patience) = (&self.client.link, self.monitor.stale_after);
         let no_status = |problem| link.attach(unknown(problem));

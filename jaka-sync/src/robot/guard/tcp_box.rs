@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use jaka_proto::check::InvalidArgument;
-
 use crate::cause::Field;
-use crate::{NotShown, Snapshot};
+use crate::error::OptionName;
+use crate::{Error, NotShown, Snapshot};
 
 /// A box along the axes of the selected user frame, for the tool centre point: mm.
 ///
@@ -18,7 +17,8 @@ pub struct TcpBox {
 }
 
 impl TcpBox {
-    /// A box of any two opposite corners.
+    /// A box of any two opposite corners. One with a number that is not finite is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the box is used.
     pub fn from_corners(one: [f64; 3], other: [f64; 3]) -> Self {
         // A corner that is not a number stays one, and is refused.
         let pick = |choose: fn(f64, f64) -> bool| {
@@ -27,11 +27,11 @@ impl TcpBox {
         Self { least: pick(|one, other| one < other), most: pick(|one, other| one > other) }
     }
 
-    pub(super) fn check(&self, call: &str) -> Result<(), InvalidArgument> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         let Some(odd) = self.least.iter().chain(&self.most).find(|value| !value.is_finite()) else {
             return Ok(());
         };
-        Err(InvalidArgument::new(call, "corner", odd.to_string(), "a finite number of mm", false))
+        Err(OptionName::new("TcpBox", "corner").refuse(odd, "a finite number of mm"))
     }
 
     pub(super) fn contains(&self, packet: &Snapshot) -> Result<bool, NotShown> {

@@ -4,9 +4,7 @@ use std::fmt;
 
 use jaka_proto::text::visible;
 
-use crate::worded::worded;
-
-worded! {
+jaka_proto::worded! {
     /// What a [`Preflight`](super::Preflight) looks at, in this order.
     ///
     /// Displayed in words, such as `tool frame`.
@@ -65,7 +63,7 @@ worded! {
     }
 }
 
-worded! {
+jaka_proto::worded! {
     /// How a check came out. A later one counts more.
     ///
     /// Displayed in words: `nothing found`, `not checked`, `look` or `wrong`.

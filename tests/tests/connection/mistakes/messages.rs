@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::{Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Robot};
+use jaka_sync::{
+    Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Robot, ServoConfig,
+};
 use jaka_tests::{Arm, LONG};
 
 use super::{refusal, robot, said, turn};
@@ -82,8 +84,9 @@ fn of_ends() -> Vec<String> {
     let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
     let stopped = ErrorKind::Stopped { accepted, not_sent };
     let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };
+    let step_count = refusal(robot(true, true).1.enter_servo_mode(&ServoConfig::new().step_count(99)));
     let denied = io::ErrorKind::PermissionDenied.into();
     let priority = ErrorKind::RealtimePriority { priority: 20, source: denied };
     let ends = ends.map(Occurrence::from).into_iter().chain([lost, seat_lost]).map(|end| end.to_string());
-    ends.chain([kind(stopped), kind(late), kind(priority)]).collect()
+    ends.chain([kind(stopped), kind(late), step_count, kind(priority)]).collect()
 }

@@ -1,0 +1,131 @@
+//! Options with values that they do not take: the error names the option, and nothing that moves the arm is sent.
+
+use std::fmt::Debug;
+use std::time::Duration;
+
+use jaka_sync::jaka_motion::Dynamics;
+use jaka_sync::motion::MoveL;
+use jaka_sync::types::JointPosition;
+use jaka_sync::{
+    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, ServoConfig, StreamConfig,
+    TcpBox,
+};
+use jaka_tests::{Arm, LONG};
+
+use crate::received::names;
+use crate::stream::{START, arm, limits};
+
+fn text<T: Debug>(result: Result<T, Error>) -> String {
+    let error = result.expect_err("the option does not take this");
+    assert!(matches!(error.kind(), ErrorKind::InvalidOption { .. }), "{error:?}");
+    assert!(error.is_invalid_argument() && !error.may_have_run() && error.cause() == Cause::Failed, "{error:?}");
+    error.to_string()
+}
+
+/// Servo mode is on where a stream's dynamics are compared with the limits, from where the arm is.
+fn assert_not_moved(arm: &Arm) {
+    let sent = names(arm);
+    assert!(!sent.iter().any(|name| ["servo_j", "servo_p", "moveL"].contains(&name.as_str())), "{sent:?}");
+}
+
+#[test]
+fn an_option_of_a_servo_session_is_named() {
+    let (arm, mut robot) = arm().with_robot();
+    let config = ServoConfig::new;
+    for (config, expected) in [
+        (
+            config().step_count(99),
+            "option `step_count` of `ServoConfig` is 99, expected 1 to 12: a period of at most 96ms",
+        ),
+        (
+            config().max_joint_acceleration(0.0),
+            "option `max_joint_acceleration` of `ServoConfig` is 0, expected a number above 0 deg/s²",
+        ),
+        (config().max_tcp_speed(-1.0), "option `max_tcp_speed` of `ServoConfig` is -1, expected a number above 0 mm/s"),
+        (
+            config().max_tcp_acceleration(f64::NAN),
+            "option `max_tcp_acceleration` of `ServoConfig` is NaN, expected a number above 0 mm/s²",
+        ),
+        (config().realtime_priority(100), "option `realtime_priority` of `ServoConfig` is 100, expected 1 to 99"),
+    ] {
+        assert_eq!(text(robot.enter_servo_mode(&config)), expected);
+    }
+    assert_not_moved(&arm);
+}
+
+#[test]
+fn an_option_of_a_stream_is_named() {
+    let (arm, robot) = arm().with_robot();
+    let mut robot = robot.with_limits(limits()).expect("it is this arm");
+    let slow = Dynamics::of(&limits()).with_speeds([500.0; 6]).expect("numbers above 0");
+    for (config, expected) in [
+        (
+            StreamConfig::new().max_departure(0.0),
+            "option `max_departure` of `StreamConfig` is 0, expected a number of at least 0.001 deg",
+        ),
+        (
+            StreamConfig::new().dynamics(slow),
+            "option `dynamics` of `StreamConfig` is a speed of joint 1 of 500 deg/s, expected at most 180 deg/s, the arm's limit",
+        ),
+    ] {
+        assert_eq!(text(robot.stream(&config)), expected);
+    }
+    assert_not_moved(&arm);
+}
+
+#[test]
+fn an_option_of_a_trajectory_is_named() {
+    let (arm, robot) = arm().with_robot();
+    let mut robot = robot.with_limits(limits()).expect("it is this arm");
+    let trajectory = crate::follow::made(&crate::follow::to_and_fro());
+    for (config, expected) in [
+        (FollowConfig::new().speed_scale(1.5), "option `speed_scale` of `FollowConfig` is 1.5, expected 0 to 1"),
+        (
+            FollowConfig::new().approach(0.0),
+            "option `approach` of `FollowConfig` is 0, expected a number of at least 0.001 deg/s",
+        ),
+        (
+            FollowConfig::new().max_departure(-1.0),
+            "option `max_departure` of `FollowConfig` is -1, expected a number of at least 0.001 deg",
+        ),
+    ] {
+        assert_eq!(text(robot.start_follow(&trajectory, &config)), expected);
+    }
+    assert_not_moved(&arm);
+}
+
+#[test]
+fn an_option_of_a_guard_is_named() {
+    let (arm, mut robot) = arm().with_robot();
+    let limit = |change| ForceLimit::new(ForceComponent::Fz, change);
+    let inputs = Numbering::FromOne;
+    let guards: [(Guard, &str); 7] = [
+        (limit(0.0).into(), "option `change` of `ForceLimit` is 0, expected a number above 0"),
+        (limit(1.0).braking(-1.0).into(), "option `braking` of `ForceLimit` is -1, expected a number above 0"),
+        (limit(1.0).overtravel(2000.0).into(), "option `overtravel` of `ForceLimit` is 2000, expected at most 1000 mm"),
+        (
+            limit(1.0).reaction(Duration::from_secs(61)).into(),
+            "option `reaction` of `ForceLimit` is 61s, expected at most one minute",
+        ),
+        (
+            TcpBox::from_corners([0.0; 3], [1.0, f64::INFINITY, 1.0]).is_left(),
+            "option `corner` of `TcpBox` is inf, expected a finite number of mm",
+        ),
+        (
+            inputs.tool_analog(1).is_above(f64::NAN).into(),
+            "option `threshold` of `AnalogCondition` is NaN, expected a finite number",
+        ),
+        (
+            inputs.cabinet(0).is_high().into(),
+            "option `number` of `Numbering` is 0, expected at least 1, since inputs are counted from 1",
+        ),
+    ];
+    let down = MoveL::relative([0.0, 0.0, -1.0, 0.0, 0.0, 0.0], 1.0).acceleration(100.0);
+    for (guard, expected) in guards {
+        assert_eq!(text(robot.run_until(&down, guard.clone(), LONG)), expected);
+        let robot = &mut robot;
+        assert_eq!(text(robot.stream_until(&StreamConfig::new(), guard)), expected);
+    }
+    assert_not_moved(&arm);
+    assert_eq!(arm.state().joint_position, JointPosition::from(START));
+}
