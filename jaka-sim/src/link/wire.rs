@@ -53,7 +53,10 @@ impl Wire {
     }
 
     /// Whether the controller has ended the connection. The client may not know yet.
-    pub(super) fn is_closed(&self) -> bool {
+    ///
+    /// The thread that ends it locks the state of the links afterwards, and then gives the signal. So a thread that has
+    /// the state locked while it asks, and waits by that lock, does not miss the signal.
+    pub(super) fn is_closed(&self, _locked: &LinkStates) -> bool {
         self.closed.load(Ordering::SeqCst)
     }
 
@@ -175,6 +178,13 @@ impl Wire {
         lock(&self.queue).abort();
         self.shut_down(Shutdown::Both);
         self.links.notify();
+    }
+
+    /// Ends the connection as a thread does that locked the state of the links before the caller did.
+    #[cfg(test)]
+    pub(super) fn close_before_others_lock(&self) {
+        self.closed.store(true, Ordering::SeqCst);
+        self.links.changed.notify_all();
     }
 
     fn shut_down(&self, how: Shutdown) {
