@@ -1,10 +1,12 @@
 //! Starting and ending.
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read, Write};
 use std::net::{IpAddr, Ipv4Addr, TcpListener, TcpStream};
+use std::sync::mpsc;
+use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request};
+use crate::common::{LIMIT, Peer, assert_accepted, fresh, json, request, simulated};
 use jaka_sim::{Controller, Fault};
 
 /// Address of loopback whose ports nobody else takes, where the system has more than one.
@@ -63,6 +65,52 @@ fn a_newcomer_does_not_wait_for_clients_who_do_not_read() {
     assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
 }
 
+/// Has a write of the controller wait for a client that has read the first byte of it, and then holds the link.
+fn hold_while_it_writes<S: Read + Write>(controller: &Controller, peer: &mut Peer<S>) {
+    controller.inject(Fault::Instead(vec![b' '; 64 << 20]));
+    peer.send(request("power_on"));
+    peer.receive_bytes(1);
+    controller.links().hold();
+}
+
+/// Fails if this does not end.
+fn assert_ends(act: impl FnOnce() + Send + 'static) {
+    let (ends, ended) = mpsc::channel();
+    thread::spawn(move || {
+        act();
+        ends.send(()).ok();
+    });
+    assert_eq!(ended.recv_timeout(LIMIT), Ok(()));
+}
+
+#[test]
+fn dropping_does_not_wait_for_a_write_on_a_link_that_is_held_since() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    hold_while_it_writes(&controller, &mut peer);
+    assert_ends(|| drop(controller));
+
+    let (_, controller) = simulated();
+    let mut peer = Peer::simulated_commands(&controller);
+    hold_while_it_writes(&controller, &mut peer);
+    assert_ends(|| drop(controller));
+}
+
+#[test]
+fn a_newcomer_does_not_wait_for_a_write_on_a_link_that_is_held_since() {
+    let controller = fresh();
+    let mut peer = Peer::commands(&controller);
+    hold_while_it_writes(&controller, &mut peer);
+    let _newcomer = Peer::commands(&controller);
+    assert_ends(move || controller.wait_until_accepted());
+
+    let (_, controller) = simulated();
+    let mut peer = Peer::simulated_commands(&controller);
+    hold_while_it_writes(&controller, &mut peer);
+    let _newcomer = Peer::simulated_commands(&controller);
+    assert_ends(move || controller.wait_until_accepted());
+}
+
 #[test]
 fn controllers_live_side_by_side() {
     let controllers: Vec<_> = (0..8).map(|_| fresh()).collect();
@@ -105,7 +153,7 @@ fn waiting_for_requests_ends() {
     assert!(controller.wait_for_requests(0, Duration::ZERO));
     assert!(!controller.wait_for_requests(1, Duration::from_millis(1)));
     let mut peer = Peer::commands(&controller);
-    std::thread::scope(|scope| {
+    thread::scope(|scope| {
         scope.spawn(|| assert!(controller.wait_for_requests(3, LIMIT)));
         peer.send(request("get_version").repeat(3));
     });

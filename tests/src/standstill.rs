@@ -29,7 +29,7 @@ impl Standstill {
             // A pause of the process counts as one second, however long it is.
             while receiver.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
                 let now = clock.elapsed();
-                seconds = if now == last { seconds + 1 } else { 0 };
+                seconds = if now == last && is_used(&clock) { seconds + 1 } else { 0 };
                 last = now;
                 if seconds == PATIENCE {
                     // Not by a macro, whose output the test harness would keep.
@@ -39,5 +39,33 @@ impl Standstill {
             }
         });
         Self { _dropped: sender }
+    }
+}
+
+/// True unless the time may stand still for ever: nobody is at work, and only servants wait, as after the end of a
+/// test's program.
+fn is_used(clock: &SimulatedClock) -> bool {
+    let state = format!("{clock:#?}");
+    !state.contains("at_work: 0,") || state.contains("moves_time: Yes")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clock_that_no_program_uses_stands_still_without_a_deadlock() {
+        let clock = SimulatedClock::new();
+        assert!(!is_used(&clock));
+        let (servant, theirs) = (clock.servant(), clock.clone());
+        assert!(is_used(&clock), "a thread is about to begin");
+        let serving = thread::spawn(move || servant.run(|| theirs.sleep(Duration::from_secs(1))));
+        while is_used(&clock) {
+            thread::yield_now();
+        }
+        // From now on this thread takes part.
+        clock.sleep(Duration::from_secs(2));
+        assert!(is_used(&clock));
+        serving.join().expect("it does not panic");
     }
 }

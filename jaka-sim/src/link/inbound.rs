@@ -78,10 +78,10 @@ impl<'w> Inbound<'w> {
         let deadline = patience.and_then(|patience| time.now().checked_add(patience));
         let left = || deadline.map(|deadline| time.until(deadline));
         loop {
-            if self.wire.is_closed() {
+            let mut state = links.state();
+            if self.wire.is_closed(&state) {
                 return Ok(Received::End);
             }
-            let mut state = links.state();
             let (fault, stays) = self.wire.fault(&mut state, Direction::ToController);
             match self.next(fault) {
                 ReceiveStep::Take(most) => {
@@ -173,5 +173,53 @@ impl<'w> Inbound<'w> {
         }
         self.hurried = patience.is_some();
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::net::{TcpListener, TcpStream};
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::thread;
+
+    use jaka_clock::SimulatedClock;
+
+    use super::*;
+    use crate::Port;
+    use crate::link::Links;
+    use crate::socket::Socket;
+    use crate::time::Time;
+
+    #[test]
+    fn a_connection_that_closes_while_a_reader_is_about_to_wait_for_its_link_ends() {
+        let clock = SimulatedClock::new();
+        let time = Time::simulated(&clock);
+        let links = Arc::new(Links::new(&[LinkFault::Hold.into()], &time));
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has ports");
+        // One attempt finds the defect if the reader comes as far as to the lock meanwhile.
+        for _ in 0..20 {
+            let _client = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+            let (stream, peer) = listener.accept().expect("a client has connected");
+            let (socket, _) = Socket::accepted(stream, peer, &time).expect("options can be set");
+            let wire = Wire::new(socket, Port::Command, &links).expect("options can be set");
+            let has_ended = Arc::new(AtomicBool::new(false));
+            let (theirs, ended) = (Arc::clone(&wire), Arc::clone(&has_ended));
+
+            let state = links.state();
+            let read = move || {
+                let received = Inbound::new(&theirs).receive(&mut [0; 8], None);
+                ended.store(matches!(received, Ok(Received::End)), Ordering::SeqCst);
+            };
+            let reader = time.spawn("test", read).expect("threads can be started");
+            thread::sleep(Duration::from_millis(5));
+            wire.close_before_others_lock();
+            drop(state);
+
+            // Time goes on once the reader waits or has ended.
+            clock.sleep(Duration::from_secs(1));
+            assert!(has_ended.load(Ordering::SeqCst), "the reader waits for the link of a connection that has closed");
+            drop(reader.join());
+        }
     }
 }

@@ -27,6 +27,8 @@ pub(crate) struct Wire {
     /// What the links had gone through when this was connected, by direction.
     generations: [u64; 2],
     closed: AtomicBool,
+    /// True while a thread writes to the socket past the queue.
+    is_writing: AtomicBool,
     queue: Mutex<Queue>,
 }
 
@@ -40,8 +42,8 @@ impl Wire {
             [0; 2]
         };
         let queue = Mutex::new(Queue::new(links.time()));
-        let (links, closed) = (Arc::clone(links), AtomicBool::new(false));
-        Ok(Arc::new(Self { socket, port, links, generations, closed, queue }))
+        let (closed, is_writing) = (AtomicBool::new(false), AtomicBool::new(false));
+        Ok(Arc::new(Self { socket, port, links: Arc::clone(links), generations, closed, is_writing, queue }))
     }
 
     pub(crate) fn socket(&self) -> &Socket {
@@ -53,7 +55,10 @@ impl Wire {
     }
 
     /// Whether the controller has ended the connection. The client may not know yet.
-    pub(super) fn is_closed(&self) -> bool {
+    ///
+    /// The thread that ends it locks the state of the links afterwards, and then gives the signal. So a thread that has
+    /// the state locked while it asks, and waits by that lock, does not miss the signal.
+    pub(super) fn is_closed(&self, _locked: &LinkStates) -> bool {
         self.closed.load(Ordering::SeqCst)
     }
 
@@ -66,13 +71,29 @@ impl Wire {
 
     /// Writes bytes, or lets them wait where something is wrong.
     pub(crate) fn send(self: &Arc<Self>, bytes: &[u8]) -> io::Result<()> {
-        if self.links.are_used() && self.put_off(bytes)? {
+        if !self.begins_to_write() && self.put_off(bytes)? {
             return Ok(());
         }
-        self.socket.write_all(bytes)
+        let written = self.socket.write_all(bytes);
+        self.is_writing.store(false, Ordering::SeqCst);
+        written
     }
 
-    /// Lets bytes wait; false where they can be written at once.
+    /// Marks a write as begun; false where the links have been used. The mark comes before the look at the links: a
+    /// thread that ends the connection by links that have been used sees it.
+    fn begins_to_write(&self) -> bool {
+        if self.links.are_used() {
+            return false;
+        }
+        self.is_writing.store(true, Ordering::SeqCst);
+        let begins = !self.links.are_used();
+        if !begins {
+            self.is_writing.store(false, Ordering::SeqCst);
+        }
+        begins
+    }
+
+    /// Lets bytes wait; false where they can be written at once, and the write is marked as begun.
     fn put_off(self: &Arc<Self>, bytes: &[u8]) -> io::Result<bool> {
         let mut state = self.links.state();
         let (fault, _) = self.fault(&mut state, Direction::ToClient);
@@ -81,7 +102,10 @@ impl Wire {
             return Err(ErrorKind::BrokenPipe.into());
         }
         match fault {
-            LinkFault::None if queue.is_idle() => return Ok(false),
+            LinkFault::None if queue.is_idle() => {
+                self.is_writing.store(true, Ordering::SeqCst);
+                return Ok(false);
+            }
             LinkFault::Cut => return Ok(true),
             _ => {}
         }
@@ -146,12 +170,15 @@ impl Wire {
             log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
         }
         self.closed.store(true, Ordering::SeqCst);
-        if self.end_later(End::Drop) {
+        self.end_later(End::Drop);
+        if self.links.are_used() {
             self.links.notify();
         }
     }
 
-    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for.
+    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for. Also false while a
+    /// thread writes past the queue: it may wait for a client that does not read, and only the end of the socket wakes
+    /// it.
     fn end_later(self: &Arc<Self>, end: End) -> bool {
         if !self.links.are_used() {
             return false;
@@ -159,10 +186,14 @@ impl Wire {
         let mut state = self.links.state();
         let (fault, _) = self.fault(&mut state, Direction::ToClient);
         let mut queue = lock(&self.queue);
-        if queue.is_aborted() || (fault == LinkFault::None && !queue.has_sender) {
+        let is_writing = self.is_writing.load(Ordering::SeqCst);
+        if queue.is_aborted() || (!queue.has_sender && (is_writing || fault == LinkFault::None)) {
             return false;
         }
         queue.end(end);
+        if is_writing {
+            return false;
+        }
         // To the client, this is as if nothing had been done.
         self.shut_down(Shutdown::Read);
         drop(state);
@@ -175,6 +206,13 @@ impl Wire {
         lock(&self.queue).abort();
         self.shut_down(Shutdown::Both);
         self.links.notify();
+    }
+
+    /// Ends the connection as a thread does that locked the state of the links before the caller did.
+    #[cfg(test)]
+    pub(super) fn close_before_others_lock(&self) {
+        self.closed.store(true, Ordering::SeqCst);
+        self.links.changed.notify_all();
     }
 
     fn shut_down(&self, how: Shutdown) {
