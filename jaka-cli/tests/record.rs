@@ -408,3 +408,20 @@ fn status_readers_are_bounded_and_commands_go_through() {
         recording.entries.iter().any(|entry| entry.event == Event::Sent(Message::new(r#"{"cmdName":"power_on"}"#)))
     );
 }
+
+/// The robot decides which of them it serves.
+#[test]
+fn command_clients_are_not_bounded() {
+    let robot = TcpListener::bind("127.0.0.1:0").unwrap();
+    // Of a wait for a connection.
+    SockRef::from(&robot).set_read_timeout(Some(LONG)).unwrap();
+    let proxy = Proxy::before("commands.jsonl", &robot);
+    let idle: Vec<_> = (0..80).map(|_| connect(&proxy, &robot)).collect();
+    let (mut client, mut controller) = connect(&proxy, &robot);
+    client.write_all(b"{}").unwrap();
+    let mut request = [0; 2];
+    controller.read_exact(&mut request).unwrap();
+    assert_eq!(&request, b"{}");
+    drop((idle, client, controller));
+    proxy.finish();
+}

@@ -4,9 +4,12 @@ use std::fmt::Write as _;
 use std::fs;
 use std::time::Duration;
 
+use jaka_sim::Port;
+use jaka_sync::jaka_motion::{Limits, Model, Trajectory, Via};
 use jaka_sync::motion::JointMove;
 use jaka_sync::proto::wire::Writer;
-use jaka_sync::{Cause, ServoConfig, ServoSession};
+use jaka_sync::types::JointPosition;
+use jaka_sync::{Cause, FollowConfig, ServoConfig, ServoSession};
 use jaka_tests::{Arm, LONG, recorded};
 use serde_json::{Value, json};
 
@@ -256,4 +259,33 @@ fn late_set_points_ends_of_motions_and_stops_are_told() {
     }
     let reached = "the motion has reached its target";
     assert!(part(&page, "list").contains(reached) && !problems.contains(reached), "{}", part(&page, "list"));
+}
+
+#[test]
+fn ends_of_trajectories_and_of_landings_are_told() {
+    let (error, recording) = recorded(Arm::simulated(), |arm| {
+        let mut robot = arm.robot();
+        robot.power_up(LONG).expect("it has power");
+        let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+        let mut robot = robot.with_limits(limits).expect("it is this arm");
+        let start = arm.state().joint_position;
+        let there = JointPosition([start[0] + 40.0, start[1], start[2], start[3], start[4], start[5]]);
+        let way = Trajectory::through([Via::Joints(start), Via::Joints(there)]).joint_speeds([20.0; 6]);
+        let trajectory = way.build(robot.limits().expect("it has some")).expect("within the limits");
+        let run = robot.start_follow(&trajectory, &FollowConfig::new()).expect("the arm is at its start");
+        arm.clock().sleep(Duration::from_millis(500));
+        run.stop().expect("it runs");
+        assert_eq!(run.wait().cause(), Cause::Stopped);
+        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+        session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("it is sent");
+        arm.link(Port::Status).to_client().hold();
+        session.land().expect_err("no packet shows rest").to_string()
+    });
+    let mut text = Writer::new();
+    recording.write(&mut text);
+    let (page, _) = report(text.as_str().as_bytes());
+    let problems = part(&page, "problems");
+    for problem in ["the motion was stopped before its target (", &error] {
+        assert!(problems.contains(problem), "{problem} in {problems}");
+    }
 }

@@ -12,7 +12,7 @@ use std::time::Duration;
 use expect_test::expect;
 use jaka_sim::{Controller, Delays, Fault, Habits};
 use jaka_tests::{Arm, ReservedPort};
-use serde_json::{Deserializer, Value};
+use serde_json::{Deserializer, Value, json};
 
 #[cfg(unix)]
 use crate::common::{interrupt, wait_until};
@@ -78,9 +78,9 @@ fn up_tells_how_far_it_has_come() {
     assert_eq!(notes(&slow(), "up --yes -q"), "");
 }
 
-/// A controller of two plain sockets whose packets do not show power, and whose arm has none until it is switched on.
-/// Returns the words that lead to it.
-fn without_shown_power() -> [String; 6] {
+/// A controller of two plain sockets whose packets do not have a key, and whose arm has no power until it is switched
+/// on. Returns the words that lead to it.
+fn without_shown(key: &'static str) -> [String; 6] {
     let (commands, status) = (listener(), listener());
     let port = |listener: &TcpListener| listener.local_addr().expect("it is bound").port().to_string();
     let words =
@@ -91,9 +91,13 @@ fn without_shown_power() -> [String; 6] {
         let (mut reader, _) = status.accept().expect("it listens");
         loop {
             let enabled = shown.load(Ordering::SeqCst);
-            let packet = format!(
-                r#"{{"len": 100, "errcode": "0x0", "enabled": {enabled}, "inpos": true, "emergency_stop": 0, "protective_stop": 0}}"#
-            );
+            let mut packet = json!({
+                "len": 100, "errcode": "0x0", "enabled": enabled, "powered_on": enabled, "inpos": true,
+                "emergency_stop": 0, "protective_stop": 0,
+            });
+            packet.as_object_mut().expect("it is one").remove(key).expect("it has the key");
+            // The length stands first.
+            let packet = packet.to_string().replace(r#""len":100,"#, "").replacen('{', r#"{"len":100,"#, 1);
             if reader.write_all(packet.as_bytes()).is_err() {
                 return;
             }
@@ -133,13 +137,22 @@ fn listener() -> TcpListener {
 
 #[test]
 fn up_says_nothing_of_power_that_packets_do_not_show() {
-    let run = jaka(["up", "--yes"].map(str::to_owned).into_iter().chain(without_shown_power()));
+    let run = jaka(["up", "--yes"].map(str::to_owned).into_iter().chain(without_shown("powered_on")));
     assert_eq!(run.code, Some(0), "{run:?}");
     expect![[r"
         note: switching the power on
         note: the arm has power, after 0.0 s; enabling it
     "]]
     .assert_eq(&run.err.replace(|c: char| c.is_ascii_digit(), "0"));
+}
+
+#[test]
+fn a_motion_is_not_sent_where_packets_do_not_show_whether_the_arm_moves() {
+    for line in ["jog 6 5 --speed 5 --yes", "move --joints 0,90,80,90,-90,0 --speed 10 --yes"] {
+        let run = jaka(line.split(' ').map(str::to_owned).chain(without_shown("inpos")));
+        assert_eq!(run.code, Some(20), "{run:?}");
+        assert!(run.err.contains("was not sent: status packets do not show whether the arm moves"), "{run:?}");
+    }
 }
 
 #[test]

@@ -10,13 +10,18 @@ use super::{Run, jaka_beside};
 
 /// A run beside a link that delivers nothing from 1.2 s to 3.5 s, in which the arm is disabled.
 fn run(line: &str) -> Run {
+    run_until(Duration::from_millis(3_500), line)
+}
+
+/// The same beside a link that delivers again from this time on.
+fn run_until(released: Duration, line: &str) -> Run {
     let arm = Arm::simulated().start();
     let held = || {
         arm.clock().sleep(Duration::from_millis(1_200));
         arm.link(Port::Status).to_client().hold();
         arm.clock().sleep(Duration::from_secs(1));
         arm.set_state(|state| state.enabled = false);
-        arm.clock().sleep(Duration::from_millis(1_300));
+        arm.clock().sleep(released.saturating_sub(Duration::from_millis(2_200)));
         arm.link(Port::Status).to_client().release();
     };
     let run = jaka_beside(&arm, held, line.split(' '));
@@ -76,6 +81,13 @@ fn lines_of_packets_are_followed_by_a_warning_where_none_comes() {
         let other = self::run(&format!("status --watch -n 3 {options}"));
         assert_eq!((&other.err, other.code), (&run.err, 0), "{options}: {other:?}");
     }
+}
+
+/// The third one is due at 3.0 s, a moment before the link delivers what it held.
+#[test]
+fn a_packet_that_may_be_old_is_not_the_one_that_is_due() {
+    let run = run_until(Duration::from_millis(3_020), "status --watch -n 3 --fields enabled --format json");
+    assert_eq!((enabled(&run), run.code), (vec![true, true, false], 0), "{run:?}");
 }
 
 /// Each packet is printed then, also one that may be old.

@@ -262,7 +262,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
     }
 
-    /// Sends a set-point that has been checked, unless it is later than `most`, or too late for a moving arm.
+    /// Sends a set-point that has been checked, unless it is later than `most`, or follows a gap and the arm moves or
+    /// cannot begin with it.
     pub(super) fn send_checked(
         &mut self,
         set_point: SetPoint,
@@ -277,11 +278,25 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.robot.latch.check()?;
         self.check_unanswered()?;
         let (gate, begun) = (self.robot.gate(), self.begun);
+        let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };
         let late = self.post(&set_point, &gate, most)?;
         self.course.sent(set_point, joints);
         self.went_out(late, begun);
         self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
         Ok(())
+    }
+
+    /// True if an arm that stands at the last set-point can go on with this one.
+    fn can_begin_with(&self, next: &SetPoint, joints: Option<JointPosition>) -> bool {
+        let in_joints = self.course.last_joints().zip(joints);
+        let step = in_joints.map(|([_, last], joints)| Step::between_joints(last, joints));
+        let step = step.or_else(|| self.course.step_to(next));
+        step.is_none_or(|step| self.config.rates.check(&step, &step.scaled(0.0), self.config.period()).is_ok())
+    }
+
+    /// Greatest lateness that is not a gap.
+    fn most_without_gap(&self) -> Duration {
+        self.config.gap().saturating_sub(Duration::from_nanos(1))
     }
 
     /// Sends the set-point of the cycle that has begun, and returns its lateness: that at the gate, since the thread may

@@ -19,7 +19,7 @@ const HELD: Duration = Duration::from_millis(1500);
 struct Stamping<'c> {
     clock: &'c SimulatedClock,
     socket: ClockedSocket,
-    held: Option<Vec<u8>>,
+    held: Option<Vec<String>>,
 }
 
 impl Stamping<'_> {
@@ -34,16 +34,19 @@ impl Stamping<'_> {
                 "x".repeat(8000)
             );
             match &mut self.held {
-                Some(held) => held.extend(packet.bytes()),
+                Some(held) => held.push(packet),
                 None => self.socket.write_all(packet.as_bytes()).expect("the monitor reads"),
             }
             self.clock.sleep(PERIOD);
         }
     }
 
+    /// Delivers the packets one by one, so that the monitor takes each for the newest.
     fn release(&mut self) {
-        let held = self.held.take().expect("packets were held");
-        self.socket.write_all(&held).expect("the monitor reads");
+        for packet in self.held.take().expect("packets were held") {
+            self.socket.write_all(packet.as_bytes()).expect("the monitor reads");
+            self.clock.sleep(Duration::from_millis(2));
+        }
     }
 }
 

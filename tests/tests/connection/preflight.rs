@@ -3,10 +3,11 @@
 
 use std::time::Duration;
 
-use jaka_sim::{Fault, Firmware, StatusFault};
+use jaka_sim::{Fault, Firmware, Port, StatusFault};
 use jaka_spec::Effect;
 use jaka_sync::jaka_motion::{Limits, Model, Region};
 use jaka_sync::{CheckItem, Preflight, Robot, Verdict};
+use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, spec};
 use serde_json::Value;
 
@@ -100,6 +101,24 @@ fn a_robot_whose_connections_are_broken_is_checked_at_once() {
     let preflight = robot.preflight();
     assert_eq!(with(&preflight, Verdict::Wrong), [CheckItem::CommandPort, CheckItem::StatusPort], "{preflight}");
     assert_eq!(with(&preflight, Verdict::NothingFound), [], "{preflight}");
+}
+
+/// What the link held passes in 80 ms, while the check ends.
+#[test]
+fn a_packet_that_a_link_may_have_held_back_is_not_told_as_the_present() {
+    let controller = healthy(Firmware::default());
+    let mut robot = controller.robot();
+    let clock = controller.clock();
+    let held = || {
+        controller.link(Port::Status).to_client().hold();
+        clock.sleep(Duration::from_millis(600));
+        controller.press_emergency_stop();
+        clock.sleep(Duration::from_millis(370));
+        controller.link(Port::Status).to_client().slow(1_500_000);
+    };
+    let preflight = beside(clock, held, || robot.preflight());
+    let stop = preflight.findings().iter().find(|finding| finding.item() == CheckItem::EmergencyStop);
+    assert!(stop.is_some_and(|stop| stop.verdict() == Verdict::Wrong), "{preflight}");
 }
 
 #[test]

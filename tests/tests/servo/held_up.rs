@@ -10,7 +10,9 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_sim::SimulatedClock;
 use jaka_sync::jaka_motion::{Checker, Frames};
 use jaka_sync::status::RobotStatus;
-use jaka_sync::{Cause, Client, End, Error, ErrorKind, FollowConfig, MotionStatus, Robot, ServoConfig, StreamConfig};
+use jaka_sync::{
+    Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, MotionStatus, Robot, ServoConfig, StreamConfig,
+};
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, LONG, followed};
@@ -33,6 +35,8 @@ enum Place {
     Status,
     /// In the logger of the wire.
     Logger,
+    /// There, by a panic after the time.
+    Panic,
 }
 
 struct HoldUp {
@@ -42,7 +46,7 @@ struct HoldUp {
 }
 
 /// Next hold-up of each test's thread of set-points.
-static HOLD_UPS: [Mutex<Option<HoldUp>>; 8] = [const { Mutex::new(None) }; 8];
+static HOLD_UPS: [Mutex<Option<HoldUp>>; 10] = [const { Mutex::new(None) }; 10];
 
 thread_local! {
     /// Next hold-up of this thread by the logger.
@@ -60,6 +64,7 @@ impl Log for SlowLogger {
         if self.enabled(record.metadata()) && record.args().to_string().starts_with("-> ") {
             let hold_up = BY_LOGGER.take().expect("it is enabled");
             hold_up.clock.sleep(hold_up.time);
+            assert!(!matches!(hold_up.place, Place::Panic), "a logger that panics");
         }
     }
 
@@ -77,7 +82,7 @@ impl<const TEST: usize> MotionStatus for Slow<TEST> {
         if matches!(thread::current().name(), Some("jaka stream" | "jaka follow")) {
             let hold_up = HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner).take();
             match hold_up {
-                Some(hold_up @ HoldUp { place: Place::Logger, .. }) => BY_LOGGER.set(Some(hold_up)),
+                Some(hold_up @ HoldUp { place: Place::Logger | Place::Panic, .. }) => BY_LOGGER.set(Some(hold_up)),
                 Some(HoldUp { clock, time, .. }) => clock.sleep(time),
                 None => {}
             }
@@ -90,7 +95,7 @@ fn ready<const TEST: usize>() -> (Arm, Robot<Slow<TEST>>) {
     let arm = stream::arm().start();
     let monitor = arm.monitor::<Slow<TEST>>();
     let robot = Robot::with_monitor(arm.client(), monitor);
-    let robot = robot.with_limits(if matches!(TEST, 0 | 3 | 4) { stream::limits() } else { follow::limits() });
+    let robot = robot.with_limits(if matches!(TEST, 0 | 3 | 4 | 9) { stream::limits() } else { follow::limits() });
     (arm, robot.expect("it is this arm"))
 }
 
@@ -166,6 +171,33 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
     }
 }
 
+/// It is compared with standstill like one that is given after a gap.
+#[test]
+fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is_not_sent() {
+    let (arm, mut robot) = ready::<9>();
+    let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
+    arm.clock().sleep(SERVO_PERIOD * 2);
+    let turn = [0.0, 0.0, 0.0, 0.0, 0.0, 20.0];
+    stream.set_joint_velocity(turn, Duration::from_millis(500)).expect("within its speed");
+    // The last one is slower than 2.3 deg/s, an acceleration of 72 deg/s² times a period; the next one is not.
+    let is_slow = |by: f64| by < 72.0 * 0.032 * 0.032;
+    let last_step = || {
+        let (set_points, _) = positions(&arm, CYCLES);
+        set_points.windows(2).last().map_or(0.0, |pair| apart(&pair[0], &pair[1]))
+    };
+    while last_step() < 0.02 {
+        arm.clock().sleep(Duration::from_millis(1));
+    }
+    assert!(is_slow(last_step()), "{}", last_step());
+    let sent = positions(&arm, CYCLES).0.len();
+    hold_up::<9>(&arm, SERVO_PERIOD * 3);
+    assert!(stream.wait_for_rest(LONG).is_err(), "it ends");
+    let error = stream.land().expect_err("it has ended");
+    assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 3), "{error:?}");
+    let after = &positions(&arm, CYCLES).0[sent - 1..];
+    assert!(is_slow(apart(&after[0], &after[1])), "{after:?}");
+}
+
 /// A run whose thread is held up on its way, with what a proxy has seen of its set-points.
 fn run_held_up<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSeen) {
     let arm = stream::arm().start();
@@ -225,9 +257,7 @@ fn a_logger_makes_no_set_point_late_but_the_next_one() {
 #[test]
 fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
     let (arm, mut robot) = ready::<6>();
-    let trajectory =
-        follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
-    let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
+    let run = run(&mut robot);
     follow::wait_for(&arm, &run, 0.5);
     run.handle().stop().expect("it runs");
     hold_up_at::<6>(Place::Logger, &arm, SERVO_PERIOD * 5);
@@ -235,6 +265,60 @@ fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
     let error = end.error.as_ref().unwrap_or_else(|| panic!("it had no set-points at speed: {end:?}"));
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 4), "{error:?}");
     assert_eq!((end.cause(), end.report.gaps), (Cause::SetPointLate, 1), "{end:?}");
+}
+
+/// A run of the trajectory there and back.
+fn run<const TEST: usize>(robot: &mut Robot<Slow<TEST>>) -> FollowRun<'_, Slow<TEST>> {
+    let checker = Checker::new(follow::limits(), Frames::new());
+    let trajectory = follow::trajectory(&to_and_fro(), &checker).expect("within the limits");
+    robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start")
+}
+
+/// Also while the next one is held up, and where that does not go out.
+#[test]
+fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent() {
+    for time in [(SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1)), SERVO_PERIOD * 3] {
+        let (arm, mut robot) = ready::<7>();
+        let stop = robot.stop_handle();
+        let run = run(&mut robot);
+        follow::wait_for(&arm, &run, 0.5);
+        let assert_is_of_the_last = |time: Duration| {
+            let (set_points, _) = positions(&arm, CYCLES);
+            let last = set_points[set_points.len() - 1];
+            let told = to_and_fro().at(time.as_secs_f64());
+            assert!(apart(&told, &last) < 1e-6, "{told:?} at {time:?}, and {last:?} was sent");
+        };
+        let look = || {
+            arm.clock().sleep(SERVO_PERIOD * 2);
+            hold_up::<7>(&arm, time);
+            arm.clock().sleep(SERVO_PERIOD * 2);
+            assert!(run.progress().rate > 0.0, "it is still braked");
+            assert_is_of_the_last(run.progress().time);
+        };
+        beside(arm.clock(), || stop.stop().expect("the controller takes it"), look);
+        let handle = run.handle();
+        let end = run.wait();
+        assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, false), "{end:?}");
+        assert_is_of_the_last(followed(&end).reached);
+        assert_eq!(
+            (handle.progress().time, handle.progress().rate.to_bits()),
+            (followed(&end).reached, 0.0_f64.to_bits())
+        );
+    }
+}
+
+#[test]
+fn no_trajectory_time_passes_after_a_panic() {
+    let (arm, mut robot) = ready::<8>();
+    let run = run(&mut robot);
+    follow::wait_for(&arm, &run, 0.5);
+    assert!(run.progress().rate > 0.0);
+    hold_up_at::<8>(Place::Panic, &arm, Duration::ZERO);
+    let handle = run.handle();
+    let end = run.wait();
+    assert_eq!((end.cause(), handle.has_ended()), (Cause::Failed, true), "{end:?}");
+    assert_eq!(handle.progress().rate.to_bits(), 0.0_f64.to_bits());
+    assert!(!arm.state().servo_mode);
 }
 
 /// Its braking set-points go on, and the stop that waits for them does not overtake them.

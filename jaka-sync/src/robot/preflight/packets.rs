@@ -38,16 +38,26 @@ impl<'m, S: MotionStatus> Count<'m, S> {
         Ok(Self { monitor, since: monitor.clock.stopwatch(), before: monitor.statistics() })
     }
 
-    /// Counts to the end, and returns the newest packet.
+    /// True if the newest packet may be one that a network had held back.
+    fn may_be_old(&self) -> bool {
+        matches!(self.monitor.fresh_packet(), Err(StatusProblem::Resuming))
+    }
+
+    /// Counts to the end, and returns the newest packet, which is none that a network may have held back.
     pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Judgement> {
         let left = self.since.left_of(WINDOW);
         let ended = self.monitor.watch(left, |_| None::<()>);
         let (elapsed, after) = (self.since.passed(), self.monitor.statistics());
         ended.map_err(|error| ports::of_status(&error, 0))?;
+        // A later packet tells the present.
+        let _ = self.monitor.watch(self.monitor.stale_after, |_| (!self.may_be_old()).then_some(()));
         let newest = match self.monitor.fresh_packet() {
             Ok(newest) => Some(newest),
             Err(StatusProblem::Stale { age }) => {
                 return Err(Judgement::wrong(format!("the last status packet came {age:.1?} ago"), SILENT));
+            }
+            Err(StatusProblem::Resuming) => {
+                return Err(Judgement::wrong("status packets come again after a silence, and may be old", SILENT));
             }
             Err(_) => self.monitor.last_known_packet(),
         };
