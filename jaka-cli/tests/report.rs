@@ -251,7 +251,7 @@ fn late_set_points_ends_of_motions_and_stops_are_told() {
     for problem in [
         "a set-point is 12.0ms late",
         "a set-point is 32.0ms late: the controller had none when several were due",
-        "a set-point is 32.0ms late: the machine was too busy to send it in time",
+        "a set-point was too late, by 32.0ms: the machine was too busy to send it in time",
         "the program stops the arm (`stop_program`)",
         "the motion was stopped before its target",
     ] {

@@ -19,7 +19,7 @@ jaka_proto::worded! {
         /// The arm is not enabled: call `enable_robot`.
         NotEnabled => "the arm is not enabled",
         /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
-        NotInServoMode => "servo mode is off",
+        NotInServoMode => "servo mode is not as it should be: it is off",
         /// The controller does not accept commands from this client: grant remote control on its panel.
         NoRemoteControl =>
             "the controller does not accept commands from this client",
@@ -28,14 +28,14 @@ jaka_proto::worded! {
         /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
         /// `set_servo_mode` with off.
         ServoModeOn =>
-            "servo mode is on already, perhaps with set-points of another program or session",
+            "servo mode is not as it should be: it is on already, perhaps with set-points of another program or session",
         /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
         ServoModeNotEntered =>
-            "the controller acknowledged servo mode but did not enter it, which happens while the arm moves",
+            "servo mode is not as it should be: the controller acknowledged it but did not enter it, as while the arm moves",
         /// The controller acknowledged the end of servo mode but is still in it.
-        ServoModeNotLeft => "the controller acknowledged the end of servo mode but is still in it",
+        ServoModeNotLeft => "servo mode is not as it should be: the controller acknowledged its end but is still in it",
         /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
-        Event(event: ControllerEvent) => "the controller reports {event}",
+        Event(event: ControllerEvent) => "the controller reports an error: {event}",
         /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
         SoftLimit => "a soft limit of the controller was hit",
         /// The motion is beyond a limit of the robot's, and was sent all the same. Needs the feature `motion`.

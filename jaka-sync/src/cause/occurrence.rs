@@ -108,7 +108,8 @@ impl fmt::Display for Occurrence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let fact = self.cause;
         let text = match &self.evidence {
-            Evidence::None | Evidence::Status { cause: None, unreadable: None } => fact.to_string(),
+            Evidence::None => fact.to_string(),
+            Evidence::Status { cause: None, unreadable: None } => format!("{fact}: no status packets come"),
             Evidence::Event { event: Some(event), message, .. } => format!("{fact}: {event}: {message}"),
             Evidence::Event { event: None, code, message } => format!("{fact}: code {code}: {message}"),
             Evidence::Trip(trip) => format!("{fact}: {trip}"),

@@ -94,8 +94,8 @@ causes! {
     Stopped "stopped" Ended "the motion was stopped before its target" LookAtArm,
     /// The controller does not answer commands.
     Unanswered "unanswered" Connection "the controller does not answer" CheckNetwork,
-    /// No status packets come that can be read: the state of the robot is not known.
-    StatusLost "status_lost" Connection "no status packets come that can be read" CheckNetwork,
+    /// The state of the robot is unknown: no status packets come that can be read.
+    StatusLost "status_lost" Connection "the state of the robot is unknown" CheckNetwork,
     /// Packets do not show what has to be known.
     NotShown "not_shown" Robot "status packets do not show what has to be known" SeeError,
     /// It has not ended in time.
@@ -105,7 +105,7 @@ causes! {
     /// A joint does not follow its set-points.
     Departed "departed" Following "a joint does not follow its set-points" FindObstacle,
     /// The controller refused a command for a reason that it does not show.
-    Refused "refused" Robot "the controller refused it" SeeError,
+    Refused "refused" Robot "the controller refused" SeeError,
     /// The motion is beyond a limit, or cannot be compared with the limits.
     BeyondLimit "beyond_limit" Program "the motion is beyond a limit of the robot, or cannot be compared with the limits" SeeError,
     /// The arm is not where the trajectory starts.

@@ -130,7 +130,7 @@ jaka_proto::worded! {
             what: String,
             /// Why the status is not known, and what helps.
             problem: StatusProblem,
-        } => "the wait has ended, because it is not known any more whether {what}: {problem}",
+        } => (wait_ended(what, problem)),
         /// A wait for an input has ended, because the robot has stopped meanwhile, or was stopped. Nothing was sent.
         WaitBroken {
             /// What was waited for, in words.
@@ -164,7 +164,7 @@ jaka_proto::worded! {
         GuardTripped {
             /// Which condition, by which packet, and what followed.
             trip: Arc<GuardTrip>,
-        } => "the guard tripped: {trip}",
+        } => (with_fact(trip.cause(), trip.to_string())),
         /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not accepted: the arm may move, and
         /// nobody judges the guard.
         NotStopped {
@@ -240,7 +240,7 @@ jaka_proto::worded! {
         SetPointLate {
             /// Time since it was due.
             late: Duration,
-        } => "a set-point is {late:.1?} late: the machine was too busy to send it in time",
+        } => "a set-point was too late, by {late:.1?}: the machine was too busy to send it in time",
         /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early. Nothing was sent.
         Thread {
             /// Why not, in the system's words.
@@ -261,7 +261,8 @@ jaka_proto::worded! {
             /// How long ago the oldest of them was sent.
             oldest: Duration,
         } =>
-            "the servo session has ended without a landing: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago",
+            "the controller does not answer: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago; the \
+             servo session has ended without a landing",
         /// A set-point was not sent: its servo session has ended.
         SessionEnded {
             /// Cause of its end.
@@ -315,7 +316,7 @@ jaka_proto::worded! {
             first: Error,
             /// What ended the landing.
             landing: Error,
-        } => "{first}; and the arm was not braked to rest: {landing}",
+        } => (not_landed(first, landing)),
         /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
         UnexpectedStatus {
             /// Which field does not fit.
@@ -526,10 +527,21 @@ fn not_in_state(after: Duration, packets: u64, says: Option<&str>) -> String {
 }
 
 fn commands_lost(address: &str, what: &str, cause: &Disconnect) -> String {
-    let hint = cause.seat_hint();
-    format!(
-        "the wait has ended before {what}: the command connection to {address} was lost, and no stop can be sent on it any more{hint}"
-    )
+    format!("the wait has ended before {what}: {} ({address}{})", Cause::CommandsLost, cause.seat_hint())
+}
+
+fn wait_ended(what: &str, problem: &StatusProblem) -> String {
+    format!("the wait has ended before {what}, because {}: {problem}", Cause::StatusLost)
+}
+
+fn not_landed(first: &Error, landing: &Error) -> String {
+    with_fact(first.cause().min(landing.cause()), format!("{first}; and the arm was not braked to rest: {landing}"))
+}
+
+/// Text that begins with the fact of the cause, unless it has that already.
+fn with_fact(cause: Cause, text: String) -> String {
+    let fact = cause.to_string();
+    if text.contains(&fact) { text } else { format!("{fact}: {text}") }
 }
 
 /// What came first, if something did.
@@ -539,8 +551,12 @@ fn and(first: Option<&Error>) -> String {
 
 fn not_left(first: Option<&Error>, leaving: &Error) -> String {
     let no_stop = if leaving.is_disconnected() { "; no stop can be sent on this connection" } else { "" };
+    let cause = first.map_or(leaving.cause(), |first| first.cause().min(leaving.cause()));
     let first = and(first);
-    format!("{first}servo mode may be on, because leaving it failed or was not confirmed: {leaving}{no_stop}")
+    with_fact(
+        cause,
+        format!("{first}servo mode may be on, because leaving it failed or was not confirmed: {leaving}{no_stop}"),
+    )
 }
 
 fn stopped(accepted: &str, not_sent: &str) -> String {

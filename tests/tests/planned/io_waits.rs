@@ -147,7 +147,7 @@ fn a_wait_ends_when_the_status_is_no_longer_known() {
     assert!(matches!(error.kind(), ErrorKind::WaitEnded { problem: StatusProblem::Stale { .. }, .. }), "{error:?}");
     assert!(
         error.to_string().starts_with(
-            "the wait has ended, because it is not known any more whether digital input 1 of the cabinet (counted from 1) is high: the last status"
+            "the wait has ended before digital input 1 of the cabinet (counted from 1) is high, because the state of the robot is unknown: the last status"
         ),
         "{error}"
     );

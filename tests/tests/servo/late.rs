@@ -76,7 +76,10 @@ fn one_late_set_point_at_speed_ends_the_session_and_is_named() {
         let (sent, report, after) = late(&course);
         let error = sent.expect_err("the arm was at speed");
         assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == PERIOD * 3), "{error:?}");
-        assert_eq!(error.kind().to_string(), "a set-point is 24.0ms late: the machine was too busy to send it in time");
+        assert_eq!(
+            error.kind().to_string(),
+            "a set-point was too late, by 24.0ms: the machine was too busy to send it in time"
+        );
         assert!(!error.may_have_run());
         assert_eq!((report.cycles, report.gaps, report.longest_gap), (21, 1, PERIOD * 3));
         assert!(report.landing_cycles > 0, "{report:?}");

@@ -75,7 +75,7 @@ fn of_the_state() -> Vec<String> {
 
 fn of_ends() -> Vec<String> {
     let ends = [Cause::Stopped, Cause::AtRest, Cause::EmergencyStop, Cause::NotPowered, Cause::NotEnabled];
-    let lost = Cause::StatusLost.into();
+    let lost = Occurrence::new(Cause::StatusLost, Evidence::Status { cause: None, unreadable: None });
     let seat_lost = Evidence::Commands {
         address: "10.5.5.100:10001".to_owned(),
         cause: Arc::new(Disconnect::Closed { partial: 0 }),
