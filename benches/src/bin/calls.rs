@@ -50,6 +50,6 @@ fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>>
     for _ in 0..count {
         session.send_joint_offset([0.0; 6])?;
     }
-    session.land()?;
+    session.land()?.at_rest()?;
     Ok(())
 }
