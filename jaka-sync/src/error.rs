@@ -138,6 +138,7 @@ impl Error {
         match self.kind() {
             ErrorKind::NotAcknowledged { occurrence } => occurrence.to_string(),
             ErrorKind::NotReady { explanation } => explanation.to_string(),
+            ErrorKind::StatusUnknown { problem } => problem.to_string(),
             ErrorKind::Refused { refusal, .. } => refusal.to_string(),
             kind => kind.to_string(),
         }

@@ -67,7 +67,7 @@ const EVENTS: [Row; 8] = [
     (
         |arm| arm.link(Port::Status).to_client().hold(),
         28,
-        "the state of the robot is unknown: no status packets come",
+        "the state of the robot is unknown",
         "check the network; `jaka stop` is worth a try: commands may still pass",
     ),
 ];
