@@ -13,7 +13,7 @@ const MOVES: [&str; 3] = [
     "jog 1 90 --speed 10 --yes",
 ];
 
-/// What happens while an arm moves, with the exit code, the fact and the hint.
+/// Event while an arm moves, with the exit code, the fact and the hint.
 type Row = (fn(&Controller), u8, &'static str, &'static str);
 
 const EVENTS: [Row; 8] = [
