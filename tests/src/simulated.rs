@@ -1,5 +1,7 @@
 //! What tests with a simulated clock share.
 
+mod command_wire;
+mod forwarded;
 mod set_points;
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -9,6 +11,7 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, SimulatedClock};
 
+pub use self::command_wire::{CommandWire, TimedMessage};
 pub use self::set_points::{SetPoints, SetPointsSeen};
 use crate::LONG;
 

@@ -1,15 +1,14 @@
 //! A proxy to a command port that takes part in a simulated time, and sees the set-points on the wire.
 
-use std::io::{Read, Write};
-use std::net::{Ipv4Addr, Shutdown, SocketAddr};
+use std::net::SocketAddr;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
 use std::time::Duration;
 
 use jaka_proto::framing::Framer;
 use jaka_sim::SimulatedClock;
-use jaka_sim::jaka_clock::Stream;
 use serde_json::Value;
+
+use super::forwarded::forwarded;
 
 /// A proxy to a command port for one client. It knows nothing of who makes the set-points.
 #[derive(Debug)]
@@ -42,24 +41,10 @@ impl SetPoints {
         controller: SocketAddr,
         is_expected: impl Fn(u64, [f64; 6]) -> bool + Send + 'static,
     ) -> Self {
-        let listener = clock.bind((Ipv4Addr::LOCALHOST, 0).into()).expect("loopback has free ports");
-        let address = listener.local_addr();
-        let (clock, seen) = (clock.clone(), Arc::<Mutex<SetPointsSeen>>::default());
-        let theirs = Arc::clone(&seen);
-        thread::spawn(move || {
-            let near = Arc::new(listener.accept().expect("it listens"));
-            let far = Arc::new(clock.connect(controller).expect("the controller listens"));
-            let (place, back) = (clock.servant(), (Arc::clone(&far), Arc::clone(&near)));
-            thread::spawn(move || place.run(|| pass(&back.0, &back.1, |_| ())));
-            let (place, mut framer, now) = (clock.servant(), Framer::new(1 << 16), clock.clone());
-            thread::spawn(move || {
-                place.run(|| {
-                    pass(&near, &far, |bytes| {
-                        see(&mut framer, bytes, &mut lock(&theirs), now.elapsed(), &is_expected);
-                    });
-                });
-            });
-        });
+        let (now, seen) = (clock.clone(), Arc::<Mutex<SetPointsSeen>>::default());
+        let (theirs, mut framer) = (Arc::clone(&seen), Framer::new(1 << 16));
+        let see = move |bytes: &[u8]| see(&mut framer, bytes, &mut lock(&theirs), now.elapsed(), &is_expected);
+        let address = forwarded(clock, controller, see, |_| ());
         Self { address, seen }
     }
 
@@ -76,19 +61,6 @@ impl SetPoints {
 
 fn lock(seen: &Mutex<SetPointsSeen>) -> std::sync::MutexGuard<'_, SetPointsSeen> {
     seen.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Passes bytes on to the end of the connection.
-fn pass(mut from: &Stream, mut to: &Stream, mut see: impl FnMut(&[u8])) {
-    let mut space = vec![0; 1 << 16];
-    while let Ok(count @ 1..) = from.read(&mut space) {
-        see(&space[..count]);
-        if to.write_all(&space[..count]).is_err() {
-            return;
-        }
-    }
-    // An error says that it has ended already.
-    to.shutdown(Shutdown::Both).ok();
 }
 
 fn see(

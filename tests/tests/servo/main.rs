@@ -1,5 +1,6 @@
 //! Tests of set-points: sessions, streams, trajectories and their landings.
 
+mod braking_delay;
 mod causes;
 mod follow;
 mod generator;
