@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Client, Monitor, Numbering, Robot};
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Client, Monitor, Numbering, Robot};
 
 type Failure = Box<dyn Error + Send + Sync>;
 

@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use allocation_counter::measure;
 use jaka_benches::system::canned;
-use jaka_sync::servo::ServoJ;
-use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::servo::ServoJ;
+use jaka_robot::{Client, Config, Monitor, Robot, ServoConfig};
 
 /// Where a server with printed answers takes commands.
 fn commands() -> SocketAddr {

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_motion::{Limits, Trajectory};
-use jaka_sync::proto::Command;
-use jaka_sync::{End, Error, FollowConfig, Motion, Robot};
+use jaka_robot::proto::Command;
+use jaka_robot::{End, Error, FollowConfig, Motion, Robot};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
@@ -76,11 +76,11 @@ impl Act {
     }
 
     /// Does something over this connection, which sends this.
-    pub(crate) fn with<C, T>(
+    pub(crate) fn with<C, T, E: Into<Error>>(
         &self,
         connect: fn(&Target) -> Result<C, Failure>,
         sends: &str,
-        act: impl FnOnce(&mut C) -> Result<T, Error>,
+        act: impl FnOnce(&mut C) -> Result<T, E>,
     ) -> Result<T, Failure> {
         let mut connection = connect(&self.target)?;
         self.under_way.set(Stage::Sent(sends.to_owned()));

@@ -4,12 +4,12 @@ use std::io::{IsTerminal, stdin};
 use std::slice::from_ref;
 
 use itertools::Itertools as _;
+use jaka_robot::proto;
+use jaka_robot::proto::check::{AdvisoryRanges, InvalidArgument, NotSent};
+use jaka_robot::proto::text::{visible, visible_json_line};
+use jaka_robot::proto::wire::Writer;
 use jaka_spec::words::first_sentence;
 use jaka_spec::{Command, Effect, Spec};
-use jaka_sync::proto;
-use jaka_sync::proto::check::{AdvisoryRanges, InvalidArgument, NotSent};
-use jaka_sync::proto::text::{visible, visible_json_line};
-use jaka_sync::proto::wire::Writer;
 
 use crate::failure::Failure;
 use crate::question;
@@ -131,7 +131,7 @@ pub(crate) fn effect(effect: Effect) -> &'static str {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
-    use jaka_sync::power::{EnableRobot, PowerOff, PowerOn};
+    use jaka_robot::power::{EnableRobot, PowerOff, PowerOn};
 
     use super::*;
 

@@ -1,7 +1,7 @@
 //! Lines of CSV.
 
 use itertools::Itertools as _;
-use jaka_sync::proto::text::{visible, visible_json};
+use jaka_robot::proto::text::{visible, visible_json};
 use serde_json::Value;
 
 /// A line of these cells.

@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
+use jaka_robot::{Cause, Error, ErrorKind};
 use jaka_spec::tools::Impact;
-use jaka_sync::{Cause, Error, ErrorKind};
 
 use crate::failure::{Failure, chain};
 use crate::{command_line, output};
@@ -147,7 +147,9 @@ fn exit_code(error: &Error) -> u8 {
         NO_CONNECTION
     } else {
         match error.kind() {
-            ErrorKind::StateTimeout { .. } => DEADLINE,
+            ErrorKind::Connection(error) if matches!(error.kind(), jaka_sync::ErrorKind::StateTimeout { .. }) => {
+                DEADLINE
+            }
             ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
             ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
             ErrorKind::NotReady { .. }
@@ -167,9 +169,9 @@ fn exit_code(error: &Error) -> u8 {
 mod tests {
     use std::time::Duration;
 
+    use jaka_robot::motion::JointMove;
+    use jaka_robot::{Client, StatusStream};
     use jaka_sim::Fault;
-    use jaka_sync::motion::JointMove;
-    use jaka_sync::{Client, StatusStream};
     use jaka_tests::{Arm, ReservedPort};
 
     use super::*;
@@ -181,8 +183,11 @@ mod tests {
         JointMove::absolute(joint_position, speed)
     }
 
-    fn code<T: std::fmt::Debug>(result: Result<T, Error>) -> u8 {
-        exit_code(&result.unwrap_err())
+    fn code<T: std::fmt::Debug>(result: Result<T, impl Into<Error>>) -> u8 {
+        match result {
+            Ok(done) => panic!("{done:?}"),
+            Err(error) => exit_code(&error.into()),
+        }
     }
 
     #[test]
@@ -192,7 +197,7 @@ mod tests {
         assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
         let (option, of, value, expected) = ("step_count", "ServoConfig", "99".to_owned(), "1 to 12".to_owned());
         let invalid = ErrorKind::InvalidOption { option, of, value, expected };
-        assert_eq!(code(Err::<(), _>(invalid.into())), USAGE);
+        assert_eq!(code(Err::<(), _>(Error::from(invalid))), USAGE);
         assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
         controller.inject(Fault::Drop);
         assert_eq!(code(client.get_version()), MAY_HAVE_RUN);

@@ -6,9 +6,9 @@ use std::io;
 use std::path::Path;
 
 use itertools::Itertools as _;
+use jaka_robot::{CauseGroup, Error, ErrorKind, Explanation, Refusal, Remedy};
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
-use jaka_sync::{CauseGroup, Error, ErrorKind, Explanation, Refusal, Remedy};
 
 use crate::command_line;
 
@@ -67,7 +67,8 @@ impl Failure {
     }
 
     /// The error with what the spec or a pack says about the controller's code.
-    pub(crate) fn explained(spec: &Spec, error: Error) -> Self {
+    pub(crate) fn explained(spec: &Spec, error: impl Into<Error>) -> Self {
+        let error = error.into();
         match error.kind() {
             ErrorKind::Refused { refusal, explanation } => {
                 let (refusal, explanation) = (refusal.clone(), explanation.clone().map(Box::new));
@@ -192,6 +193,12 @@ impl StdError for Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         Self::Robot(error)
+    }
+}
+
+impl From<jaka_sync::Error> for Failure {
+    fn from(error: jaka_sync::Error) -> Self {
+        Error::from(error).into()
     }
 }
 

@@ -2,8 +2,8 @@
 
 use clap::Args;
 use jaka_motion::Limits;
-use jaka_sync::Motion;
-use jaka_sync::motion::{JointMove, MoveL};
+use jaka_robot::Motion;
+use jaka_robot::motion::{JointMove, MoveL};
 
 use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use std::{process, thread};
 
-use jaka_sync::{FollowHandle, RobotStop};
+use jaka_robot::{FollowHandle, RobotStop};
 
 use crate::failure::{Failure, chain, not_taken};
 use crate::{exit, logging, output, raw, record};

@@ -62,12 +62,12 @@ impl Logger {
     }
 
     fn tells(metadata: &Metadata<'_>) -> bool {
-        let targets = match VERBOSE.load(Ordering::Relaxed) {
-            0 => return false,
-            1 => "jaka_sync",
-            _ => "jaka",
+        let targets: &[&str] = match VERBOSE.load(Ordering::Relaxed) {
+            0 => &[],
+            1 => &["jaka_sync", "jaka_robot"],
+            _ => &["jaka"],
         };
-        metadata.target().starts_with(targets)
+        targets.iter().any(|target| metadata.target().starts_with(target))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use jaka_robot::{Cause, End, Error, Robot};
 use jaka_spec::Spec;
-use jaka_sync::{Cause, End, Error, Robot};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

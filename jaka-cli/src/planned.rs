@@ -3,7 +3,7 @@
 
 use itertools::Itertools as _;
 use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointPace, Limits};
-use jaka_sync::types::JointPosition;
+use jaka_robot::types::JointPosition;
 
 use crate::failure::Failure;
 use crate::units::other_unit;

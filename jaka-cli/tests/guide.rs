@@ -3,16 +3,16 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::{ErrorKind, Monitor, Robot};
 use jaka_sim::{Controller, Firmware};
 use jaka_spec::{BUILTIN, Source, load, load_pack};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{ErrorKind, Monitor, Robot};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
 use crate::program::{Run, address_of, command, run, scratch};
 
-jaka_sync::pack!("tests/guide/newer.toml");
+jaka_robot::pack!("tests/guide/newer.toml");
 
 use newer::NewerCommands as _;
 

@@ -91,7 +91,7 @@ fn folder() -> PathBuf {
         let name = Path::new(source.path).file_name().expect("it is a file");
         fs::write(folder.join("spec").join(name), source.text).expect("it can be written");
     }
-    let limits = include_str!("../../jaka-sync/examples/limits.toml");
+    let limits = include_str!("../../jaka-robot/examples/limits.toml");
     let way = README
         .split_once("\n```csv\n")
         .and_then(|(_, rest)| rest.split_once("```"))

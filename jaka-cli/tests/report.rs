@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 use std::fs;
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Limits, Model, Trajectory, Via};
+use jaka_robot::motion::JointMove;
+use jaka_robot::proto::wire::Writer;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, FollowConfig, ServoConfig, ServoSession};
 use jaka_sim::Port;
-use jaka_sync::jaka_motion::{Limits, Model, Trajectory, Via};
-use jaka_sync::motion::JointMove;
-use jaka_sync::proto::wire::Writer;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, FollowConfig, ServoConfig, ServoSession};
 use jaka_tests::{Arm, LONG, recorded};
 use serde_json::{Value, json};
 

@@ -4,7 +4,7 @@ use std::io;
 use std::net::{IpAddr, SocketAddr, ToSocketAddrs};
 
 /// True for `10.5.5.100:10001`, not for `10.5.5.100` or `fe80::1`.
-pub(crate) fn names_a_port(address: &str) -> bool {
+pub fn names_a_port(address: &str) -> bool {
     ip(address).is_none() && address.contains(':')
 }
 

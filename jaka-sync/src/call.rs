@@ -2,7 +2,7 @@
 
 use crate::{Client, Command, Error};
 
-/// What can send commands: a [`Client`], a [`Robot`](crate::Robot), or a type of your own that forwards them.
+/// What can send commands: a [`Client`], a `jaka_robot::Robot`, or a type of your own that forwards them.
 ///
 /// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
 ///

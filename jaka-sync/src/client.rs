@@ -15,7 +15,7 @@ use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Dispatched, Gate, Link, Outgoing, unexpected};
+use crate::link::{Dispatched, Gate, Link, OPEN, Outgoing, SendError, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 
 /// A connection to a controller's command port.
@@ -65,7 +65,6 @@ impl Client {
     }
 
     /// Another client of the same connection, for a thread that this one outlives.
-    #[cfg(feature = "stream")]
     pub(crate) fn lent(&self) -> Self {
         Self {
             link: Arc::clone(&self.link),
@@ -95,47 +94,52 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call).
     pub fn call_within<C: Command>(&mut self, command: &C, timeout: Duration) -> Result<C::Reply, Error> {
-        self.call_through(None, command, timeout)
+        Ok(self.call_through(OPEN, command, timeout)?)
     }
 
-    /// The same, unless the gate is shut.
-    pub(crate) fn call_through<C: Command>(
+    /// The same, unless the gate keeps the command back.
+    pub(crate) fn call_through<C: Command, R>(
         &mut self,
-        gate: Gate<'_>,
+        gate: Gate<'_, R>,
         command: &C,
         timeout: Duration,
-    ) -> Result<C::Reply, Error> {
-        command.check(self.rules())?;
-        let outgoing = Outgoing::of(&self.link.clock, C::INFO, timeout).through(gate);
-        self.call_as(C::INFO, &outgoing, &mut |out| command.write_request(out))
+    ) -> Result<C::Reply, SendError<R>> {
+        command.check(self.rules()).map_err(Error::from)?;
+        self.call_as(C::INFO, gate, timeout, &mut |out| command.write_request(out))
     }
 
     /// Sends a request and waits for its reply, of this type.
     ///
     /// Generic over the reply alone, which many commands have in common.
-    fn call_as<R: Fields>(
+    fn call_as<A: Fields, R>(
         &mut self,
         info: &'static CommandInfo,
-        outgoing: &Outgoing<'_>,
+        gate: Gate<'_, R>,
+        timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
-    ) -> Result<R, Error> {
+    ) -> Result<A, SendError<R>> {
         let mut reader = TypedReply::new(info);
-        match self.exchange(info, outgoing, write, &mut reader) {
-            Ok(()) => reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source))),
-            Err(error) if is_success_without_reply(info, &error) => R::without_fields().ok_or(error),
+        match self.exchange(info, gate, timeout, write, &mut reader) {
+            Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
+            Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
+                Ok(A::without_fields().ok_or(error)?)
+            }
             Err(error) => Err(error),
         }
     }
 
-    /// Not generic: a copy for each type of reply would be most of what this crate takes to compile.
-    fn exchange(
+    /// Generic over the reason of the gate alone: a copy for each type of reply would be most of what this crate takes to
+    /// compile.
+    fn exchange<R>(
         &mut self,
         info: &'static CommandInfo,
-        outgoing: &Outgoing<'_>,
+        gate: Gate<'_, R>,
+        timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
         reader: &mut dyn ReadReply,
-    ) -> Result<(), Error> {
-        self.link.call(outgoing, write, &mut self.reply, reader)?;
+    ) -> Result<(), SendError<R>> {
+        let outgoing = Outgoing::of(&self.link.clock, info, timeout);
+        self.link.call(&outgoing, gate, write, &mut self.reply, reader)?;
         if info.ends_session {
             self.link.end(info);
         }
@@ -153,7 +157,7 @@ impl Client {
     }
 
     /// Sends commands without waiting for their replies, which are counted, and says how many are outstanding.
-    pub(crate) fn post<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<usize, Error> {
+    pub(crate) fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
         self.check(commands)?;
         let (mut rest, mut outstanding) = (commands, 0);
         while !rest.is_empty() {
@@ -164,7 +168,11 @@ impl Client {
     }
 
     /// Sends the first of some commands that have been checked, at least one, in one write.
-    pub(crate) fn post_some<C: Command>(&self, gate: Gate<'_>, commands: &[C]) -> Result<Dispatched, Error> {
+    pub(crate) fn post_some<C: Command, R>(
+        &self,
+        gate: Gate<'_, R>,
+        commands: &[C],
+    ) -> Result<Dispatched, SendError<R>> {
         let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
         self.link.post(C::INFO.name, self.config.reply_timeout, gate, commands.len(), write)
     }
@@ -231,7 +239,7 @@ impl Client {
             Cow::Owned(command.trim().to_owned()),
             self.config.reply_timeout,
         );
-        self.link.call(&outgoing, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
+        self.link.call(&outgoing, OPEN, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
         let mut reader = Reader::new(&self.reply);
         let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
         found.map_err(|source| self.link.attach(unexpected(command, source)))
@@ -252,7 +260,7 @@ impl Client {
             return Err(InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`").into());
         };
         let outgoing = Outgoing::named(&self.link.clock, command, Cow::Owned(command.to_owned()), timeout);
-        self.link.call(&outgoing, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
+        self.link.call(&outgoing, OPEN, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
         Ok(&self.reply)
     }
 

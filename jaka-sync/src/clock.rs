@@ -14,7 +14,7 @@ use self::absent::{Channel, Participant, SimulatedClock};
 
 /// What the time is, and how it passes: as the system says, or a simulated clock.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(crate) struct Clock(Option<SimulatedClock>);
+pub struct Clock(Option<SimulatedClock>);
 
 impl Clock {
     /// A simulated one.
@@ -29,32 +29,32 @@ impl Clock {
     }
 
     /// What the time is.
-    pub(crate) fn now(&self) -> Instant {
+    pub fn now(&self) -> Instant {
         self.0.as_ref().map_or_else(Instant::now, SimulatedClock::now)
     }
 
     /// The time since then; none where that is yet to come.
-    pub(crate) fn elapsed(&self, since: Instant) -> Duration {
+    pub fn elapsed(&self, since: Instant) -> Duration {
         self.now().saturating_duration_since(since)
     }
 
     /// Time since an instant of the system; by a simulated clock, since that clock was made.
-    pub(crate) fn elapsed_since_start(&self, started: Instant) -> Duration {
+    pub fn elapsed_since_start(&self, started: Instant) -> Duration {
         self.0.as_ref().map_or_else(|| started.elapsed(), SimulatedClock::elapsed)
     }
 
     /// The time until then; none where that has passed.
-    pub(crate) fn left(&self, until: Instant) -> Duration {
+    pub fn left(&self, until: Instant) -> Duration {
         until.saturating_duration_since(self.now())
     }
 
     /// Begins to measure a time.
-    pub(crate) fn stopwatch(&self) -> Stopwatch {
+    pub fn stopwatch(&self) -> Stopwatch {
         Stopwatch { began: self.now(), clock: self.clone() }
     }
 
     /// Sleeps.
-    pub(crate) fn sleep(&self, time: Duration) {
+    pub fn sleep(&self, time: Duration) {
         match &self.0 {
             None => std::thread::sleep(time),
             Some(clock) => clock.sleep(time),
@@ -62,7 +62,7 @@ impl Clock {
     }
 
     /// Sleeps until then, and spins for the last of it where asked for.
-    pub(crate) fn sleep_until(&self, due: Instant, busy_wait: Duration) {
+    pub fn sleep_until(&self, due: Instant, busy_wait: Duration) {
         if let Some(clock) = &self.0 {
             return clock.sleep_until(due);
         }
@@ -76,17 +76,17 @@ impl Clock {
     }
 
     /// The place of a thread that will be started, and for whose waits time goes on.
-    pub(crate) fn participant(&self) -> Place {
+    pub fn participant(&self) -> Place {
         Place(self.0.as_ref().map(SimulatedClock::participant))
     }
 
     /// The place of a thread that will be started, and serves others.
-    pub(crate) fn servant(&self) -> Place {
+    pub fn servant(&self) -> Place {
         Place(self.0.as_ref().map(SimulatedClock::servant))
     }
 
     /// Waits for a thread, or for what it sends, which knows nothing of the clock.
-    pub(crate) fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
+    pub fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
         match &self.0 {
             None => wait(),
             Some(clock) => clock.outside(wait),
@@ -96,31 +96,31 @@ impl Clock {
 
 /// The time since a moment.
 #[derive(Debug, Clone)]
-pub(crate) struct Stopwatch {
+pub struct Stopwatch {
     clock: Clock,
     /// The moment.
-    pub(crate) began: Instant,
+    pub began: Instant,
 }
 
 impl Stopwatch {
     /// The time since.
-    pub(crate) fn passed(&self) -> Duration {
+    pub fn passed(&self) -> Duration {
         self.clock.elapsed(self.began)
     }
 
     /// What is left of a time that began at the moment.
-    pub(crate) fn left_of(&self, time: Duration) -> Duration {
+    pub fn left_of(&self, time: Duration) -> Duration {
         time.saturating_sub(self.passed())
     }
 }
 
 /// The place of a thread in the time of a clock.
 #[derive(Debug)]
-pub(crate) struct Place(Option<Participant>);
+pub struct Place(Option<Participant>);
 
 impl Place {
     /// What the thread does.
-    pub(crate) fn run<T>(self, act: impl FnOnce() -> T) -> T {
+    pub fn run<T>(self, act: impl FnOnce() -> T) -> T {
         match self.0 {
             None => act(),
             Some(participant) => participant.run(act),

@@ -11,13 +11,13 @@ use crate::{Reconnect, Recorder, StatusSampling};
 /// Configuration of connections: timeouts, keepalive, frame size and checks.
 ///
 /// Each setting has a getter whose name begins with `get_`. [`Client::connect_with`](crate::Client::connect_with) and
-/// its neighbours of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and [`Robot`](crate::Robot)
+/// its neighbours of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and `jaka_robot::Robot`
 /// connect by a configuration.
 ///
 /// Addresses are not settings: each connection takes its own. An address without a port, such as `10.5.5.100` or
 /// `robot.local`, means the protocol's port for what is connected; one with a port, such as `10.5.5.100:10001` or a
-/// socket address, means that port. Since a robot has two ports, [`Robot::connect_with`](crate::Robot::connect_with)
-/// takes an address without a port, and [`Robot::connect_at`](crate::Robot::connect_at) two addresses.
+/// socket address, means that port. Since a robot has two ports, `jaka_robot::Robot::connect_with`
+/// takes an address without a port, and `jaka_robot::Robot::connect_at` two addresses.
 ///
 /// ```no_run
 /// use std::time::Duration;

@@ -76,7 +76,7 @@ impl Disconnect {
     }
 
     /// True if the controller has ended the connection, in order or not.
-    pub(crate) fn is_by_controller(&self) -> bool {
+    pub fn is_by_controller(&self) -> bool {
         use io::ErrorKind::{BrokenPipe, ConnectionAborted, ConnectionReset};
         match self {
             Self::Closed { .. } => true,
@@ -89,7 +89,7 @@ impl Disconnect {
 }
 
 /// Firmware before the JSON protocol sent lines such as `joint_actual_position:(…)`.
-pub(crate) fn is_text_line(error: &FrameError) -> bool {
+pub fn is_text_line(error: &FrameError) -> bool {
     matches!(error, FrameError::Garbage { excerpt } if excerpt.bytes().starts_with(b"joint_actual_position"))
 }
 

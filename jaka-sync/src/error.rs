@@ -1,26 +1,19 @@
-//! Errors, their kinds, the messages that led to them, and ends of motions.
-
-mod end;
-mod exchanges;
-mod kind;
-mod option_name;
+//! Errors of connections.
 
 use std::error::Error as StdError;
 use std::fmt;
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, NotSent};
-use jaka_proto::recording::Entry;
+use jaka_proto::recording::{Entry, Port};
+use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
-pub use self::end::{End, Phase, Rest};
-pub use self::kind::ErrorKind;
-use self::kind::Group;
-pub(crate) use self::option_name::OptionName;
-use crate::Cause;
-#[cfg(feature = "stream")]
-use crate::cause::Occurrence;
+use crate::{Disconnect, StatusProblem, exchanges};
 
-/// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
+/// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
 /// Two questions matter after an error: may the command have run ([`may_have_run`](Self::may_have_run)), and can the
 /// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent twice on its own.
@@ -31,7 +24,7 @@ use crate::cause::Occurrence;
 /// let mut robot = Client::connect("10.5.5.100")?;
 /// if let Err(error) = robot.enable_robot() {
 ///     match error.kind() {
-///         ErrorKind::Refused { refusal, .. } => eprintln!("refused with code {}", refusal.code),
+///         ErrorKind::Refused { refusal } => eprintln!("refused with code {}", refusal.code),
 ///         ErrorKind::Timeout { .. } => eprintln!("it may have run: {:?}", robot.get_robot_state()?),
 ///         _ => return Err(error),
 ///     }
@@ -48,6 +41,106 @@ struct Inner {
     exchanges: Box<[Entry]>,
 }
 
+jaka_proto::worded! {
+    /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
+    #[derive(Debug)]
+    #[non_exhaustive]
+    pub enum ErrorKind {
+        /// The spec forbids the request. Nothing was sent; correct the field that is named.
+        InvalidArgument(invalid: InvalidArgument) => "{invalid}",
+        /// The controller's firmware does not have the command, or a field that is given. Nothing was sent.
+        ///
+        /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
+        NotInFirmware(missing: NotInFirmware) => "{missing}",
+        /// No connection could be made. Check the address, the cable, and whether the controller is on.
+        ///
+        /// A controller may refuse a second client of its command port, which serves one.
+        Connect {
+            /// The address given, with the port.
+            address: String,
+            /// Which of the ports it was to be.
+            port: Port,
+            /// Why not, in the system's words.
+            source: io::Error,
+        } => (cannot_connect(address, *port, source)),
+        /// The controller refused the command, which did not run. The connection is fine.
+        Refused {
+            /// The controller's own words.
+            refusal: Refusal,
+        } => "{refusal}",
+        /// No reply came in time. The command may have run; read the robot's state before you go on.
+        ///
+        /// The connection can still be used: the reply is discarded if it comes later.
+        Timeout {
+            /// `cmdName` of the command.
+            command: String,
+            /// How long the call waited.
+            after: Duration,
+        } => "no reply to `{command}` within {after:?}; it may have run",
+        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending. It did not run, and
+        /// the connection can still be used.
+        NotSentInTime {
+            /// `cmdName` of the command.
+            command: String,
+            /// How long the call waited.
+            after: Duration,
+        } => "`{command}` could not be sent within {after:?}; it did not run",
+        /// A later command was answered, this one was not. The command may have run; the connection is fine.
+        ReplyLost {
+            /// `cmdName` of the command.
+            command: String,
+        } => "`{command}` may have run, but its reply was lost: a later command was answered",
+        /// The reply is not a refusal, and does not fit the spec. The command has most likely run; the connection is fine.
+        ///
+        /// The raw reply is kept: see [`Client::last_reply`](crate::Client::last_reply).
+        UnexpectedReply {
+            /// `cmdName` of the command.
+            command: String,
+            /// Which field does not fit.
+            source: DecodeError,
+        } => "`{command}` was not refused, but its reply does not fit the spec",
+        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is known.
+        Disconnected {
+            /// Where the connection led, with the port.
+            address: String,
+            /// `cmdName` of the command of this call; none for a status connection.
+            command: Option<String>,
+            /// True if the command had been sent, at least in part, and may have run.
+            sent: bool,
+            /// What broke the connection.
+            cause: Arc<Disconnect>,
+        } => (disconnected(address, command.as_deref(), *sent, cause)),
+        /// Status packets came, but none in time that shows the state that was waited for.
+        StateTimeout {
+            /// How long the call waited.
+            after: Duration,
+            /// How many packets came meanwhile.
+            packets: u64,
+            /// What the last one says about the arm; none for a type of the user's own.
+            says: Option<String>,
+        } => (not_in_state(*after, *packets, says.as_deref())),
+        /// The state of the robot is unknown: packets have just resumed after a silence, and may be old.
+        StatusUnknown {
+            /// Reason.
+            problem: StatusProblem,
+        } => "the state of the robot is unknown: {problem}",
+        /// No status packet came in time. The stream can still be used.
+        StatusTimeout {
+            /// Where the packets were to come from, with the port.
+            address: String,
+            /// How long the call waited.
+            after: Duration,
+        } =>
+            "no status packet from {address} within {after:?}; check that this is the status port, 10000, and that the controller has \
+             started",
+        /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
+        UnexpectedStatus {
+            /// Which field does not fit.
+            source: DecodeError,
+        } => "a status packet does not fit the spec",
+    }
+}
+
 impl Error {
     /// What went wrong.
     pub fn kind(&self) -> &ErrorKind {
@@ -59,59 +152,68 @@ impl Error {
         self.0.kind
     }
 
-    /// Cause of the end of moving, or why moving is kept back: the same for an event in each way of moving.
-    pub fn cause(&self) -> Cause {
-        self.kind().cause()
-    }
-
-    /// Cause and the evidence for it.
-    #[cfg(feature = "stream")]
-    pub(crate) fn occurrence(&self) -> Occurrence {
-        Occurrence { cause: self.cause(), evidence: self.kind().evidence() }
+    /// What went wrong, and the last messages.
+    #[doc(hidden)]
+    pub fn into_parts(self) -> (ErrorKind, Box<[Entry]>) {
+        (self.0.kind, self.0.exchanges)
     }
 
     /// True if the controller may have carried out the command although the call failed.
-    ///
-    /// Where a call sends several commands, as [`Robot::power_up`](crate::Robot::power_up) does, this is about the one that failed: those
-    /// before it were carried out.
     pub fn may_have_run(&self) -> bool {
-        self.kind().meaning().1
+        match self.kind() {
+            ErrorKind::Timeout { .. } | ErrorKind::ReplyLost { .. } | ErrorKind::UnexpectedReply { .. } => true,
+            ErrorKind::Disconnected { sent, .. } => *sent,
+            ErrorKind::InvalidArgument(_)
+            | ErrorKind::NotInFirmware(_)
+            | ErrorKind::Connect { .. }
+            | ErrorKind::Refused { .. }
+            | ErrorKind::NotSentInTime { .. }
+            | ErrorKind::StateTimeout { .. }
+            | ErrorKind::StatusUnknown { .. }
+            | ErrorKind::StatusTimeout { .. }
+            | ErrorKind::UnexpectedStatus { .. } => false,
+        }
     }
 
     /// True if the connection can no longer be used.
     pub fn is_disconnected(&self) -> bool {
-        self.kind().meaning().0 == Group::Disconnected
+        matches!(self.kind(), ErrorKind::Disconnected { .. })
     }
 
     /// True if a reply, a status packet or a state did not come in time, or the command could not be sent in time.
     pub fn is_timeout(&self) -> bool {
-        self.kind().meaning().0 == Group::Timeout
+        matches!(
+            self.kind(),
+            ErrorKind::Timeout { .. }
+                | ErrorKind::NotSentInTime { .. }
+                | ErrorKind::StateTimeout { .. }
+                | ErrorKind::StatusTimeout { .. }
+        )
     }
 
     /// True if the controller refused the command.
     pub fn is_refused(&self) -> bool {
-        self.kind().meaning().0 == Group::Refused
+        self.refusal().is_some()
     }
 
-    /// True if the spec forbids the request, or an option of this crate does not take its value. Nothing that moves the arm
-    /// was sent.
+    /// True if the spec forbids the request. Nothing was sent.
     pub fn is_invalid_argument(&self) -> bool {
-        self.kind().meaning().0 == Group::InvalidArgument
+        matches!(self.kind(), ErrorKind::InvalidArgument(_))
     }
 
     /// True if nothing was sent because the controller's firmware does not have the command or one of its fields.
     pub fn is_not_in_firmware(&self) -> bool {
-        self.kind().meaning().0 == Group::NotInFirmware
+        matches!(self.kind(), ErrorKind::NotInFirmware(_))
     }
 
     /// True if no connection could be made.
     pub fn is_connect(&self) -> bool {
-        self.kind().meaning().0 == Group::Connect
+        matches!(self.kind(), ErrorKind::Connect { .. })
     }
 
     /// The controller's code and message, if it refused the command.
     pub fn refusal(&self) -> Option<&Refusal> {
-        if let ErrorKind::Refused { refusal, .. } = self.kind() { Some(refusal) } else { None }
+        if let ErrorKind::Refused { refusal } = self.kind() { Some(refusal) } else { None }
     }
 
     /// The last eight messages of the connection on which the call failed, oldest first: sent and received, with their times.
@@ -122,35 +224,9 @@ impl Error {
         &self.0.exchanges
     }
 
-    /// Error of an end that is not what was commanded.
-    fn not_reached(end: End) -> Self {
-        let exchanges = end.error.as_ref().map_or_else(Vec::new, |error| error.exchanges().to_vec());
-        Self::from(ErrorKind::NotReached { end: Box::new(end) }).with_exchanges(exchanges)
-    }
-
-    /// True for the trip of a guard alone.
-    fn is_trip(&self) -> bool {
-        matches!(self.kind(), ErrorKind::GuardTripped { .. })
-    }
-
-    /// Text in an end, which says itself that nothing more was sent.
-    fn in_end(&self) -> String {
-        match self.kind() {
-            ErrorKind::NotAcknowledged { occurrence } => occurrence.to_string(),
-            ErrorKind::NotReady { explanation } => explanation.to_string(),
-            ErrorKind::StatusUnknown { problem } => problem.to_string(),
-            ErrorKind::Refused { refusal, .. } => refusal.to_string(),
-            kind => kind.to_string(),
-        }
-    }
-
-    pub(crate) fn kind_mut(&mut self) -> &mut ErrorKind {
-        &mut self.0.kind
-    }
-
     /// The same error, with the last messages of its connection.
-    pub(crate) fn with_exchanges(mut self, exchanges: impl Into<Box<[Entry]>>) -> Self {
-        self.0.exchanges = exchanges.into();
+    pub(crate) fn with_exchanges(mut self, exchanges: Box<[Entry]>) -> Self {
+        self.0.exchanges = exchanges;
         self
     }
 }
@@ -162,19 +238,30 @@ impl fmt::Debug for Error {
     }
 }
 
-/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`](crate::Remedy) in the
-/// calls of this crate. With `{:#}` the last messages stand below it, where they were recorded.
+/// One line of text. With `{:#}` the last messages stand below it, where they were recorded.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
-        self.kind().remedy().append(f)?;
         if f.alternate() { exchanges::show(self.exchanges(), f) } else { Ok(()) }
     }
 }
 
 impl StdError for Error {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
-        self.kind().meaning().2
+        match self.kind() {
+            ErrorKind::Connect { source, .. } => Some(source),
+            ErrorKind::UnexpectedReply { source, .. } | ErrorKind::UnexpectedStatus { source } => Some(source),
+            ErrorKind::Disconnected { cause, .. } => Some(&**cause),
+            ErrorKind::StatusUnknown { problem } => problem.source(),
+            ErrorKind::InvalidArgument(_)
+            | ErrorKind::NotInFirmware(_)
+            | ErrorKind::Refused { .. }
+            | ErrorKind::Timeout { .. }
+            | ErrorKind::NotSentInTime { .. }
+            | ErrorKind::ReplyLost { .. }
+            | ErrorKind::StateTimeout { .. }
+            | ErrorKind::StatusTimeout { .. } => None,
+        }
     }
 }
 
@@ -205,31 +292,41 @@ impl From<NotSent> for Error {
     }
 }
 
+fn cannot_connect(address: &str, port: Port, source: &io::Error) -> String {
+    let is_refused = port == Port::Command && source.kind() == io::ErrorKind::ConnectionRefused;
+    let hint = if is_refused {
+        "; check that the controller is on, and that no other client, such as the vendor's app, holds its one seat"
+    } else {
+        ""
+    };
+    format!("cannot connect to {address}{hint}")
+}
+
+fn disconnected(address: &str, command: Option<&str>, sent: bool, cause: &Disconnect) -> String {
+    let hint = cause.seat_hint();
+    match command {
+        None if cause.is_by_controller() => {
+            format!("the status connection to {address} is broken; check the network, and that the controller is on")
+        }
+        None => format!("the status connection to {address} is broken"),
+        Some(command) if sent => {
+            format!("the connection to {address} broke during `{command}`, which may have run{hint}")
+        }
+        Some(command) => format!("`{command}` was not sent: the connection to {address} is broken{hint}"),
+    }
+}
+
+fn not_in_state(after: Duration, packets: u64, says: Option<&str>) -> String {
+    let says = says.map_or_else(String::new, |says| format!("; the last one says: {says}"));
+    format!("the robot was not in the expected state within {after:?} ({packets} status packets came){says}")
+}
+
 #[cfg(test)]
 mod tests {
-    use std::io;
-    use std::sync::Arc;
-
     use super::*;
-    use crate::Disconnect;
 
     #[test]
     fn a_result_is_as_wide_as_a_pointer() {
         assert_eq!(size_of::<Result<(), Error>>(), size_of::<usize>());
-    }
-
-    #[test]
-    fn an_error_of_leaving_servo_mode_has_the_cause_and_the_connection_of_what_failed() {
-        let cause = Arc::new(Disconnect::Read(io::ErrorKind::ConnectionReset.into()));
-        let leaving: Error = ErrorKind::Disconnected {
-            address: String::new(),
-            command: Some("servo_move".to_owned()),
-            sent: true,
-            cause,
-        }
-        .into();
-        let error: Error = ErrorKind::ServoModeNotLeft { first: None, leaving }.into();
-        assert!(error.is_disconnected() && error.may_have_run());
-        assert_eq!(error.source().map(ToString::to_string).as_deref(), Some("receiving failed"));
     }
 }

@@ -17,6 +17,7 @@ mod turn;
 mod wait;
 
 use std::borrow::Cow;
+use std::error::Error as StdError;
 use std::io;
 use std::net::{Shutdown, SocketAddr};
 use std::sync::Arc;
@@ -26,16 +27,18 @@ use std::time::{Duration, Instant};
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
 use jaka_proto::messages::beyond_settings::SetInstallationAngle;
 use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
-use jaka_proto::recording::MotionStep;
+use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo};
 
 use self::failure::Progress;
-pub(crate) use self::failure::unexpected;
+pub use self::failure::unexpected;
 use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
-pub(crate) use self::outgoing::{Gate, Outgoing, Right};
-pub(crate) use self::posted::{Answers, MOST_OUTSTANDING};
+pub use self::outgoing::{Gate, SendError};
+pub(crate) use self::outgoing::{OPEN, Outgoing, Right};
+pub use self::posted::Answers;
+pub(crate) use self::posted::MOST_OUTSTANDING;
 use self::state::{Mode, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
@@ -47,7 +50,7 @@ use crate::{Config, Disconnect, Error};
 ///
 /// # Order of locks
 /// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread waiting. The
-///    gate of [`Outgoing`] runs under it: it may take 2, and must not use the connection.
+///    [`Gate`] runs under it: it may take 2, and must not use the connection.
 /// 2. The state of a monitor's board (`Board` in `monitor.rs`), the latch of a robot (`robot/latch.rs`) or the progress of a guard
 ///    (`robot/guard/armed.rs`), never two at once. A thread that holds one of these must not take 1. What a guard judges by (`Judging`, in
 ///    the same file) is taken before 2, and never together with 1. What it stops by (`Early`, there, too) is taken before 1.
@@ -57,9 +60,10 @@ use crate::{Config, Disconnect, Error};
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
 /// a thread takes out of the state and puts back.
 #[derive(Debug)]
-pub(crate) struct Link {
+pub struct Link {
     tap: Tap,
-    pub(crate) clock: Clock,
+    /// Clock of the connection.
+    pub clock: Clock,
     /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
@@ -82,7 +86,7 @@ const FRAME_COMMANDS: [&str; 5] = [
 
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sent<'c> {
+pub struct Sent<'c> {
     request: RequestId,
     command: &'c str,
     since: Instant,
@@ -109,7 +113,7 @@ impl Link {
     }
 
     /// Where the connection leads, with the port.
-    pub(crate) fn address(&self) -> String {
+    pub fn address(&self) -> String {
         self.tap.address()
     }
 
@@ -119,13 +123,13 @@ impl Link {
     }
 
     /// What broke the connection, if something did.
-    pub(crate) fn broken(&self) -> Option<Arc<Disconnect>> {
+    pub fn broken(&self) -> Option<Arc<Disconnect>> {
         self.state.lock().broken.clone()
     }
 
     /// The same, also if the controller has ended the connection and nothing has read that yet: one system call, for who waits for packets while
     /// nothing is outstanding.
-    pub(crate) fn lost(&self) -> Option<Arc<Disconnect>> {
+    pub fn lost(&self) -> Option<Arc<Disconnect>> {
         let mut state = self.state.lock();
         if let Err(cause) = self.notice_end(&mut state) {
             self.break_off(&mut state, cause);
@@ -134,7 +138,7 @@ impl Link {
     }
 
     /// The same, once it is lost within this time: what has not been read yet is read meanwhile.
-    pub(crate) fn lost_within(&self, time: Duration) -> Option<Arc<Disconnect>> {
+    pub fn lost_within(&self, time: Duration) -> Option<Arc<Disconnect>> {
         let since = self.clock.stopwatch();
         let mut state = self.state.lock();
         loop {
@@ -150,7 +154,7 @@ impl Link {
     }
 
     /// Fails where the connection is broken, for a command that is not sent.
-    pub(crate) fn check_open(&self, command: &str) -> Result<(), Error> {
+    pub fn check_open(&self, command: &str) -> Result<(), Error> {
         self.check(&self.state.lock(), command, Progress::NotSent)
     }
 
@@ -161,19 +165,24 @@ impl Link {
     }
 
     /// How often commands have gone out that change what poses refer to.
-    pub(crate) fn frame_changes(&self) -> u64 {
+    pub fn frame_changes(&self) -> u64 {
         self.state.lock().frame_changes
     }
 
     /// How many stops have gone out.
-    #[cfg_attr(not(feature = "motion"), allow(dead_code, reason = "limits ask"))]
-    pub(crate) fn stop_count(&self) -> u64 {
+    pub fn stop_count(&self) -> u64 {
         self.state.lock().stops
     }
 
     /// Records what happened to a motion.
-    pub(crate) fn record_motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
+    pub fn record_motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
         self.tap.motion(step, text);
+    }
+
+    /// Records an error of this connection where no other entry shows it, and returns the last messages, oldest first; none
+    /// where nothing is recorded.
+    pub fn note(&self, error: &(dyn StdError + 'static), is_shown: bool) -> Box<[Entry]> {
+        self.tap.note(error, is_shown)
     }
 
     /// The same error, with the last messages where they are recorded.
@@ -182,15 +191,16 @@ impl Link {
     }
 
     /// Sends a command and waits for its reply, puts the reply's text into `text`, and has `reader` read it. A refusal is an error.
-    pub(crate) fn call(
+    pub(crate) fn call<R>(
         &self,
         outgoing: &Outgoing<'_>,
+        gate: Gate<'_, R>,
         write: &mut dyn FnMut(&mut Writer),
         text: &mut String,
         reader: &mut dyn ReadReply,
-    ) -> Result<(), Error> {
-        let sent = self.send(outgoing, write)?;
-        self.wait(&sent, text, reader)
+    ) -> Result<(), SendError<R>> {
+        let sent = self.send_through(outgoing, gate, write)?;
+        Ok(self.wait(&sent, text, reader)?)
     }
 
     /// Sends a command.
@@ -199,22 +209,32 @@ impl Link {
         outgoing: &Outgoing<'c>,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'c>, Error> {
-        let request = self.transmit(outgoing, 1, &mut |_, out| write(out))?.last;
+        Ok(self.send_through(outgoing, OPEN, write)?)
+    }
+
+    /// Sends a command unless the gate keeps it back.
+    fn send_through<'c, R>(
+        &self,
+        outgoing: &Outgoing<'c>,
+        gate: Gate<'_, R>,
+        write: &mut dyn FnMut(&mut Writer),
+    ) -> Result<Sent<'c>, SendError<R>> {
+        let request = self.transmit(outgoing, gate, 1, &mut |_, out| write(out))?.last;
         Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
     }
 
     /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted commands
     /// are outstanding. `write` writes the request with an index.
-    pub(crate) fn post(
+    pub(crate) fn post<R>(
         &self,
         command: &'static str,
         timeout: Duration,
-        gate: Gate<'_>,
+        gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<Dispatched, Error> {
-        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).through(gate);
-        self.transmit(&Outgoing { is_posted: true, ..outgoing }, count, write)
+    ) -> Result<Dispatched, SendError<R>> {
+        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout);
+        self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
     }
 
     /// Has the socket block or not. It must block where somebody reads it.

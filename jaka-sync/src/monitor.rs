@@ -192,7 +192,7 @@ impl<S: 'static> Monitor<S> {
     /// Waits for the next packet that comes. A packet that [may be old](Snapshot::follows_silence) does not count.
     ///
     /// # Errors
-    /// After the reply timeout [`ErrorKind::StatusTimeout`] if none came, [`ErrorKind::WaitEnded`] if all may be old;
+    /// After the reply timeout [`ErrorKind::StatusTimeout`] if none came, [`ErrorKind::StatusUnknown`] if all may be old;
     /// [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn next_packet(&self) -> Result<Arc<Snapshot<S>>, Error> {
         let now = self.last_known_packet().map_or(0, |snapshot| snapshot.number);
@@ -207,7 +207,7 @@ impl<S: 'static> Monitor<S> {
     ///
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none,
-    /// [`ErrorKind::WaitEnded`] if the newest may be old, [`ErrorKind::UnexpectedStatus`] if they could not be read,
+    /// [`ErrorKind::StatusUnknown`] if the newest may be old, [`ErrorKind::UnexpectedStatus`] if they could not be read,
     /// [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;
@@ -271,8 +271,7 @@ impl<S: 'static> Monitor<S> {
         let kind = match (state.unfit.clone(), &state.latest) {
             (Some(source), _) => ErrorKind::UnexpectedStatus { source },
             (None, Some(last)) if packets > 0 && last.follows_silence => {
-                let what = "the robot is in the expected state".to_owned();
-                ErrorKind::WaitEnded { what, problem: StatusProblem::Resuming }
+                ErrorKind::StatusUnknown { problem: StatusProblem::Resuming }
             }
             (None, Some(last)) if packets > 0 => ErrorKind::StateTimeout { after, packets, says: describe(last) },
             _ => ErrorKind::StatusTimeout { address: state.tap.address(), after },
@@ -319,10 +318,11 @@ impl<S: 'static> Monitor<S> {
 
 /// Wakes the threads that watch a monitor.
 #[derive(Clone)]
-pub(crate) struct Waker(Arc<dyn Fn() + Send + Sync>);
+pub struct Waker(Arc<dyn Fn() + Send + Sync>);
 
 impl Waker {
-    pub(crate) fn wake(&self) {
+    /// Has the threads check again.
+    pub fn wake(&self) {
         (self.0)();
     }
 }
@@ -334,7 +334,7 @@ impl fmt::Debug for Waker {
 }
 
 /// What a status packet says about the arm; `None` for a choice of fields of the user's own.
-pub(crate) fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
+pub fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
     let named = |error: &DecodeError| match error.field() {
         "" => "the packet cannot be read".to_owned(),

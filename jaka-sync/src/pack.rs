@@ -4,7 +4,7 @@
 ///
 /// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of `newer.toml`
 /// comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait `NewerCommands`, whose
-/// methods work on a [`Client`](crate::Client), a [`Robot`](crate::Robot) and everything else that implements [`Call`](crate::Call).
+/// methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that implements [`Call`](crate::Call).
 /// An edit of the file rebuilds your crate, and what is wrong in it is a compiler error at the macro's path that names file, line
 /// and column.
 ///
@@ -35,7 +35,7 @@
 /// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources dispute. The
 /// module then has messages of its own for each command that is changed by it. Their methods bear the module's name, such as
 /// `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is read by a
-/// `Monitor<newer::RobotStatus>`, and a robot takes it: [`Robot::with_monitor`](crate::Robot::with_monitor). The format is described with
+/// `Monitor<newer::RobotStatus>`, and a robot takes it: `jaka_robot::Robot::with_monitor`. The format is described with
 /// [jaka-spec](https://docs.rs/jaka-spec).
 ///
 /// A pack can stand on others, which are named in their order, and whose modules stand next to its own:
@@ -45,7 +45,7 @@
 /// jaka_sync::pack!("later.toml" on "newer.toml");
 /// ```
 ///
-/// A motion of a pack can be waited for by [`Robot::run`](crate::Robot::run) once you implement [`Motion`](crate::Motion) for it,
+/// A motion of a pack can be waited for by `jaka_robot::Robot::run` once you implement `jaka_robot::Motion` for it,
 /// which says where it ends, and on which way, for a robot with limits.
 ///
 /// From the first look at a controller with newer firmware to a finished pack: the guide in

@@ -6,7 +6,7 @@ use jaka_proto::Command;
 
 #[cfg(doc)]
 use crate::ErrorKind;
-use crate::link::MOST_OUTSTANDING;
+use crate::link::{MOST_OUTSTANDING, OPEN};
 use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
@@ -119,7 +119,7 @@ impl<'c> Pipeline<'c> {
     fn send_checked<C: Command>(&mut self, commands: &[C]) -> Result<(), Error> {
         let mut rest = commands;
         while !rest.is_empty() {
-            let posting = self.client.post_some(None, rest)?;
+            let posting = self.client.post_some(OPEN, rest)?;
             self.outstanding = posting.outstanding;
             self.sent += posting.sent as u64;
             rest = &rest[posting.sent..];

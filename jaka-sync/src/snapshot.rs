@@ -38,12 +38,12 @@ const NEEDED: [&str; 6] = ["emergency_stop", "protective_stop", "powered_on", "e
 
 impl Snapshot {
     /// Why the packet tells nothing at all: its own type has panicked.
-    pub(crate) fn panicked(&self) -> Option<&DecodeError> {
+    pub fn panicked(&self) -> Option<&DecodeError> {
         self.unfit.iter().find(|error| error.field().is_empty())
     }
 
     /// Why the packet does not show whether the arm is stopped: that cannot be read, or is not there at all.
-    pub(crate) fn unreadable(&self) -> Option<DecodeError> {
+    pub fn unreadable(&self) -> Option<DecodeError> {
         let unfit = || self.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
         self.panicked().or_else(unfit).cloned().or_else(|| {
             let status = &self.status;

@@ -39,10 +39,10 @@ pub struct StopHandle {
 
 /// A stop that was written, whose reply is to come.
 #[derive(Debug)]
-pub(crate) struct WrittenStop {
+pub struct WrittenStop {
     sent: Sent<'static>,
     /// When it had been written.
-    pub(crate) at: Instant,
+    pub at: Instant,
 }
 
 /// How long a thread may be kept that must not wait.

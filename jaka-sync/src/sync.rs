@@ -1,7 +1,6 @@
 //! State that threads share, by the locks and signals of std; with `--cfg shuttle` by those whose interleavings a test goes through.
 
 use std::sync::PoisonError;
-#[cfg(feature = "stream")]
 use std::sync::TryLockError;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -20,7 +19,7 @@ use crate::clock::Signal;
 
 /// State that threads share, and for whose changes they wait in the time of a clock.
 #[derive(Debug)]
-pub(crate) struct Watched<T> {
+pub struct Watched<T> {
     state: Mutex<T>,
     changed: Signal,
     /// How many threads wait. It grows under the lock.
@@ -28,18 +27,18 @@ pub(crate) struct Watched<T> {
 }
 
 impl<T> Watched<T> {
-    pub(crate) fn new(clock: &Clock, state: T) -> Self {
+    /// State whose waiters wait in the time of this clock.
+    pub fn new(clock: &Clock, state: T) -> Self {
         Self { state: Mutex::new(state), changed: Signal::new(clock), sleepers: AtomicUsize::new(0) }
     }
 
     /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
-    pub(crate) fn lock(&self) -> MutexGuard<'_, T> {
+    pub fn lock(&self) -> MutexGuard<'_, T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The same unless another thread has it locked.
-    #[cfg(feature = "stream")]
-    pub(crate) fn try_lock(&self) -> Option<MutexGuard<'_, T>> {
+    pub fn try_lock(&self) -> Option<MutexGuard<'_, T>> {
         match self.state.try_lock() {
             Ok(state) => Some(state),
             Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner()),
@@ -48,12 +47,12 @@ impl<T> Watched<T> {
     }
 
     /// The clock by which threads wait.
-    pub(crate) fn clock(&self) -> &Clock {
+    pub fn clock(&self) -> &Clock {
         &self.changed.clock
     }
 
     /// Waits until it is told of a change, or so long, or less.
-    pub(crate) fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
+    pub fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
         self.sleepers.fetch_add(1, Ordering::Relaxed);
         let state = self.changed.wait(&self.state, state, time);
         self.sleepers.fetch_sub(1, Ordering::Relaxed);
@@ -61,7 +60,7 @@ impl<T> Watched<T> {
     }
 
     /// Waits until this finds something in the state; none after so long.
-    pub(crate) fn wait_for<R>(&self, time: Duration, mut find: impl FnMut(&mut T) -> Option<R>) -> Option<R> {
+    pub fn wait_for<R>(&self, time: Duration, mut find: impl FnMut(&mut T) -> Option<R>) -> Option<R> {
         let since = self.clock().stopwatch();
         let mut state = self.lock();
         loop {
@@ -77,21 +76,21 @@ impl<T> Watched<T> {
     }
 
     /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
-    pub(crate) fn wake(&self) {
+    pub fn wake(&self) {
         if self.sleepers() > 0 {
             self.changed.notify_all();
         }
     }
 
     /// How many threads wait.
-    pub(crate) fn sleepers(&self) -> usize {
+    pub fn sleepers(&self) -> usize {
         self.sleepers.load(Ordering::Relaxed)
     }
 }
 
 /// Locks what is only read and changed, each change made whole before the lock is left: after a panic it can be used on.
 #[allow(unused_qualifications, reason = "with shuttle the other locks of this file are its own")]
-pub(crate) fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+pub fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

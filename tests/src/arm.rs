@@ -4,9 +4,9 @@ use std::ops::Deref;
 use std::time::Duration;
 
 use jaka_proto::wire::Decode;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Client, Config, End, Monitor, Robot, StatusStream, TrajectoryReport};
 use jaka_sim::{Controller, Delays, SimulatedClock, State};
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, End, Monitor, Robot, StatusStream, TrajectoryReport};
 
 use crate::standstill::Standstill;
 

@@ -5,8 +5,8 @@ use std::io::{self, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::time::Duration;
 
-use jaka_sync::jaka_clock::{SimulatedClock, Stream};
-use jaka_sync::{Client, Config, Monitor, Robot};
+use jaka_robot::jaka_clock::{SimulatedClock, Stream};
+use jaka_robot::{Client, Config, Monitor, Robot};
 use serde_json::{Deserializer, Value};
 
 use crate::LONG;

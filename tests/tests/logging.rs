@@ -18,7 +18,7 @@ struct Keeper;
 
 impl Log for Keeper {
     fn enabled(&self, metadata: &Metadata<'_>) -> bool {
-        metadata.target().starts_with("jaka_sync")
+        ["jaka_sync", "jaka_robot"].iter().any(|target| metadata.target().starts_with(target))
     }
 
     fn log(&self, record: &Record<'_>) {

@@ -4,7 +4,7 @@ use std::sync::Barrier;
 use std::time::{Duration, Instant};
 
 use jaka_benches::system::child::Addresses;
-use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::{Client, Config, Monitor, Robot, ServoConfig};
 
 use super::Tally;
 
@@ -23,12 +23,12 @@ pub(crate) fn run(robot: Addresses, offset: Duration, time: Duration, stages: &[
     Ok(tally)
 }
 
-fn connect(robot: Addresses) -> Result<Robot, jaka_sync::Error> {
+fn connect(robot: Addresses) -> Result<Robot, jaka_robot::Error> {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
     Ok(Robot::new(Client::connect(robot.commands)?, monitor))
 }
 
-fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_sync::Error> {
+fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_robot::Error> {
     let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
     let since = Instant::now();
     while since.elapsed() < time {

@@ -4,8 +4,8 @@
 use std::error::Error;
 use std::time::Duration;
 
-use jaka_sync::servo::ServoJ;
-use jaka_sync::{Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::servo::ServoJ;
+use jaka_robot::{Client, Config, Monitor, Robot, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_motion::{Checker, Frames, Limits, TimedPoint, Trajectory};
-use jaka_sync::FollowConfig;
+use jaka_robot::FollowConfig;
 
 use self::report::Peaks;
 use crate::acting::ActArgs;

@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use clap::Args;
-use jaka_sync::PowerStep;
-use jaka_sync::power::{EnableRobot, PowerOn};
-use jaka_sync::proto::Command;
+use jaka_robot::PowerStep;
+use jaka_robot::power::{EnableRobot, PowerOn};
+use jaka_robot::proto::Command;
 
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;

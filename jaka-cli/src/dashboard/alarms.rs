@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use jaka_sync::Severity;
-use jaka_sync::proto::text::visible;
-use jaka_sync::status::RobotStatus;
+use jaka_robot::Severity;
+use jaka_robot::proto::text::visible;
+use jaka_robot::status::RobotStatus;
 use ratatui::text::{Line, Span};
 
 use super::style;

@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
-use jaka_sync::proto::text::visible_json;
-use jaka_sync::{Monitor, Snapshot, Subscription};
+use jaka_robot::proto::text::visible_json;
+use jaka_robot::{Monitor, Snapshot, Subscription};
 
 use super::View;
 use super::alarms::duration;
@@ -127,7 +127,7 @@ impl Feed {
 
 #[cfg(test)]
 mod tests {
-    use jaka_sync::Reconnect;
+    use jaka_robot::Reconnect;
     use jaka_tests::{Arm, LONG};
 
     use super::*;

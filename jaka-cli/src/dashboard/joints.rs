@@ -1,7 +1,7 @@
 //! Joint positions and the pose of the tool centre point.
 
-use jaka_sync::proto::wire::Typed;
-use jaka_sync::status::{JointMonitor, RobotStatus};
+use jaka_robot::proto::wire::Typed;
+use jaka_robot::status::{JointMonitor, RobotStatus};
 use ratatui::text::{Line, Span};
 
 use super::style::{self, number};

@@ -1,6 +1,6 @@
 //! The messages in a byte stream, for the recording.
 
-use jaka_sync::proto::framing::{FrameError, Framer};
+use jaka_robot::proto::framing::{FrameError, Framer};
 
 /// Splits a byte stream into messages and other bytes, and loses nothing but white space between messages.
 #[derive(Debug, Default)]
@@ -57,7 +57,7 @@ impl Frames {
 
 #[cfg(test)]
 mod tests {
-    use jaka_sync::proto::framing::DEFAULT_MAX_FRAME;
+    use jaka_robot::proto::framing::DEFAULT_MAX_FRAME;
 
     use super::*;
 

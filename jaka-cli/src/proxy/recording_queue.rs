@@ -7,8 +7,8 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
 
-use jaka_sync::Track;
-use jaka_sync::recording::{Event, Message, Port};
+use jaka_robot::Track;
+use jaka_robot::recording::{Event, Message, Port};
 
 use super::frames::{Frames, Piece};
 
@@ -200,8 +200,8 @@ mod tests {
     use std::io::{Read, Write};
     use std::net::{Shutdown, TcpListener, TcpStream};
 
-    use jaka_sync::recording::Recording;
-    use jaka_sync::{Recorder, StatusSampling};
+    use jaka_robot::recording::Recording;
+    use jaka_robot::{Recorder, StatusSampling};
     use jaka_tests::{LONG, RecordingBuffer};
 
     use super::super::pipe::Pipe;

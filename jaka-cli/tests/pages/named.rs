@@ -33,7 +33,7 @@ fn missing_of_cargo(root: &Path, command: &str, words: &[&str]) -> Option<String
 
 fn missing_of_option(root: &Path, option: &str, value: &str) -> Option<String> {
     let places = match option {
-        "--example" => vec![format!("jaka-sync/examples/{value}.rs"), format!("tests/examples/{value}.rs")],
+        "--example" => vec![format!("jaka-robot/examples/{value}.rs"), format!("tests/examples/{value}.rs")],
         "--bench" => vec![format!("benches/benches/{value}.rs"), format!("benches/benches/{value}")],
         "--bin" => vec![format!("benches/src/bin/{value}.rs")],
         "--test" => {

@@ -22,7 +22,7 @@ pub(super) fn failed(command: &str, failure: Failure) -> Error {
     match failure {
         Failure::Refused(mut refusal) => {
             refusal.command = name;
-            ErrorKind::Refused { refusal, explanation: None }.into()
+            ErrorKind::Refused { refusal }.into()
         }
         Failure::Unexpected(source) => unexpected(command, source),
         Failure::TimedOut { after } => timed_out(command, after),
@@ -31,7 +31,7 @@ pub(super) fn failed(command: &str, failure: Failure) -> Error {
 }
 
 /// The error for a reply that does not fit the spec.
-pub(crate) fn unexpected(command: &str, source: DecodeError) -> Error {
+pub fn unexpected(command: &str, source: DecodeError) -> Error {
     ErrorKind::UnexpectedReply { command: command.to_owned(), source }.into()
 }
 

@@ -8,7 +8,7 @@ use jaka_proto::wire::Writer;
 
 use super::failure::Progress;
 use super::halves::Outbound;
-use super::outgoing::{Outgoing, Right};
+use super::outgoing::{Gate, Outgoing, Right, SendError};
 use super::state::{Mode, State};
 use super::turn::Passing;
 use super::{FRAME_COMMANDS, Link, WIRE};
@@ -45,14 +45,15 @@ impl Link {
     /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: the exchange has
     /// the order of the wire, and nothing goes out after a stop that the gate knows of. Between the gate and the write no
     /// code of the program's own runs; the logger gets its lines afterwards, when others can send again.
-    pub(super) fn transmit(
+    pub(super) fn transmit<R>(
         &self,
         outgoing: &Outgoing<'_>,
+        gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<Dispatched, Error> {
+    ) -> Result<Dispatched, SendError<R>> {
         let mut lines = log::log_enabled!(target: WIRE, log::Level::Trace).then(Vec::new);
-        let dispatched = self.dispatch(outgoing, count, write, lines.as_mut())?;
+        let dispatched = self.dispatch(outgoing, gate, count, write, lines.as_mut())?;
         if let Some(lines) = lines {
             // After a panic of the logger no thread waits for the reply.
             let unawaited = (!outgoing.is_posted).then(|| Unawaited { link: self, request: dispatched.last });
@@ -65,21 +66,22 @@ impl Link {
     }
 
     /// Sends without logging; `lines` gets what was sent.
-    fn dispatch(
+    fn dispatch<R>(
         &self,
         outgoing: &Outgoing<'_>,
+        gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
         lines: Option<&mut Vec<String>>,
-    ) -> Result<Dispatched, Error> {
+    ) -> Result<Dispatched, SendError<R>> {
         let _passing = (outgoing.right == Right::Stop).then(|| Passing::new(self));
         let (mut turn, mut state) = self.take_turn(outgoing)?;
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
-            return Err(self.attach(outgoing.not_sent()));
+            return Err(self.attach(outgoing.not_sent()).into());
         };
         // After a panic in code that writes, nothing that was not sent is left.
         outbound.compose(count, write);
-        outgoing.gate.map_or(Ok(()), |gate| gate())?;
+        gate.map_or(Ok(()), |gate| gate()).map_err(SendError::KeptBack)?;
         self.enter(&mut state, outbound, outgoing);
         drop(state);
         let written = self.write(outbound, &stream, outgoing);
@@ -93,7 +95,7 @@ impl Link {
         state.outbound = turn.outbound.take();
         self.state.wake();
         drop(state);
-        sent.map_err(|error| self.attach(error))
+        Ok(sent.map_err(|error| self.attach(error))?)
     }
 
     /// Enters what is to go out into the exchange.

@@ -1,6 +1,7 @@
 //! What goes out, and until when.
 
 use std::borrow::Cow;
+use std::convert::Infallible;
 use std::time::Duration;
 
 use jaka_proto::CommandInfo;
@@ -17,11 +18,38 @@ pub(crate) enum Right {
     Stop,
 }
 
-/// Asked by the thread whose turn it is to send, as the last thing before a command goes out: an error keeps it back. What another
-/// thread sends meanwhile goes out after it, or has gone out before.
+/// Question that the thread whose turn it is to send asks as the last thing before a command goes out: its error, the
+/// reason, keeps the command back. What another thread sends meanwhile goes out after it, or has gone out before.
 ///
-/// It must not use the connection.
-pub(crate) type Gate<'g> = Option<&'g dyn Fn() -> Result<(), Error>>;
+/// The question is asked under the lock of the connection: it must not use the connection.
+pub type Gate<'g, R> = Option<&'g dyn Fn() -> Result<(), R>>;
+
+/// Gate of commands that nothing keeps back.
+pub(crate) const OPEN: Gate<'static, Infallible> = None;
+
+/// Error of a command that was not sent, or failed.
+#[derive(Debug)]
+pub enum SendError<R> {
+    /// The gate has kept the command back, for this reason. Nothing was sent.
+    KeptBack(R),
+    /// The call has failed.
+    Failed(Error),
+}
+
+impl<R> From<Error> for SendError<R> {
+    fn from(error: Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<SendError<Infallible>> for Error {
+    fn from(error: SendError<Infallible>) -> Self {
+        match error {
+            SendError::KeptBack(never) => match never {},
+            SendError::Failed(error) => error,
+        }
+    }
+}
 
 /// What goes out: commands of one name, and until when.
 pub(crate) struct Outgoing<'o> {
@@ -33,7 +61,6 @@ pub(crate) struct Outgoing<'o> {
     pub(super) since: Stopwatch,
     pub(super) timeout: Duration,
     pub(super) right: Right,
-    pub(super) gate: Gate<'o>,
     /// Whether the outcomes are counted, with no thread waiting for one in particular.
     pub(super) is_posted: bool,
 }
@@ -46,17 +73,12 @@ impl<'o> Outgoing<'o> {
 
     /// Any command, whose time begins now; `name` is the name that its reply has.
     pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
-        Self { command, name, since: clock.stopwatch(), timeout, right: Right::Usual, gate: None, is_posted: false }
+        Self { command, name, since: clock.stopwatch(), timeout, right: Right::Usual, is_posted: false }
     }
 
     /// The same by another right of way.
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
-    }
-
-    /// The same unless this gate is shut.
-    pub(crate) fn through(self, gate: Gate<'o>) -> Self {
-        Self { gate, ..self }
     }
 
     pub(super) fn left(&self) -> Duration {

@@ -15,17 +15,17 @@ pub(crate) const MOST_OUTSTANDING: usize = 256;
 
 /// The outcomes of commands that were posted, since this was last asked for.
 #[derive(Debug, Default)]
-pub(crate) struct Answers {
+pub struct Answers {
     /// How many were accepted.
-    pub(crate) accepted: u64,
+    pub accepted: u64,
     /// The outcomes of the others, in the order in which they were learnt.
-    pub(crate) failed: Vec<Error>,
+    pub failed: Vec<Error>,
 }
 
 impl Link {
     /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection is
     /// broken. Where another thread is reading, what it has read so far has to do.
-    pub(crate) fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
+    pub fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
         (self.take_answers(&mut state), self.check(&state, command, Progress::Sent))
     }
@@ -71,23 +71,23 @@ impl Link {
     }
 
     /// How many posted commands are outstanding.
-    pub(crate) fn outstanding(&self) -> usize {
+    pub fn outstanding(&self) -> usize {
         self.state.lock().exchange.posted_outstanding()
     }
 
     /// True if nothing is outstanding, also nothing that was given up.
-    pub(crate) fn is_idle(&self) -> bool {
+    pub fn is_idle(&self) -> bool {
         self.state.lock().exchange.outstanding() == 0
     }
 
     /// For how long the oldest posted command has been outstanding; none if none is.
-    pub(crate) fn oldest_posted(&self) -> Option<Duration> {
+    pub fn oldest_posted(&self) -> Option<Duration> {
         self.state.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
     /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the outcomes of the
     /// others, and says how many were abandoned.
-    pub(crate) fn forget_posted(&self) -> (Answers, u64) {
+    pub fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.state.lock();
         // A pipeline is dropped also while a panic unwinds, which a logger's must not meet.
         let arrived = if std::thread::panicking() { Ok(()) } else { self.attribute_arrived(&mut state) };

@@ -12,17 +12,13 @@ use crate::Error;
 impl Link {
     /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll). [`forget`](Self::forget) gives up a reply that is no longer
     /// wanted. A send that takes longer than the reply timeout fails.
-    pub(crate) fn ask(
-        &self,
-        info: &'static CommandInfo,
-        write: &mut dyn FnMut(&mut Writer),
-    ) -> Result<Sent<'static>, Error> {
+    pub fn ask(&self, info: &'static CommandInfo, write: &mut dyn FnMut(&mut Writer)) -> Result<Sent<'static>, Error> {
         self.send(&Outgoing::of(&self.clock, info, self.reply_timeout), write)
     }
 
     /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if it has not come
     /// by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an error, which answers the question too.
-    pub(crate) fn poll(
+    pub fn poll(
         &self,
         question: &Sent<'_>,
         slice: Duration,
@@ -37,7 +33,7 @@ impl Link {
     }
 
     /// Abandons a question: its reply is discarded when it comes.
-    pub(crate) fn forget(&self, question: &Sent<'_>) {
+    pub fn forget(&self, question: &Sent<'_>) {
         self.state.lock().exchange.abandon(question.request);
     }
 }

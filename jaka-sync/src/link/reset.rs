@@ -18,7 +18,7 @@ impl Link {
     /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a `shutdown` delivers
     /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
     /// and this waits for that. What the network or the controller holds cannot be recalled.
-    pub(crate) fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
+    pub fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.state.lock();
         let broken = state.broken.get_or_insert_with(|| {
             self.tap.broken(&cause);

@@ -143,11 +143,17 @@ impl Tap {
 
     /// The same error, with the last messages. It is recorded if no other entry shows it.
     pub(crate) fn attach(&self, error: Error) -> Error {
-        let Some(connection) = &self.connection else { return error };
-        if !error.is_refused() && !error.is_disconnected() {
-            connection.track.record(Event::Error { text: with_source(&error) });
+        let exchanges = self.note(&error, error.is_refused() || error.is_disconnected());
+        error.with_exchanges(exchanges)
+    }
+
+    /// Records an error that no other entry shows, and returns the last messages; none without a recorder.
+    pub(crate) fn note(&self, error: &(dyn StdError + 'static), is_shown: bool) -> Box<[Entry]> {
+        let Some(connection) = &self.connection else { return Box::default() };
+        if !is_shown {
+            connection.track.record(Event::Error { text: with_source(error) });
         }
-        error.with_exchanges(connection.exchanges())
+        connection.exchanges()
     }
 }
 

@@ -1,12 +1,13 @@
 //! A program that uses commands of newer firmware, which a pack describes.
 
-use jaka_sync::types::MoveMode;
-use jaka_sync::{Call, Client, Error, Motion, Target};
+use jaka_robot::jaka_sync::Error;
+use jaka_robot::types::MoveMode;
+use jaka_robot::{Call, Client, Motion, Target};
 
-jaka_sync::pack!("newer.toml");
-jaka_sync::pack!("changed.toml");
-jaka_sync::pack!("strange.toml");
-jaka_sync::pack!("later.toml" on "newer.toml", "changed.toml");
+jaka_robot::pack!("newer.toml");
+jaka_robot::pack!("changed.toml");
+jaka_robot::pack!("strange.toml");
+jaka_robot::pack!("later.toml" on "newer.toml", "changed.toml");
 
 use changed::ChangedCommands as _;
 use newer::NewerCommands as _;

@@ -2,7 +2,8 @@
 
 use std::collections::VecDeque;
 
-use jaka_sync::{Error, ErrorKind};
+use jaka_robot::jaka_sync::ErrorKind as Failure;
+use jaka_robot::{Error, ErrorKind};
 
 /// What a call tells about its command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,7 +22,12 @@ impl Fate {
     pub(super) fn of<T>(result: &Result<T, Error>) -> Self {
         let Err(error) = result else { return Self::Seen };
         match error.kind() {
-            ErrorKind::Refused { .. } | ErrorKind::UnexpectedReply { .. } | ErrorKind::ReplyLost { .. } => Self::Seen,
+            ErrorKind::Refused { .. } => Self::Seen,
+            ErrorKind::Connection(error)
+                if matches!(error.kind(), Failure::UnexpectedReply { .. } | Failure::ReplyLost { .. }) =>
+            {
+                Self::Seen
+            }
             _ if error.may_have_run() => Self::Sent,
             _ => Self::NotSent,
         }

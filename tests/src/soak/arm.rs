@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use jaka_proto::wire::Writer;
-use jaka_sync::{Command, Error};
+use jaka_robot::{Command, Error};
 use serde_json::{Value, json};
 
 use super::account::{Connection, Fate};
@@ -115,7 +115,7 @@ impl Arm {
         self.tally.one("connections");
         self.mass.new_connection();
         self.variable.new_connection();
-        let result = session.robot.client().call_raw(calls::FIRST, &parameters);
+        let result = session.robot.client().call_raw(calls::FIRST, &parameters).map_err(Error::from);
         self.note(&mut session, text, &result);
         Ok(session)
     }

@@ -6,8 +6,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{Config, Error, ErrorKind, Monitor, StatusStream};
+use jaka_robot::jaka_sync::{self, ErrorKind as Failure};
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{Config, Error, ErrorKind, Monitor, StatusStream};
 
 use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
@@ -33,21 +34,22 @@ impl Findings {
 
 /// Counts what a call ended with.
 pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
-    let ended = match result.as_ref().map_err(|error| (error.kind(), error.may_have_run())) {
-        Ok(_) => "accepted",
-        Err((ErrorKind::Refused { .. }, _)) => "refused",
-        Err((ErrorKind::Timeout { .. }, _)) => "timeouts",
-        Err((ErrorKind::ReplyLost { .. }, _)) => "replies lost",
-        Err((ErrorKind::UnexpectedReply { .. }, _)) => "unexpected replies",
-        Err((_, true)) => "broken off",
-        Err((kind, false)) => {
-            tally.one("not sent");
-            if matches!(kind, ErrorKind::StatusUnknown { .. }) {
-                tally.one("motions kept back without status");
-            }
-            return;
-        }
+    let failure = |error: &Error| match error.connection().map(jaka_sync::Error::kind) {
+        _ if error.is_refused() => "refused",
+        Some(Failure::Timeout { .. }) => "timeouts",
+        Some(Failure::ReplyLost { .. }) => "replies lost",
+        Some(Failure::UnexpectedReply { .. }) => "unexpected replies",
+        _ if error.may_have_run() => "broken off",
+        _ => "not sent",
     };
+    let ended = result.as_ref().err().map_or("accepted", failure);
+    if ended == "not sent" {
+        tally.one(ended);
+        if result.as_ref().is_err_and(|error| matches!(error.kind(), ErrorKind::StatusUnknown { .. })) {
+            tally.one("motions kept back without status");
+        }
+        return;
+    }
     tally.one("commands");
     tally.one(ended);
 }
@@ -181,7 +183,13 @@ impl Reader {
 }
 
 /// Reads to the end of one connection.
-fn read(config: &Config, ports: &Ports, ends: &AtomicBool, order: &mut Order, tally: &mut Tally) -> Result<(), Error> {
+fn read(
+    config: &Config,
+    ports: &Ports,
+    ends: &AtomicBool,
+    order: &mut Order,
+    tally: &mut Tally,
+) -> Result<(), jaka_sync::Error> {
     let mut stream = StatusStream::connect_with(config, ports.status)?;
     tally.one("status streams");
     while !ends.load(Ordering::SeqCst) {
@@ -195,9 +203,9 @@ fn read(config: &Config, ports: &Ports, ends: &AtomicBool, order: &mut Order, ta
             Err(error) => error,
         };
         match error.kind() {
-            ErrorKind::StatusTimeout { .. } => tally.one("silences of the status port"),
-            ErrorKind::UnexpectedStatus { .. } => tally.one("packets that do not fit"),
-            ErrorKind::Disconnected { .. } => {
+            Failure::StatusTimeout { .. } => tally.one("silences of the status port"),
+            Failure::UnexpectedStatus { .. } => tally.one("packets that do not fit"),
+            Failure::Disconnected { .. } => {
                 tally.one("status streams broken");
                 // Where each connection ends at once, ports would run out.
                 ports.time.sleep(PAUSE);

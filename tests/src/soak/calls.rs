@@ -3,16 +3,16 @@
 use std::time::Duration;
 
 use jaka_proto::read_payload;
-use jaka_sync::io::GetFuncdiStatus;
-use jaka_sync::kinematics::{GetDhParam, GetJointPos, GetJointPosReply, KineForward};
-use jaka_sync::motion::JointMove;
-use jaka_sync::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
-use jaka_sync::power::{GetRobotState, GetVersion};
-use jaka_sync::program::{LoadProgram, SetRapidRate};
-use jaka_sync::servo::SetServoMode;
-use jaka_sync::types::JointPosition;
-use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
-use jaka_sync::{Cause, Command, End, Error, Evidence};
+use jaka_robot::io::GetFuncdiStatus;
+use jaka_robot::kinematics::{GetDhParam, GetJointPos, GetJointPosReply, KineForward};
+use jaka_robot::motion::JointMove;
+use jaka_robot::payload::{Centroid, GetPayload, GetPayloadReply, SetPayload};
+use jaka_robot::power::{GetRobotState, GetVersion};
+use jaka_robot::program::{LoadProgram, SetRapidRate};
+use jaka_robot::servo::SetServoMode;
+use jaka_robot::types::JointPosition;
+use jaka_robot::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
+use jaka_robot::{Cause, Command, End, Error, Evidence};
 use serde_json::{Value, json};
 
 use super::account::Fate;
@@ -82,7 +82,7 @@ pub(super) fn one(arm: &mut Arm, session: &mut Session) {
 /// A typed call, noted.
 fn call<C: Command>(arm: &mut Arm, session: &mut Session, command: &C) -> Result<C::Reply, Error> {
     let timeout = session.robot.client().reply_timeout();
-    let result = session.robot.client().call_within(command, timeout);
+    let result = session.robot.client().call_within(command, timeout).map_err(Error::from);
     arm.note(session, text(command), &result);
     result
 }
@@ -116,6 +116,7 @@ fn get_mass_as_text(arm: &mut Arm, session: &mut Session) {
     let (_, text) = arm.numbered(GetPayload::INFO.name, json!({}));
     let timeout = session.robot.client().reply_timeout();
     let result = session.robot.client().call_text(&text, timeout).map(str::to_owned);
+    let result = result.map_err(Error::from);
     arm.note(session, text, &result);
     if let Ok(reply) = result {
         match read_payload::<GetPayloadReply>(GetPayload::INFO, &reply) {
@@ -163,7 +164,7 @@ fn unknown(arm: &mut Arm, session: &mut Session) {
 /// A raw call with a number, so that no other has its text. Its reply, if it has one.
 pub(super) fn raw(arm: &mut Arm, session: &mut Session, name: &str, parameters: Value) -> Option<Value> {
     let (parameters, text) = arm.numbered(name, parameters);
-    let result = session.robot.client().call_raw(name, &parameters);
+    let result = session.robot.client().call_raw(name, &parameters).map_err(Error::from);
     arm.note(session, text, &result);
     result.ok()
 }

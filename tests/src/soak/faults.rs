@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use jaka_robot::Command;
+use jaka_robot::io::GetFuncdiStatus;
+use jaka_robot::kinematics::{GetDhParam, GetJointPos, KineForward};
+use jaka_robot::motion::JointMove;
+use jaka_robot::payload::{GetPayload, SetPayload};
+use jaka_robot::power::{GetRobotState, GetVersion};
+use jaka_robot::program::{LoadProgram, SetRapidRate, StopProgram};
+use jaka_robot::servo::{IsInServomove, ServoJ, SetServoMode};
+use jaka_robot::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
 use jaka_sim::{Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, StatusFault};
-use jaka_sync::Command;
-use jaka_sync::io::GetFuncdiStatus;
-use jaka_sync::kinematics::{GetDhParam, GetJointPos, KineForward};
-use jaka_sync::motion::JointMove;
-use jaka_sync::payload::{GetPayload, SetPayload};
-use jaka_sync::power::{GetRobotState, GetVersion};
-use jaka_sync::program::{LoadProgram, SetRapidRate, StopProgram};
-use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
-use jaka_sync::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
 use serde_json::json;
 
 use super::random::Random;

@@ -3,11 +3,12 @@
 use std::time::Duration;
 
 use jaka_proto::read_payload;
-use jaka_sync::kinematics::{GetJointPos, GetTcpPos};
-use jaka_sync::power::GetRobotState;
-use jaka_sync::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
-use jaka_sync::types::Switch;
-use jaka_sync::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, ServoSession};
+use jaka_robot::jaka_sync::ErrorKind as Failure;
+use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
+use jaka_robot::power::GetRobotState;
+use jaka_robot::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
+use jaka_robot::types::Switch;
+use jaka_robot::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, ServoSession};
 use serde_json::json;
 
 use super::account::{Connection, Fate};
@@ -123,9 +124,7 @@ fn not_entered(error: &Error) -> Vec<Sent> {
     // These are asked for before servo mode and in it.
     let is_asked_before = |command: &str| [GetJointPos::INFO.name, IsInServomove::INFO.name].contains(&command);
     let command = match error.kind() {
-        ErrorKind::Timeout { command, .. }
-        | ErrorKind::ReplyLost { command }
-        | ErrorKind::UnexpectedReply { command, .. } => Some(&**command),
+        ErrorKind::Connection(error) => unanswered(error),
         ErrorKind::Refused { refusal, .. } => Some(&*refusal.command),
         _ => None,
     };
@@ -134,14 +133,22 @@ fn not_entered(error: &Error) -> Vec<Sent> {
         _ if command.is_some_and(is_asked_before) => (Fate::Perhaps, Fate::Perhaps),
         // Of the first command there is nothing to leave, of the others there is.
         ErrorKind::Refused { .. } => (Fate::Seen, Fate::Perhaps),
-        ErrorKind::Timeout { .. }
-        | ErrorKind::ReplyLost { .. }
-        | ErrorKind::UnexpectedReply { .. }
-        | ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
+        ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
+        _ if command.is_some() => (Fate::Seen, Fate::Seen),
         // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the connection is broken.
         _ => return vec![asking(), is_on()],
     };
     entering(switched, Fate::Perhaps).into_iter().chain(leaving(left)).collect()
+}
+
+/// Command that has no reply, or one that does not fit.
+fn unanswered(error: &jaka_sync::Error) -> Option<&str> {
+    match error.kind() {
+        Failure::Timeout { command, .. }
+        | Failure::ReplyLost { command }
+        | Failure::UnexpectedReply { command, .. } => Some(command),
+        _ => None,
+    }
 }
 
 fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {

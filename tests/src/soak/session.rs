@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_sync::{Client, Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
+use jaka_robot::{Client, Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
 
 use super::account::Connection;
 use super::arm::Place;
@@ -62,7 +62,7 @@ impl Session {
         let (stop, unknown_stop) = (robot.stop_handle(), robot.client().stop_handle());
         Ok(Self {
             robot,
-            hands: vec![Hand::new(time, move || stop.stop()), Hand::new(time, move || unknown_stop.stop())],
+            hands: vec![Hand::new(time, move || stop.stop()), Hand::new(time, move || Ok(unknown_stop.stop()?))],
             connection: Connection::new(first),
             once: 0,
             silent: 0,

@@ -2,7 +2,8 @@
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::{Request, Visit};
-use jaka_sync::{AdvisoryRanges, Client, Command, Error, ErrorKind, Robot, ServoConfig};
+use jaka_robot::{AdvisoryRanges, Client, Command, ErrorKind, Robot, ServoConfig};
+use jaka_sync::Error;
 use jaka_tests::{Arm, spec};
 use serde_json::{Map, Value};
 
@@ -174,7 +175,7 @@ fn ready(ranges: AdvisoryRanges) -> (Arm, Client) {
 
 #[track_caller]
 fn invalid(error: &Error) -> &InvalidArgument {
-    let ErrorKind::InvalidArgument(invalid) = error.kind() else { panic!("{error}") };
+    let jaka_sync::ErrorKind::InvalidArgument(invalid) = error.kind() else { panic!("{error}") };
     invalid
 }
 
@@ -208,7 +209,7 @@ fn it_goes_out_where_that_is_left_to_the_controller() {
         let name = text.split('"').nth(3).expect("it has a name");
         match read(text).visit(Send(&mut client)) {
             Ok(()) => {}
-            Err(error) => assert!(matches!(error.kind(), ErrorKind::Refused { .. }), "{text}: {error}"),
+            Err(error) => assert!(matches!(error.kind(), jaka_sync::ErrorKind::Refused { .. }), "{text}: {error}"),
         }
         assert!(controller.requests().last().is_some_and(|last| last.contains(name)), "{text}");
     }
@@ -234,7 +235,7 @@ fn what_an_arm_may_do_goes_out() {
     let (controller, mut client) = ready(AdvisoryRanges::Enforced);
     for text in SENT {
         if let Err(error) = read(text).visit(Send(&mut client)) {
-            assert!(matches!(error.kind(), ErrorKind::Refused { .. }), "{text}: {error}");
+            assert!(matches!(error.kind(), jaka_sync::ErrorKind::Refused { .. }), "{text}: {error}");
         }
     }
     assert_eq!(controller.requests(), SENT);
@@ -277,7 +278,10 @@ fn a_servo_session_refuses_it_and_ends() {
     let (controller, client) = ready(AdvisoryRanges::Enforced);
     let mut robot = Robot::new(client, controller.monitor());
     let config = ServoConfig::new().unchecked();
-    let refused = |sent: Result<(), Error>, field: &str| assert_eq!(invalid(&sent.expect_err(field)).field, field);
+    let refused = |sent: Result<(), jaka_robot::Error>, field: &str| {
+        let error = sent.expect_err(field);
+        assert_eq!(invalid(error.connection().expect(field)).field, field);
+    };
     let entered = "the arm is enabled";
     let mut session = robot.enter_servo_mode(&config).expect(entered);
     refused(session.send_pose_offset([300.0, 0.0, 0.0, 0.0, 0.0, 0.0]), "pose.x");

@@ -11,7 +11,7 @@ use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
 use jaka_sync::types::Switch;
 use jaka_sync::{
-    AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, ErrorKind, Robot, StatusStream, StopHandle,
+    AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, ErrorKind, StatusStream, StopHandle,
 };
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ClockedSocket, LONG, accepted};
@@ -389,8 +389,11 @@ fn replies_on_the_status_connection_are_distinguished_from_packets() {
 #[test]
 fn a_robots_address_with_a_port_is_refused() {
     for address in ["10.5.5.100:10001", "localhost:10000", "[::1]:10001"] {
-        let error = Robot::connect(address).expect_err("a robot has two ports");
-        assert!(matches!(error.kind(), ErrorKind::PortInAddress { address: named } if named == address), "{error:?}");
+        let error = jaka_robot::Robot::connect(address).expect_err("a robot has two ports");
+        assert!(
+            matches!(error.kind(), jaka_robot::ErrorKind::PortInAddress { address: named } if named == address),
+            "{error:?}"
+        );
         assert!(error.is_connect() && !error.may_have_run());
         assert_eq!(
             error.to_string(),
@@ -402,7 +405,7 @@ fn a_robots_address_with_a_port_is_refused() {
     }
     let controller = Arm::simulated().start();
     let config = controller.config();
-    let mut robot = Robot::connect_at(&config, controller.command_addr(), controller.status_addr())
+    let mut robot = jaka_robot::Robot::connect_at(&config, controller.command_addr(), controller.status_addr())
         .expect("the controller listens");
     robot.client().get_version().expect("it answers");
     robot.monitor().wait_until(|_| true, LONG).expect("packets come");

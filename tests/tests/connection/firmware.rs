@@ -5,12 +5,13 @@
 use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
+use jaka_robot::jaka_sync::{self, ErrorKind as Failure};
+use jaka_robot::{Cause, Client, Error, FirmwareVersion, Motion, NotInFirmware, Target};
 use jaka_sim::{Controller, Fault, Firmware};
-use jaka_sync::{Cause, Client, Error, ErrorKind, FirmwareVersion, Motion, NotInFirmware, Target};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
-jaka_sync::pack!("data/fan.toml");
+jaka_robot::pack!("data/fan.toml");
 
 /// So that a robot can wait for it.
 impl Motion for SetFan {
@@ -41,10 +42,11 @@ fn says(controller: &Controller, version: &str) {
     controller.inject(Fault::Instead(reply.to_string().into_bytes()));
 }
 
-fn missing(result: Result<(), Error>) -> NotInFirmware {
-    match result.map_err(Error::into_kind) {
-        Err(ErrorKind::NotInFirmware(missing)) => missing,
-        other => panic!("the firmware does not have it, not {other:?}"),
+fn missing<E: Into<Error>>(result: Result<(), E>) -> NotInFirmware {
+    let error: Error = result.expect_err("the firmware does not have it").into();
+    match error.connection().map(jaka_sync::Error::kind) {
+        Some(Failure::NotInFirmware(missing)) => missing.clone(),
+        _ => panic!("the firmware does not have it, not {error:?}"),
     }
 }
 

@@ -15,7 +15,7 @@ fn first_motion(path: &str) -> String {
 #[test]
 fn the_first_motion_is_small_and_slow_and_can_be_stopped() {
     for path in
-        ["README.md", "jaka-sync/docs/overview.md", "jaka-sync/src/robot.rs", "jaka-sync/examples/first_motion.rs"]
+        ["README.md", "jaka-robot/docs/overview.md", "jaka-robot/src/robot.rs", "jaka-robot/examples/first_motion.rs"]
     {
         let code = if path.contains("examples") {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
@@ -37,7 +37,7 @@ fn the_first_motion_is_small_and_slow_and_can_be_stopped() {
 
 #[test]
 fn no_example_prints_its_error_as_debug() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../jaka-sync/examples");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../jaka-robot/examples");
     let mut texts = vec![("README.md".to_owned(), first_motion("README.md"))];
     for entry in fs::read_dir(folder).expect("it is there") {
         let path = entry.expect("it can be read").path();

@@ -131,9 +131,9 @@ fn packets_that_may_all_be_old_are_told() {
     beside(&clock, act, || {
         clock.sleep(STALE_AFTER + PERIOD * 2);
         let error = monitor.wait_until(is_present, STALE_AFTER * 4).expect_err("none is known to be new");
-        let ErrorKind::WaitEnded { problem: StatusProblem::Resuming, .. } = error.kind() else { panic!("{error:?}") };
-        let text = "the wait has ended before the robot is in the expected state, because the state of the robot is unknown: status packets have \
-                    just resumed after a silence, and may be old; try again in a moment";
+        let ErrorKind::StatusUnknown { problem: StatusProblem::Resuming } = error.kind() else { panic!("{error:?}") };
+        let text = "the state of the robot is unknown: status packets have just resumed after a silence, and may be old; try again in a \
+                    moment";
         assert_eq!(error.to_string(), text);
     });
 }

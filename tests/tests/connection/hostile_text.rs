@@ -10,8 +10,9 @@ use jaka_proto::framing::Framer;
 use jaka_proto::text::is_visible;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{ErrorCode, FirmwareVersion, Refusal};
+use jaka_robot::jaka_sync::ErrorKind as Failure;
+use jaka_robot::{Cause, Disconnect, Error, ErrorKind, Evidence, Explanation, Occurrence, Recorder};
 use jaka_sim::Fault;
-use jaka_sync::{Cause, Disconnect, Error, ErrorKind, Evidence, Explanation, Occurrence, Recorder};
 use jaka_tests::Arm;
 
 /// A character of each kind that a terminal or an editor acts on.
@@ -37,23 +38,25 @@ fn no_error_shows_a_controller_s_text_raw() {
     ]
     .map(Arc::new);
     let (command, source) = (HOSTILE.to_owned(), unfit());
+    let connection = |failure: Failure| ErrorKind::Connection(failure.into());
     let mut kinds = vec![
         ErrorKind::Refused { refusal: refusal(), explanation: None },
         ErrorKind::Refused { refusal: refusal(), explanation: Some(Explanation::NotPowered) },
-        ErrorKind::Timeout { command: command.clone(), after: Duration::ZERO },
-        ErrorKind::ReplyLost { command: command.clone() },
-        ErrorKind::UnexpectedReply { command: command.clone(), source: source.clone() },
-        ErrorKind::UnexpectedStatus { source },
+        connection(Failure::Refused { refusal: refusal() }),
+        connection(Failure::Timeout { command: command.clone(), after: Duration::ZERO }),
+        connection(Failure::ReplyLost { command: command.clone() }),
+        connection(Failure::UnexpectedReply { command: command.clone(), source: source.clone() }),
+        connection(Failure::UnexpectedStatus { source }),
     ];
     for cause in causes {
         let lost = Evidence::Status { cause: Some(Arc::clone(&cause)), unreadable: None };
         kinds.push(ErrorKind::NotAcknowledged { occurrence: Occurrence::new(Cause::StatusLost, lost) });
-        kinds.push(ErrorKind::Disconnected {
+        kinds.push(connection(Failure::Disconnected {
             address: HOSTILE.to_owned(),
             command: Some(command.clone()),
             sent: true,
             cause: Arc::clone(&cause),
-        });
+        }));
         let (address, what) = (HOSTILE.to_owned(), HOSTILE.to_owned());
         let lost = Evidence::Commands { address: address.clone(), cause: Arc::clone(&cause) };
         kinds.push(ErrorKind::NotAcknowledged { occurrence: Occurrence::new(Cause::CommandsLost, lost) });

@@ -5,12 +5,12 @@ mod messages;
 use std::error::Error as StdError;
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Limits, Model};
+use jaka_robot::motion::JointMove;
+use jaka_robot::servo::ServoJ;
+use jaka_robot::types::Switch;
+use jaka_robot::{Client, Config, Robot, ServoConfig};
 use jaka_sim::Fault;
-use jaka_sync::jaka_motion::{Limits, Model};
-use jaka_sync::motion::JointMove;
-use jaka_sync::servo::ServoJ;
-use jaka_sync::types::Switch;
-use jaka_sync::{Client, Config, Error, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG, ReservedPort};
 
 const PAGE: &str = include_str!("../../../docs/troubleshooting.md");
@@ -23,7 +23,7 @@ fn said(error: &(dyn StdError + 'static)) -> String {
     errors.map(ToString::to_string).collect::<Vec<_>>().join(": ")
 }
 
-fn refusal<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
+fn refusal<T: std::fmt::Debug>(result: Result<T, impl StdError + 'static>) -> String {
     said(&result.expect_err("it is a mistake"))
 }
 

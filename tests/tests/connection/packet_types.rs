@@ -4,10 +4,10 @@ use std::panic::resume_unwind;
 use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
+use jaka_robot::motion::JointMove;
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{Cause, ErrorKind, Evidence, MotionStatus, Robot, ServoConfig};
 use jaka_sim::Controller;
-use jaka_sync::motion::JointMove;
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{Cause, ErrorKind, Evidence, MotionStatus, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;
 

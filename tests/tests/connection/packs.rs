@@ -6,9 +6,9 @@ use jaka_pack_user::changed::{self, ChangedCommands as _, ToolVoltage};
 use jaka_pack_user::later::{self, LaterCommands as _};
 use jaka_pack_user::newer::{self, NewerCommands as _};
 use jaka_pack_user::{is_stopped, move_with_zone, queued};
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{Monitor, Robot};
 use jaka_sim::{Builder, Controller};
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{Monitor, Robot};
 use jaka_tests::{Arm, LONG};
 use serde_json::{Value, json};
 
@@ -166,13 +166,13 @@ fn a_robot_tells_by_a_pack_s_status_how_a_motion_goes() {
     let stopped = |status: &changed::RobotStatus| status.protective_stop == Some(true);
     robot.monitor().wait_until(stopped, LONG).expect("the packet shows it");
     let error = robot.run(&request, LONG).expect_err("it is in a protective stop");
-    assert!(matches!(error.kind(), jaka_sync::ErrorKind::NotAcknowledged { .. }), "{error}");
+    assert!(matches!(error.kind(), jaka_robot::ErrorKind::NotAcknowledged { .. }), "{error}");
 }
 
 #[test]
 fn codes_of_a_pack_have_names() {
     assert_eq!(changed::meaning(changed::OVERLOAD), Some("The payload is too heavy for the motion."));
-    assert_eq!(changed::meaning(jaka_sync::ErrorCode::CALL_FAILED), jaka_sync::ErrorCode::CALL_FAILED.meaning());
+    assert_eq!(changed::meaning(jaka_robot::ErrorCode::CALL_FAILED), jaka_robot::ErrorCode::CALL_FAILED.meaning());
 }
 
 #[test]

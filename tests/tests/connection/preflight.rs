@@ -3,10 +3,10 @@
 
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Limits, Model, Region};
+use jaka_robot::{CheckItem, Preflight, Robot, Verdict};
 use jaka_sim::{Fault, Firmware, Port, StatusFault};
 use jaka_spec::Effect;
-use jaka_sync::jaka_motion::{Limits, Model, Region};
-use jaka_sync::{CheckItem, Preflight, Robot, Verdict};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, spec};
 use serde_json::Value;
@@ -24,7 +24,7 @@ fn connect(arm: &Arm) -> Robot {
 /// The items with this verdict.
 fn with(preflight: &Preflight, verdict: Verdict) -> Vec<CheckItem> {
     let findings = preflight.findings().iter().filter(|finding| finding.verdict() == verdict);
-    findings.map(jaka_sync::Finding::item).collect()
+    findings.map(jaka_robot::Finding::item).collect()
 }
 
 #[test]
@@ -53,7 +53,7 @@ fn each_item_has_one_finding_and_what_is_found_has_advice() {
     let controller = healthy(Firmware::default());
     controller.cut_power();
     let preflight = connect(&controller).preflight();
-    let items: Vec<_> = preflight.findings().iter().map(jaka_sync::Finding::item).collect();
+    let items: Vec<_> = preflight.findings().iter().map(jaka_robot::Finding::item).collect();
     assert!(items.is_sorted_by(|before, after| before < after), "{items:?}");
     assert_eq!(items.first().zip(items.last()), Some((&CheckItem::CommandPort, &CheckItem::Limits)));
     for finding in preflight.findings() {

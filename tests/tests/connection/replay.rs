@@ -5,10 +5,10 @@ use std::net::SocketAddr;
 use std::time::Duration;
 
 use jaka_proto::recording::{Port, Recording};
+use jaka_robot::ServoConfig;
+use jaka_robot::kinematics::GetJointPos;
+use jaka_robot::motion::JointMove;
 use jaka_sim::{Deviation, Fault, FaultPlan, Replay, ReplayTiming};
-use jaka_sync::ServoConfig;
-use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::motion::JointMove;
 use jaka_tests::{Arm, ArmBuilder, LONG, events, recorded};
 use serde_json::json;
 

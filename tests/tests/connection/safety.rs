@@ -4,11 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use jaka_proto::Envelope;
+use jaka_robot::motion::JointMove;
+use jaka_robot::power::GetVersion;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, Command, ErrorKind, Monitor};
 use jaka_sim::Controller;
-use jaka_sync::motion::JointMove;
-use jaka_sync::power::GetVersion;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, Command, ErrorKind, Monitor};
 use jaka_tests::{Arm, LONG};
 
 fn page() -> String {

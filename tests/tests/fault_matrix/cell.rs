@@ -4,11 +4,12 @@ use std::fmt::{self, Debug};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Duration;
 
+use jaka_robot::jaka_sync::{self, ErrorKind as Failure};
+use jaka_robot::kinematics::GetJointPos;
+use jaka_robot::payload::GetPayload;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Client, Config, Error};
 use jaka_sim::SimulatedClock;
-use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::payload::GetPayload;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Client, Config, Error, ErrorKind};
 use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
 
@@ -253,27 +254,28 @@ impl<'t> Cell<'t> {
 
     /// Makes a call, and tells how it ended. One that ends by its timeout ends at that very time; entering servo mode
     /// alone takes several commands.
-    pub(crate) fn ends<T: Into<Outcome> + Debug>(
+    pub(crate) fn ends<T: Into<Outcome> + Debug, E: Into<Error>>(
         &self,
         timeout: Duration,
         expected: Outcome,
-        call: impl FnOnce() -> Result<T, Error>,
+        call: impl FnOnce() -> Result<T, E>,
     ) -> Outcome {
         let before = self.controller.requests().len();
         let since = self.clock().elapsed();
-        let result = self.while_held(call);
+        let result = self.while_held(call).map_err(Into::into);
         let took = self.clock().elapsed().saturating_sub(since);
         assert!(took <= timeout.max(PATIENCE), "{self}: took {took:?}");
         let shown = format!("{result:?}");
         if let Err(error) = &result {
-            let is_timeout = matches!(error.kind(), ErrorKind::Timeout { .. } | ErrorKind::StatusTimeout { .. });
+            let failure = error.connection().map(jaka_sync::Error::kind);
+            let is_timeout = matches!(failure, Some(Failure::Timeout { .. } | Failure::StatusTimeout { .. }));
             if is_timeout && self.kind == Kind::Entering {
                 assert!(took >= timeout, "{self}: {error} after {took:?}");
             } else if is_timeout && !timeout.is_zero() {
                 assert_eq!(took, timeout, "{self}: {error}");
             }
             assert!(!self.is_broken() || !error.may_have_run(), "{self}: sent on a broken connection, {error:?}");
-            if let ErrorKind::Disconnected { command: Some(command), sent: false, .. } = error.kind() {
+            if let Some(Failure::Disconnected { command: Some(command), sent: false, .. }) = failure {
                 // Of the call before, something may have come late.
                 let name = format!("\"{command}\"");
                 let came = self.controller.requests().split_off(before);
@@ -300,7 +302,7 @@ impl<'t> Cell<'t> {
     }
 
     /// Checks that a query gets the position that the arm has now.
-    pub(crate) fn joint_position(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    pub(crate) fn joint_position(&self, client: &mut Client, timeout: Duration) -> Result<(), jaka_sync::Error> {
         let mark = self.mark();
         let found = client.call_within(&GetJointPos::new(), timeout)?.joint_position;
         assert_eq!(found, position(mark), "{self}: the reply is another's");
@@ -308,7 +310,7 @@ impl<'t> Cell<'t> {
     }
 
     /// The payload as it is now, and nothing else.
-    pub(crate) fn payload(&self, client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    pub(crate) fn payload(&self, client: &mut Client, timeout: Duration) -> Result<(), jaka_sync::Error> {
         let mark = self.mark();
         let found = client.call_within(&GetPayload::new(), timeout)?.mass;
         assert_eq!(found.to_bits(), mark.to_bits(), "{self}: the reply is another's");

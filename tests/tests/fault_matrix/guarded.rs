@@ -5,13 +5,13 @@
 
 use std::time::Duration;
 
-use jaka_sim::{Direction, Port, StatusFault};
-use jaka_sync::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{
+use jaka_robot::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
+use jaka_robot::motion::JointMove;
+use jaka_robot::{
     Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Numbering, Robot, ServoConfig, StreamConfig,
     TripReason,
 };
+use jaka_sim::{Direction, Port, StatusFault};
 use jaka_tests::simulated::{beside, clock_of};
 
 use crate::cell::Kind;
@@ -36,7 +36,7 @@ const SECONDS: f64 = 2.5;
 const STRUCK: Duration = Duration::from_millis(700);
 /// Longer than all of it takes.
 const LONG: Duration = Duration::from_secs(20);
-const INPUT: jaka_sync::InputCondition = Numbering::FromOne.cabinet(1).rises();
+const INPUT: jaka_robot::InputCondition = Numbering::FromOne.cabinet(1).rises();
 
 /// Each trouble with each way; fails with all that is wrong.
 pub(crate) fn go_through(troubles: &[Trouble]) {
@@ -201,13 +201,13 @@ impl<'t> Arm<'t> {
         assert!(after.iter().all(|request| request["cmdName"] != "servo_j"), "a set-point after the end: {}", what());
         // What is not at rest is said, or the connection is gone.
         let tells = error_kinds(error).any(|kind| {
-            matches!(
-                kind,
-                ErrorKind::Disconnected { .. }
-                    | ErrorKind::SetPointsUnanswered { .. }
-                    | ErrorKind::ServoModeNotLeft { .. }
-                    | ErrorKind::NotLanded { .. }
-            )
+            matches!(kind, ErrorKind::Connection(error) if error.is_disconnected())
+                || matches!(
+                    kind,
+                    ErrorKind::SetPointsUnanswered { .. }
+                        | ErrorKind::ServoModeNotLeft { .. }
+                        | ErrorKind::NotLanded { .. }
+                )
         });
         let (rests, at) = (steps.last() == Some(&0.0), state.joint_position.0[2] - START[2]);
         assert!(rests || tells, "{}", what());

@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
+use jaka_robot::kinematics::GetJointPos;
+use jaka_robot::motion::JointMove;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause as Ended, Command, End, Error, ErrorKind, Evidence, Robot};
 use jaka_sim::Port;
-use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::motion::JointMove;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause as Ended, Command, End, ErrorKind, Evidence, Robot};
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
@@ -64,7 +64,8 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
     robot.monitor().wait_until(|status| status.in_position == Some(false), PATIENCE).expect("the arm moves");
     cell.strike(GetJointPos::INFO.name);
     let timeout = cell.patience(expected);
-    let first = cell.ends(timeout, expected, || Ok(outcome(cell, &robot.wait(timeout), motion.joint_position)));
+    let first =
+        cell.ends(timeout, expected, || Ok::<_, Error>(outcome(cell, &robot.wait(timeout), motion.joint_position)));
     cell.lift();
     if expected == Outcome::StatusLost {
         assert_latched(cell, &mut robot);
@@ -83,7 +84,7 @@ fn motion(cell: &Cell<'_>) -> JointMove {
 /// Moves the arm.
 fn moves(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome) -> Outcome {
     let (motion, timeout) = (motion(cell), cell.patience(expected));
-    cell.ends(timeout, expected, || Ok(outcome(cell, &robot.run(&motion, timeout)?, motion.joint_position)))
+    cell.ends(timeout, expected, || robot.run(&motion, timeout).map(|end| outcome(cell, &end, motion.joint_position)))
 }
 
 /// A motion that has reached its target is there, and at rest.

@@ -2,7 +2,8 @@
 
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
-use jaka_sync::{Disconnect, Error, ErrorKind};
+use jaka_robot::jaka_sync::ErrorKind as Failure;
+use jaka_robot::{Disconnect, Error, ErrorKind};
 
 jaka_proto::worded! {
     /// What a call ended with.
@@ -51,12 +52,13 @@ impl Outcome {
     pub(crate) fn of(error: &Error) -> Self {
         match error.kind() {
             ErrorKind::Refused { .. } => Self::Refused,
-            ErrorKind::Timeout { .. } | ErrorKind::StatusTimeout { .. } | ErrorKind::StateTimeout { .. } => {
-                Self::Timeout
-            }
-            ErrorKind::ReplyLost { .. } => Self::ReplyLost,
-            ErrorKind::UnexpectedReply { .. } | ErrorKind::UnexpectedStatus { .. } => Self::Unexpected,
-            ErrorKind::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
+            ErrorKind::Connection(error) => match error.kind() {
+                Failure::Timeout { .. } | Failure::StatusTimeout { .. } | Failure::StateTimeout { .. } => Self::Timeout,
+                Failure::ReplyLost { .. } => Self::ReplyLost,
+                Failure::UnexpectedReply { .. } | Failure::UnexpectedStatus { .. } => Self::Unexpected,
+                Failure::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
+                other => panic!("no fault may lead to {other:?}"),
+            },
             ErrorKind::StatusUnknown { .. } => Self::StatusUnknown,
             ErrorKind::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
             ErrorKind::ServoModeNotLeft { .. } => Self::NotLeft,

@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use jaka_proto::wire::Writer;
-use jaka_sync::motion::JointMove;
-use jaka_sync::servo::{ServoJ, SetServoMode};
-use jaka_sync::types::Switch;
-use jaka_sync::{Command, Monitor, Robot};
+use jaka_robot::motion::JointMove;
+use jaka_robot::servo::{ServoJ, SetServoMode};
+use jaka_robot::types::Switch;
+use jaka_robot::{Command, Monitor, Robot};
 
 use crate::cell::{Cell, LIMIT, PERIOD, STALE};
 use crate::outcome::Outcome;

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use jaka_sync::servo::{ServoJ, SetServoMode};
-use jaka_sync::{Command, Error, Robot, ServoConfig};
+use jaka_robot::servo::{ServoJ, SetServoMode};
+use jaka_robot::{Command, Error, Robot, ServoConfig};
 
 use crate::cell::{Cell, LIMIT, Next, Seen};
 use crate::outcome::{Cause, Outcome};

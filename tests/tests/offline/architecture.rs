@@ -13,9 +13,10 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
     ("jaka-motion", &["jaka-proto", "jaka-spec"]),
     ("jaka-clock", &[]),
-    ("jaka-sync", &["jaka-clock", "jaka-motion", "jaka-proto", "jaka-proto-derive"]),
+    ("jaka-sync", &["jaka-clock", "jaka-proto", "jaka-proto-derive"]),
+    ("jaka-robot", &["jaka-motion", "jaka-proto", "jaka-sync"]),
     ("jaka-sim", &["jaka-clock", "jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-spec"]),
-    ("jaka-cli", &["jaka-dynamic", "jaka-motion", "jaka-sim", "jaka-spec", "jaka-sync"]),
+    ("jaka-cli", &["jaka-dynamic", "jaka-motion", "jaka-robot", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
 /// Modules, and for each the modules beside it that it or a module below it uses.
@@ -272,7 +273,7 @@ const BY_THE_SYSTEM: &[&str] = &[
 
 #[test]
 fn time_goes_through_one_clock() {
-    for folder in ["jaka-sync", "jaka-sim"] {
+    for folder in ["jaka-sync", "jaka-robot", "jaka-sim"] {
         for file in sources(&workspace().join(folder).join("src")) {
             let code = code(&text(&file));
             let found = SYSTEM_TIME.iter().find(|reads| code.contains(**reads));

@@ -9,23 +9,23 @@ use std::sync::LazyLock;
 
 use expect_test::{Expect, expect};
 
-/// The library of jaka-sync in the folder of this program: the newest that is not newer than the program. Others may
+/// The library of jaka-robot in the folder of this program: the newest that is not newer than the program. Others may
 /// lie there, with other
 /// features or of older code, but that one has the code with which the program was built.
-static JAKA_SYNC: LazyLock<PathBuf> = LazyLock::new(|| {
+static JAKA_ROBOT: LazyLock<PathBuf> = LazyLock::new(|| {
     let built = |path: &Path| fs::metadata(path).and_then(|file| file.modified()).expect("the time of a file is known");
     let program = std::env::current_exe().expect("the program has a path");
     let entries = fs::read_dir(program.parent().expect("it is in a folder")).expect("the folder can be read");
     let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
     let is_library = |path: &PathBuf| {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        name.starts_with("libjaka_sync-") && path.extension().is_some_and(|extension| extension == "rlib")
+        name.starts_with("libjaka_robot-") && path.extension().is_some_and(|extension| extension == "rlib")
     };
     let older = paths.filter(is_library).filter(|path| built(path) <= built(&program));
-    older.max_by_key(|path| built(path)).expect("cargo has built jaka-sync beside its tests")
+    older.max_by_key(|path| built(path)).expect("cargo has built jaka-robot beside its tests")
 });
 
-/// A crate in a folder of its own that depends on jaka-sync alone.
+/// A crate in a folder of its own that depends on jaka-robot alone.
 struct UserCrate {
     folder: PathBuf,
     edition: &'static str,
@@ -56,10 +56,10 @@ impl UserCrate {
     /// Compiles the crate against the library that this program was built with; what the compiler says. `cargo check`
     /// would compile the library once more.
     fn compile(&self) -> Vec<u8> {
-        let dependencies = JAKA_SYNC.parent().expect("a file is in a folder");
+        let dependencies = JAKA_ROBOT.parent().expect("a file is in a folder");
         let output = Command::new(Path::new(env!("CARGO")).with_file_name("rustc"))
             .args(["src/lib.rs", "--crate-type=lib", "--emit=metadata", "--color=never", "--edition", self.edition])
-            .args(["--extern".to_owned(), format!("jaka_sync={}", JAKA_SYNC.display())])
+            .args(["--extern".to_owned(), format!("jaka_robot={}", JAKA_ROBOT.display())])
             .args(["-L".to_owned(), format!("dependency={}", dependencies.display())])
             .env("CARGO_MANIFEST_DIR", &self.folder)
             .current_dir(&self.folder)
@@ -83,18 +83,18 @@ fn a_strange_pack_compiles_without_a_warning() {
 #![deny(warnings, missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]
 //! A user's crate.
 
-jaka_sync::pack!("strange.toml");
+jaka_robot::pack!("strange.toml");
 
 use strange::StrangeCommands as _;
 
 /// Methods of the pack together with those of the client and of the robot.
-pub fn calls(client: &mut jaka_sync::Client, robot: &mut jaka_sync::Robot) -> Result<(), jaka_sync::Error> {
+pub fn calls(client: &mut jaka_robot::Client, robot: &mut jaka_robot::Robot) -> Result<(), jaka_robot::Error> {
     client.item()?;
     client.choose(&strange::Choose::Other)?;
     client.power_on()?;
     client.power_on_strange()?;
     robot.load_program_strange(1)?;
-    robot.set_rapid_rate_strange(strange::Level::Ok)
+    Ok(robot.set_rapid_rate_strange(strange::Level::Ok)?)
 }
 
 /// A function that names nothing but what the prelude has.
@@ -147,28 +147,28 @@ doc = "Too heavy."
 
 /// A program that was written when it had not.
 const USE: &str = r#"#![deny(warnings)]
-jaka_sync::pack!("newer.toml");
+jaka_robot::pack!("newer.toml");
 
 use newer::NewerCommands as _;
 
-pub fn run(robot: &mut jaka_sync::Robot) -> Result<newer::LoadedProgramReply, jaka_sync::Error> {
+pub fn run(robot: &mut jaka_robot::Robot) -> Result<newer::LoadedProgramReply, jaka_robot::Error> {
     robot.set_rapid_rate_newer(0.5)?;
     robot.client().call(&newer::SetRapidRate::new(0.5))?;
     assert_eq!(newer::meaning(newer::OVERLOAD), Some("Too heavy."));
-    robot.loaded_program()
+    Ok(robot.loaded_program()?)
 }
 "#;
 
 #[test]
 fn errors_stand_at_the_macro() {
-    let code = "jaka_sync::pack!(\"newer.toml\");\n";
+    let code = "jaka_robot::pack!(\"newer.toml\");\n";
     let user = UserCrate::new("pack", "2024", code);
     user.expect(&expect![[r#"
         error: cannot read the pack `FOLDER/newer.toml`: No such file or directory (os error 2); the path is relative to the folder of the crate's Cargo.toml
-         --> src/lib.rs:1:18
+         --> src/lib.rs:1:19
           |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
+        1 | jaka_robot::pack!("newer.toml");
+          |                   ^^^^^^^^^^^^
 
         error: aborting due to 1 previous error
 
@@ -180,22 +180,22 @@ fn errors_stand_at_the_macro() {
     user.write("newer.toml", &PACK.replace("query", "fly").replace("doc", "docs"));
     user.expect(&expect![[r#"
         error: newer.toml:4:1: command `demo_motion_state`: `doc` is missing
-         --> src/lib.rs:1:18
+         --> src/lib.rs:1:19
           |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
+        1 | jaka_robot::pack!("newer.toml");
+          |                   ^^^^^^^^^^^^
 
         error: newer.toml:6:10: command `demo_motion_state`: `effect` is one of query, setting, motion, power, session, not `fly`
-         --> src/lib.rs:1:18
+         --> src/lib.rs:1:19
           |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
+        1 | jaka_robot::pack!("newer.toml");
+          |                   ^^^^^^^^^^^^
 
         error: newer.toml:7:1: command `demo_motion_state`: unknown key `docs`; is it `doc`?
-         --> src/lib.rs:1:18
+         --> src/lib.rs:1:19
           |
-        1 | jaka_sync::pack!("newer.toml");
-          |                  ^^^^^^^^^^^^
+        1 | jaka_robot::pack!("newer.toml");
+          |                   ^^^^^^^^^^^^
 
         error: aborting due to 3 previous errors
 
@@ -206,36 +206,36 @@ fn errors_stand_at_the_macro() {
     user.write("src/lib.rs", USE);
     user.expect(&expect![[""]]);
 
-    user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" over \"newer.toml\");\n");
+    user.write("src/lib.rs", "jaka_robot::pack!(\"newer.toml\" over \"newer.toml\");\n");
     user.expect(&expect![[r#"
         error: expected `on` and the packs on which this one stands
-         --> src/lib.rs:1:31
+         --> src/lib.rs:1:32
           |
-        1 | jaka_sync::pack!("newer.toml" over "newer.toml");
-          |                               ^^^^
+        1 | jaka_robot::pack!("newer.toml" over "newer.toml");
+          |                                ^^^^
 
         error: aborting due to 1 previous error
 
     "#]]);
-    user.write("src/lib.rs", "jaka_sync::pack!(\"newer.toml\" on \"older.toml\");\n");
+    user.write("src/lib.rs", "jaka_robot::pack!(\"newer.toml\" on \"older.toml\");\n");
     user.expect(&expect![[r#"
         error: cannot read the pack `FOLDER/older.toml`: No such file or directory (os error 2); the path is relative to the folder of the crate's Cargo.toml
-         --> src/lib.rs:1:34
+         --> src/lib.rs:1:35
           |
-        1 | jaka_sync::pack!("newer.toml" on "older.toml");
-          |                                  ^^^^^^^^^^^^
+        1 | jaka_robot::pack!("newer.toml" on "older.toml");
+          |                                   ^^^^^^^^^^^^
 
         error: aborting due to 1 previous error
 
     "#]]);
 
-    user.write("src/lib.rs", "jaka_sync::pack!(newer);\n");
+    user.write("src/lib.rs", "jaka_robot::pack!(newer);\n");
     user.expect(&expect![[r"
         error: expected string literal
-         --> src/lib.rs:1:18
+         --> src/lib.rs:1:19
           |
-        1 | jaka_sync::pack!(newer);
-          |                  ^^^^^
+        1 | jaka_robot::pack!(newer);
+          |                   ^^^^^
 
         error: aborting due to 1 previous error
 
@@ -249,15 +249,15 @@ fn a_choice_of_status_fields_compiles_without_a_warning() {
 #![deny(warnings, missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]
 //! A user's crate.
 
-jaka_sync::status_subset! {
+jaka_robot::status_subset! {
     /// Where the arm is.
     #[non_exhaustive]
     pub struct Joints { joint_actual_position, in_position }
 }
 
 /// Reads them.
-pub fn joints(status: &mut jaka_sync::StatusStream) -> Result<Option<jaka_sync::types::JointPosition>, jaka_sync::Error> {
-    jaka_sync::status_subset! {
+pub fn joints(status: &mut jaka_robot::StatusStream) -> Result<Option<jaka_robot::types::JointPosition>, jaka_robot::Error> {
+    jaka_robot::status_subset! {
         struct Own { extio, digital_inputs, tool_rs_signals, task_state, }
     }
     let mut own = Own::default();
@@ -272,14 +272,14 @@ pub fn joints(status: &mut jaka_sync::StatusStream) -> Result<Option<jaka_sync::
 
 #[test]
 fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
-    let code = |field| format!("jaka_sync::status_subset! {{ pub struct Joints {{ in_position, {field} }} }}\n");
+    let code = |field| format!("jaka_robot::status_subset! {{ pub struct Joints {{ in_position, {field} }} }}\n");
     let user = UserCrate::new("no_subset", "2024", &code("joint_actual_positions"));
     user.expect(&expect![[r"
         error: the status packet has no field `joint_actual_positions`; is it `joint_actual_position`?
-         --> src/lib.rs:1:62
+         --> src/lib.rs:1:63
           |
-        1 | jaka_sync::status_subset! { pub struct Joints { in_position, joint_actual_positions } }
-          |                                                              ^^^^^^^^^^^^^^^^^^^^^^
+        1 | jaka_robot::status_subset! { pub struct Joints { in_position, joint_actual_positions } }
+          |                                                               ^^^^^^^^^^^^^^^^^^^^^^
 
         error: aborting due to 1 previous error
 
@@ -287,10 +287,10 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
     user.write("src/lib.rs", &code("inpos"));
     user.expect(&expect![[r"
         error: `inpos` on the wire is `in_position` here
-         --> src/lib.rs:1:62
+         --> src/lib.rs:1:63
           |
-        1 | jaka_sync::status_subset! { pub struct Joints { in_position, inpos } }
-          |                                                              ^^^^^
+        1 | jaka_robot::status_subset! { pub struct Joints { in_position, inpos } }
+          |                                                               ^^^^^
 
         error: aborting due to 1 previous error
 
@@ -298,10 +298,10 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
     user.write("src/lib.rs", &code("in_position"));
     user.expect(&expect![[r"
         error: `in_position` stands here twice
-         --> src/lib.rs:1:62
+         --> src/lib.rs:1:63
           |
-        1 | jaka_sync::status_subset! { pub struct Joints { in_position, in_position } }
-          |                                                              ^^^^^^^^^^^
+        1 | jaka_robot::status_subset! { pub struct Joints { in_position, in_position } }
+          |                                                               ^^^^^^^^^^^
 
         error: aborting due to 1 previous error
 
@@ -312,13 +312,13 @@ fn a_field_that_the_status_packet_does_not_have_is_an_error_at_its_name() {
 #[test]
 fn what_is_no_motion_is_told_with_a_way_to_send_it() {
     let code = r"
-pub fn guess(robot: &mut jaka_sync::Robot) {
-    let _ = robot.run(&jaka_sync::power::PowerOn::new(), std::time::Duration::ZERO);
+pub fn guess(robot: &mut jaka_robot::Robot) {
+    let _ = robot.run(&jaka_robot::power::PowerOn::new(), std::time::Duration::ZERO);
 }
 ";
     let said = String::from_utf8(UserCrate::new("guess", "2024", code).compile()).expect("the compiler speaks UTF-8");
     for part in [
-        "error[E0277]: `jaka_sync::power::PowerOn` is not a motion whose end a robot waits for",
+        "error[E0277]: `jaka_robot::power::PowerOn` is not a motion whose end a robot waits for",
         "note: any other command goes out by `Robot::client`: `robot.client().call(&request)`",
         "note: a motion of a pack implements `Motion`, which says where it ends",
     ] {

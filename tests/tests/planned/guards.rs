@@ -10,15 +10,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_sim::{Contact, Fault, Port, StatusFault};
-use jaka_sync::jaka_motion::{Limits, Model};
-use jaka_sync::motion::JointMove;
-use jaka_sync::program::StopProgram;
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{
+use jaka_robot::jaka_motion::{Limits, Model};
+use jaka_robot::motion::JointMove;
+use jaka_robot::program::StopProgram;
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{
     Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, MotionStatus, NotShown, Numbering, Occurrence, Robot,
     TcpBox, TripReason,
 };
+use jaka_sim::{Contact, Fault, Port, StatusFault};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, ArmBuilder, HandFed, LONG};
 

@@ -6,11 +6,11 @@ mod ways;
 mod wire;
 
 use jaka_motion::{Frames, Limits, Model, Region, RegionFrame};
-use jaka_sync::force::StartTorqSensorPayloadIdentify;
-use jaka_sync::frames::SetToolOffsets;
-use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
-use jaka_sync::types::Pose;
-use jaka_sync::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, ServoConfig, Unchecked};
+use jaka_robot::force::StartTorqSensorPayloadIdentify;
+use jaka_robot::frames::SetToolOffsets;
+use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_robot::types::Pose;
+use jaka_robot::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, ServoConfig, Unchecked};
 use jaka_tests::{Arm, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
@@ -88,7 +88,7 @@ fn what_is_beyond_a_limit_is_not_sent_and_the_error_says_which() {
     let (arm, mut robot) = with_limits(within(floor).with_tcp_speed(250.0).expect("a speed"));
     let pose = start_pose();
     let line = |to: Pose| MoveL::absolute(to, 100.0);
-    let refused = |error: jaka_sync::Error, says: &str| {
+    let refused = |error: jaka_robot::Error, says: &str| {
         assert!(matches!(error.kind(), ErrorKind::BeyondLimit { .. }) && !error.may_have_run(), "{error:?}");
         assert!(error.to_string().contains(says), "{error}");
     };
@@ -129,7 +129,7 @@ fn a_queued_motion_is_checked_from_where_the_one_before_ends() {
 #[test]
 fn a_motion_that_cannot_be_checked_is_not_sent() {
     let (arm, mut robot) = with_limits(limits());
-    let reason = |error: jaka_sync::Error| match error.into_kind() {
+    let reason = |error: jaka_robot::Error| match error.into_kind() {
         ErrorKind::NotChecked { reason, .. } => reason,
         kind => panic!("{kind:?}"),
     };
@@ -212,7 +212,7 @@ fn a_set_point_beyond_a_limit_ends_the_session() {
     assert!(error.to_string().contains("joint 6 would be at 1.00"), "{error}");
     assert_eq!(sent, 250);
     assert!(matches!(
-        session.send_joint_offset([0.0; 6]).map_err(jaka_sync::Error::into_kind),
+        session.send_joint_offset([0.0; 6]).map_err(jaka_robot::Error::into_kind),
         Err(ErrorKind::SessionEnded { .. })
     ));
     drop(session);

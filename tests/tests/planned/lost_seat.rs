@@ -4,9 +4,9 @@
 use std::io::Write;
 use std::time::Duration;
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Numbering, Robot};
 use jaka_sim::SimulatedClock;
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Numbering, Robot};
 use jaka_tests::simulated::beside;
 use jaka_tests::{ClockedSocket, HandFed, LONG};
 

@@ -7,10 +7,10 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
+use jaka_robot::motion::{JointMove, LineMode, MoveC, MoveL};
+use jaka_robot::types::Pose;
+use jaka_robot::{Cause, End, Error, ErrorKind, Monitor, Robot, ServoConfig};
 use jaka_sim::{Fault, Habit, Port};
-use jaka_sync::motion::{JointMove, LineMode, MoveC, MoveL};
-use jaka_sync::types::Pose;
-use jaka_sync::{Cause, End, Error, ErrorKind, Monitor, Robot, ServoConfig};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 
@@ -407,7 +407,7 @@ fn a_slow_predicate_holds_up_no_stop() {
     let (clock, stop, monitor) = (arm.clock(), robot.stop_handle(), Arc::clone(robot.monitor()));
     let ((looking, looks), (go_on, may_go_on)) = (mpsc::channel(), mpsc::channel::<()>());
     let observe = move || {
-        let slow = |_: &jaka_sync::status::RobotStatus| {
+        let slow = |_: &jaka_robot::status::RobotStatus| {
             let _ = looking.send(());
             let ended = clock.outside(|| may_go_on.recv_timeout(LONG));
             assert_eq!(ended, Err(RecvTimeoutError::Disconnected), "the stop or the motion waits for the predicate");

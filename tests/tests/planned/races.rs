@@ -13,9 +13,9 @@ use std::time::Duration;
 use jaka_proto::check::{Limits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope};
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Motion, Numbering, Robot, Target};
 use jaka_sim::{Controller, Fault};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Motion, Numbering, Robot, Target};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 
 /// Period of status packets.

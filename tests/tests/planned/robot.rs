@@ -6,11 +6,11 @@ use std::time::Duration;
 use jaka_proto::check::{Limits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo};
+use jaka_robot::force::StartTorqSensorPayloadIdentify;
+use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_robot::types::{MoveMode, Pose};
+use jaka_robot::{Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
 use jaka_sim::{Delays, Fault, SimulatedClock, StatusFault};
-use jaka_sync::force::StartTorqSensorPayloadIdentify;
-use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
-use jaka_sync::types::{MoveMode, Pose};
-use jaka_sync::{Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, HandFed, LONG};
 

@@ -3,9 +3,9 @@
 
 use std::time::Duration;
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Cause, ErrorKind, Robot, RobotStop, ServoConfig};
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Cause, ErrorKind, Robot, RobotStop, ServoConfig};
 use jaka_tests::Arm;
 
 /// No call may take longer than its deadline by more than this: another question, and what a session may take to land.

@@ -4,9 +4,9 @@ use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use jaka_robot::servo::SetServoMoveFilter;
+use jaka_robot::{Error, ErrorKind, Robot, RobotStop, ServoConfig};
 use jaka_sim::SimulatedClock;
-use jaka_sync::servo::SetServoMoveFilter;
-use jaka_sync::{Error, ErrorKind, Robot, RobotStop, ServoConfig};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{ClockedSocket, HandFed, LONG};
 

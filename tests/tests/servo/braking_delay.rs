@@ -3,10 +3,10 @@
 
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Trajectory, Via};
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Client, FollowConfig, Guard, Numbering, Robot, ServoConfig, StreamConfig};
 use jaka_sim::{Fault, Port, StatusFault};
-use jaka_sync::jaka_motion::{Trajectory, Via};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Client, FollowConfig, Guard, Numbering, Robot, ServoConfig, StreamConfig};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{CommandWire, TimedMessage, beside};
 use jaka_tests::{Arm, CYCLE, LONG};

@@ -3,10 +3,10 @@
 
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Checker, Frames};
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Cause, Error, FollowConfig, Guard, Numbering, Robot, ServoConfig, StopHandle, StreamConfig};
 use jaka_sim::{Fault, Port, StatusFault};
-use jaka_sync::jaka_motion::{Checker, Frames};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Cause, Error, FollowConfig, Guard, Numbering, Robot, ServoConfig, StopHandle, StreamConfig};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
@@ -90,7 +90,7 @@ fn guard() -> Guard {
 }
 
 impl Event {
-    fn happen(self, arm: &Arm, own: &jaka_sync::RobotStop, foreign: &StopHandle) {
+    fn happen(self, arm: &Arm, own: &jaka_robot::RobotStop, foreign: &StopHandle) {
         match self {
             Self::PowerCut => arm.cut_power(),
             Self::EmergencyStop => arm.press_emergency_stop(),
@@ -134,7 +134,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
     let of = |error: Error| (error.cause(), format!("{error}"));
     let motion = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 300.0], 20.0).acceleration(100.0);
     let motion_end =
-        |end: jaka_sync::End| (end.cause(), end.reached().map_or_else(|error| error.to_string(), |()| String::new()));
+        |end: jaka_robot::End| (end.cause(), end.reached().map_or_else(|error| error.to_string(), |()| String::new()));
     match way {
         Way::Run => robot.run(&motion, LONG).map_or_else(of, motion_end),
         Way::GuardedRun => robot.run_until(&motion, guard(), LONG).map_or_else(of, motion_end),
@@ -190,7 +190,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
 
 /// The cause that is told where this happens so long after the way has begun.
 fn cell(event: Event, way: Way, after: Duration) -> (Cause, String) {
-    let config = |config: jaka_sync::Config| config.reply_timeout(Duration::from_secs(2));
+    let config = |config: jaka_robot::Config| config.reply_timeout(Duration::from_secs(2));
     let (arm, robot) =
         Arm::simulated().at(follow::START).status_period(Duration::from_millis(30)).config(config).with_robot();
     let mut robot = robot.with_limits(follow::limits()).expect("it is this arm");

@@ -7,10 +7,10 @@ mod random;
 
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory, TrajectoryError};
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, End, ErrorKind, FollowConfig, FollowHandle, Robot, ServoConfig, Unchecked};
 use jaka_sim::Controller;
-use jaka_sync::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory, TrajectoryError};
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, End, ErrorKind, FollowConfig, FollowHandle, Robot, ServoConfig, Unchecked};
 use jaka_tests::simulated::clock_of;
 use jaka_tests::witness::curve::{Curve, Point, apart};
 use jaka_tests::{Arm, ArmBuilder, LONG, followed};

@@ -7,12 +7,12 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_sim::SimulatedClock;
-use jaka_sync::jaka_motion::{Checker, Frames};
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{
+use jaka_robot::jaka_motion::{Checker, Frames};
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{
     Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, MotionStatus, Robot, ServoConfig, StreamConfig,
 };
+use jaka_sim::SimulatedClock;
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
 use jaka_tests::{Arm, LONG, followed};

@@ -4,9 +4,9 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::Duration;
 
+use jaka_robot::types::Pose;
+use jaka_robot::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession};
 use jaka_sim::{Controller, Fault, Port, Trip, Underrun};
-use jaka_sync::types::Pose;
-use jaka_sync::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 use serde_json::Value;

@@ -5,8 +5,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_robot::{Cause, End, ErrorKind, Occurrence, Rest, Robot, ServoConfig, ServoSession};
 use jaka_sim::{Controller, Fault, Port};
-use jaka_sync::{Cause, End, ErrorKind, Occurrence, Rest, Robot, ServoConfig, ServoSession};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, CYCLE, LONG};
 use serde_json::Value;
@@ -36,7 +36,7 @@ fn step(n: u32) -> f64 {
     f64::from(n) * ACCELERATION * CYCLE.as_secs_f64() * CYCLE.as_secs_f64()
 }
 
-fn send(session: &mut ServoSession<'_>, step: f64) -> Result<(), jaka_sync::Error> {
+fn send(session: &mut ServoSession<'_>, step: f64) -> Result<(), jaka_robot::Error> {
     session.send_joint_offset([0.0, 0.0, step, 0.0, 0.0, 0.0])
 }
 
@@ -294,7 +294,7 @@ struct Stopped {
     came: Duration,
     /// Time from the call until it returns.
     took: Duration,
-    accepted: Result<(), jaka_sync::Error>,
+    accepted: Result<(), jaka_robot::Error>,
 }
 
 /// Stops a slow session on a link that holds replies for this long from then on, while the session does something.

@@ -3,8 +3,8 @@
 
 use std::time::Duration;
 
+use jaka_robot::{Client, Config, Error, ErrorKind, Monitor, Report, Robot, ServoConfig, ServoSession};
 use jaka_sim::SimulatedClock;
-use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Report, Robot, ServoConfig, ServoSession};
 use jaka_tests::LONG;
 use jaka_tests::plain_controller::{PlainController, six};
 use jaka_tests::rig::{Random, Rig};

@@ -3,10 +3,10 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
-use jaka_sync::jaka_motion::Dynamics;
-use jaka_sync::motion::MoveL;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{
+use jaka_robot::jaka_motion::Dynamics;
+use jaka_robot::motion::MoveL;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{
     Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, ServoConfig, StreamConfig,
     TcpBox,
 };

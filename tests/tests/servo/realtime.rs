@@ -5,9 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 use std::{fs, io};
 
+use jaka_robot::jaka_motion::{Limits, Model};
+use jaka_robot::{End, Error, ErrorKind, Robot, ServoConfig, ServoSession, StreamConfig};
 use jaka_sim::Controller;
-use jaka_sync::jaka_motion::{Limits, Model};
-use jaka_sync::{End, Error, ErrorKind, Robot, ServoConfig, ServoSession, StreamConfig};
 use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
 

@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
+use jaka_robot::servo::SetServoMoveFilter;
+use jaka_robot::types::{JointPosition, Pose, Switch};
+use jaka_robot::{Cause, ErrorCode, ErrorKind, Explanation, Robot, ServoConfig};
 use jaka_sim::Fault;
-use jaka_sync::servo::SetServoMoveFilter;
-use jaka_sync::types::{JointPosition, Pose, Switch};
-use jaka_sync::{Cause, ErrorCode, ErrorKind, Explanation, Robot, ServoConfig};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, LONG};
 

@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
+use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
+use jaka_robot::motion::JointMove;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, ServoConfig, StreamConfig};
 use jaka_sim::{Controller, Delays, Fault, Port, StatusFault};
-use jaka_sync::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
-use jaka_sync::motion::JointMove;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, ServoConfig, StreamConfig};
 use jaka_tests::simulated::{SetPoints, beside};
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 

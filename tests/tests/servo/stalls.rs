@@ -4,10 +4,10 @@
 
 use std::time::Duration;
 
+use jaka_robot::motion::{JointMove, MoveL};
+use jaka_robot::types::{JointPosition, MoveMode, Pose};
+use jaka_robot::{Cause, Config, End, Error, ErrorKind, Evidence, Phase, Rest, Robot, RobotStop, ServoConfig};
 use jaka_sim::{Delays, Fault, Port, StatusFault};
-use jaka_sync::motion::{JointMove, MoveL};
-use jaka_sync::types::{JointPosition, MoveMode, Pose};
-use jaka_sync::{Cause, Config, End, Error, ErrorKind, Evidence, Phase, Rest, Robot, RobotStop, ServoConfig};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
 
@@ -215,7 +215,7 @@ fn a_stop_key_that_does_not_fit_keeps_the_arm_from_moving() {
         arm.status_fault(StatusFault::Silent);
         let packet = format!(r#"{{"len": 100, "powered_on": 1, "inpos": true, "rapidrate": "100%", {unfit}}}"#);
         arm.send_status(packet.as_bytes());
-        let is_it = |status: &jaka_sync::status::RobotStatus| status.joint_actual_position.is_none();
+        let is_it = |status: &jaka_robot::status::RobotStatus| status.joint_actual_position.is_none();
         robot.monitor().wait_until(is_it, LONG).expect("the packet comes");
         let before = arm.requests().len();
         let error = robot.start(&to(5.0, 60.0)).expect_err("whether the arm is stopped is not known");
@@ -333,7 +333,7 @@ fn set_points_do_not_accumulate_on_a_link_that_is_held() {
     const STEP: f64 = 0.04;
     let (arm, mut robot) = ready();
     let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
-    let slow = |session: &mut jaka_sync::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let slow = |session: &mut jaka_robot::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
     for _ in 0..20 {
         slow(&mut session).expect("answers come");
     }
@@ -450,7 +450,8 @@ fn power_up_keeps_its_time_and_says_what_is_in_its_way() {
     let error = robot.monitor().wait_until(|status| status.enabled == Some(true), Duration::from_secs(1));
     let error = error.expect_err("it is not enabled");
     assert!(
-        matches!(error.kind(), ErrorKind::StateTimeout { .. }) && error.to_string().contains("emergency stop"),
+        matches!(error.kind(), jaka_sync::ErrorKind::StateTimeout { .. })
+            && error.to_string().contains("emergency stop"),
         "{error}"
     );
 }
@@ -462,10 +463,10 @@ fn refusals_are_explained_by_the_state_of_now() {
     // The status still says enabled.
     arm.set_state(|state| state.enabled = false);
     let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm is not enabled");
-    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotEnabled));
+    assert_eq!(robot.explain(&error), Some(jaka_robot::Explanation::NotEnabled));
     arm.set_state(|state| state.powered = false);
     let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm has no power");
-    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotPowered));
+    assert_eq!(robot.explain(&error), Some(jaka_robot::Explanation::NotPowered));
     // And where it is powered by now, old packets do not say that it is not.
     arm.link(Port::Status).to_client().release();
     robot.monitor().wait_until(|status| status.powered_on == Some(false), LONG).expect("packets come again");
@@ -489,7 +490,7 @@ fn packets_that_are_stale_explain_no_refusal() {
     arm.clock().sleep(Duration::from_secs(1));
     arm.set_state(|state| (state.protective_stop, state.enabled) = (false, false));
     let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm is not enabled");
-    assert_eq!(robot.explain(&error), Some(jaka_sync::Explanation::NotEnabled));
+    assert_eq!(robot.explain(&error), Some(jaka_robot::Explanation::NotEnabled));
 }
 
 #[test]

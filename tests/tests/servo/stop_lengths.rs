@@ -3,8 +3,8 @@
 
 use std::time::Duration;
 
-use jaka_sync::jaka_motion::{Trajectory, Via};
-use jaka_sync::{FollowConfig, Robot, StreamConfig};
+use jaka_robot::jaka_motion::{Trajectory, Via};
+use jaka_robot::{FollowConfig, Robot, StreamConfig};
 use jaka_tests::Arm;
 use jaka_tests::simulated::until;
 

@@ -3,13 +3,13 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
-use jaka_sim::{Builder, Controller, Port, SimulatedClock, Trip, Underrun};
-use jaka_sync::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
-use jaka_sync::servo::SetServoMoveFilter;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{
+use jaka_robot::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, VelocityFrame};
+use jaka_robot::servo::SetServoMoveFilter;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{
     End, ErrorKind, Explanation, Numbering, Robot, RobotStop, ServoConfig, StreamConfig, StreamHandle, Unchecked,
 };
+use jaka_sim::{Builder, Controller, Port, SimulatedClock, Trip, Underrun};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{beside, side_by_side};
 use jaka_tests::witness::curve::apart;
@@ -180,7 +180,7 @@ fn a_target_is_reached_and_the_arm_is_there() {
     // To where it is, and 20 mm up, by the arm's own inverse.
     let stream = robot.stream(&config()).expect("the arm is ready");
     let before = arm.state().tcp_pose;
-    stream.set_pose(jaka_sync::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
+    stream.set_pose(jaka_robot::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
     assert!(stream.wait_for_rest(LONG).expect("it goes on"));
     stream.land().and_then(End::at_rest).expect("it is at rest");
     let up = arm.state().tcp_pose;

@@ -14,8 +14,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_motion::Goal;
+use jaka_robot::{Client, Config, Error, ErrorKind, Monitor, Robot, ServoConfig, StreamConfig, StreamHandle};
 use jaka_sim::SimulatedClock;
-use jaka_sync::{Client, Config, Error, ErrorKind, Monitor, Robot, ServoConfig, StreamConfig, StreamHandle};
 use jaka_tests::soak::resident;
 
 use self::bare::BareLoops;

@@ -1,8 +1,8 @@
 //! Asking before something happens to the robot.
 
+use jaka_robot::motion::Jog;
+use jaka_robot::proto;
 use jaka_spec::{Effect, Spec};
-use jaka_sync::motion::Jog;
-use jaka_sync::proto;
 
 use super::options::Options;
 use super::reply;

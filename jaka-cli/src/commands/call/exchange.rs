@@ -1,10 +1,11 @@
 //! Sending a request, and showing what comes back.
 
 use jaka_dynamic::{DepartureKind, Reading, departures};
+use jaka_robot::proto::text::visible_json_line;
+use jaka_robot::proto::wire::DecodeError;
+use jaka_robot::{Explanation, Robot};
 use jaka_spec::{Command, Spec};
-use jaka_sync::proto::text::visible_json_line;
-use jaka_sync::proto::wire::DecodeError;
-use jaka_sync::{Client, Disconnect, Error, ErrorKind, Explanation, Robot};
+use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::json;
 
 use super::options::{Keys, Options};
@@ -103,7 +104,7 @@ fn answered(error: &Error) -> bool {
 }
 
 /// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
-pub(super) fn explained(spec: &Spec, target: &Target, error: Error) -> Failure {
+pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robot::Error>) -> Failure {
     let mut failure = Failure::explained(spec, error);
     if let Failure::Refused { refusal, explanation, .. } = &mut failure {
         // Without a status, the refusal has no explanation.

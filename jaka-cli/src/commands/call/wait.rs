@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
-use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
-use jaka_sync::proto::{self, Command, CommandInfo, RequestError};
-use jaka_sync::{End, Error, Motion, Path, Robot};
+use jaka_robot::proto::check::{Limits, NotSent, Place, Validate};
+use jaka_robot::proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_robot::proto::{self, Command, CommandInfo, RequestError};
+use jaka_robot::{End, Error, Motion, Path, Robot};
 
 use super::request::Request;
 use crate::failure::Failure;
@@ -67,7 +67,7 @@ impl<M: Motion> Command for WithText<M> {
 }
 
 impl<M: Motion> Motion for WithText<M> {
-    fn target(&self) -> jaka_sync::Target {
+    fn target(&self) -> jaka_robot::Target {
         self.motion.target()
     }
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use itertools::Itertools as _;
-use jaka_sync::proto::text::visible_json;
+use jaka_robot::proto::text::visible_json;
 use serde_json::Value;
 
 use crate::csv::{cell, row};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Sample, Trajectory};
-use jaka_sync::{Cause, End, FollowLag};
+use jaka_robot::{Cause, End, FollowLag};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sync::{Error, ErrorKind, ServoConfig};
+use jaka_robot::{Error, ErrorKind, ServoConfig};
 
 use crate::failure::{Failure, chain};
 use crate::target::Target;

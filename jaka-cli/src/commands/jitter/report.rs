@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::{Command, ServoConfig};
+use jaka_robot::kinematics::GetJointPos;
+use jaka_robot::{Command, ServoConfig};
 use serde_json::{Value, json};
 
 use super::advice;

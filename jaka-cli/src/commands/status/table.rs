@@ -4,7 +4,7 @@ use std::io::{IsTerminal, stdout};
 use std::time::Duration;
 
 use itertools::Itertools as _;
-use jaka_sync::proto::text::visible;
+use jaka_robot::proto::text::visible;
 use serde_json::Value;
 
 use super::packets::{Overdue, Packet};

@@ -74,11 +74,13 @@ fn a_panic_while_a_request_is_written_sends_nothing_and_leaves_the_turn_to_the_o
         0 => out.raw("{\"cmdName\":\"x\"}"),
         _ => panic!("as the test wants"),
     };
-    assert!(panics(|| link.post("x", LONG, None, 3, second_panics)));
-    let gate: Gate<'_> = Some(&|| panic!("as the test wants"));
-    assert!(panics(
-        || link.send(&Outgoing::named(&link.clock, "a", Cow::Borrowed("a"), LONG).through(gate), &mut |_| ())
-    ));
+    assert!(panics(|| link.post("x", LONG, OPEN, 3, second_panics)));
+    let gate: Gate<'_, Error> = Some(&|| panic!("as the test wants"));
+    assert!(panics(|| link.send_through(
+        &Outgoing::named(&link.clock, "a", Cow::Borrowed("a"), LONG),
+        gate,
+        &mut |_| ()
+    )));
     assert_eq!(outstanding(&link), (0, 0));
     assert_usable(&link, &mut server);
 }

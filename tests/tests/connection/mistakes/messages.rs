@@ -4,10 +4,10 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_sim::{Fault, StatusFault};
-use jaka_sync::{
+use jaka_robot::{
     Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Robot, ServoConfig,
 };
+use jaka_sim::{Fault, StatusFault};
 use jaka_tests::{Arm, LONG};
 
 use super::{refusal, robot, said, turn};
@@ -18,8 +18,8 @@ pub(super) fn all() -> Vec<String> {
     [of_the_connection(), of_the_status(), of_the_state(), of_ends()].concat()
 }
 
-fn kind(kind: ErrorKind) -> String {
-    said(&Error::from(kind))
+fn kind(kind: impl Into<Error>) -> String {
+    said(&kind.into())
 }
 
 fn of_the_connection() -> Vec<String> {
@@ -67,7 +67,7 @@ fn of_the_state() -> Vec<String> {
     vec![
         denied,
         refusal(stopped.power_up(LONG)),
-        kind(ErrorKind::StateTimeout { after: LONG, packets: 1998, says }),
+        kind(jaka_sync::ErrorKind::StateTimeout { after: LONG, packets: 1998, says }),
         kind(soft_limit),
         kind(not_entered),
     ]

@@ -7,7 +7,8 @@ use expect_test::expect_file;
 use super::{read, root};
 
 /// The crates whose documentation has links of rustdoc, or lines that rustdoc hides.
-const CRATES: [&str; 6] = ["jaka-clock", "jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-sim", "jaka-sync"];
+const CRATES: [&str; 7] =
+    ["jaka-clock", "jaka-dynamic", "jaka-motion", "jaka-proto", "jaka-robot", "jaka-sim", "jaka-sync"];
 
 /// The page without lines that rustdoc hides, and without links that it alone follows.
 fn hosted(overview: &str) -> String {

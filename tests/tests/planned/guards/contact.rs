@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use jaka_sync::motion::{EndMove, JointMove, MoveL};
-use jaka_sync::program::StopProgram;
-use jaka_sync::{Command, Error, ErrorKind, ForceComponent, ForceLimit, NotGuarded, NotShown, Robot};
+use jaka_robot::motion::{EndMove, JointMove, MoveL};
+use jaka_robot::program::StopProgram;
+use jaka_robot::{Command, Error, ErrorKind, ForceComponent, ForceLimit, NotGuarded, NotShown, Robot};
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 

@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::program::StopProgram;
+use jaka_robot::{Cause, Command};
 use jaka_sim::{Direction, LinkFault, Port};
-use jaka_sync::motion::JointMove;
-use jaka_sync::program::StopProgram;
-use jaka_sync::{Cause, Command};
 use jaka_tests::simulated::{beside, until};
 
 use super::{IO, count, names, simulated, wait_for_motion};

@@ -3,14 +3,14 @@
 
 use std::time::Duration;
 
-use jaka_sim::Port;
-use jaka_sync::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via};
-use jaka_sync::servo::{ServoJ, SetServoMode};
-use jaka_sync::types::Pose;
-use jaka_sync::{
+use jaka_robot::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via};
+use jaka_robot::servo::{ServoJ, SetServoMode};
+use jaka_robot::types::Pose;
+use jaka_robot::{
     Cause, Command, End, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, GuardTrip, NotGuarded,
     Robot, StatusProblem, StreamConfig, StreamHandle,
 };
+use jaka_sim::Port;
 use jaka_tests::{Arm, LONG, followed};
 
 use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, lagging_above_a_plane, limited};

@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{TimedPoint, Trajectory};
+use jaka_robot::servo::{IsInServomove, ServoJ, SetServoMode};
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, Command, ErrorKind, FollowConfig, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig};
 use jaka_sim::{Fault, StatusFault};
-use jaka_sync::jaka_motion::{TimedPoint, Trajectory};
-use jaka_sync::servo::{IsInServomove, ServoJ, SetServoMode};
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, Command, ErrorKind, FollowConfig, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig};
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 

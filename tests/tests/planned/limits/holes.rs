@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use jaka_sync::motion::EndMove;
-use jaka_sync::types::Pose;
-use jaka_sync::{ErrorKind, ServoConfig, Unchecked};
+use jaka_robot::motion::EndMove;
+use jaka_robot::types::Pose;
+use jaka_robot::{ErrorKind, ServoConfig, Unchecked};
 use serde_json::json;
 
 use super::{START, limits, motions, start_pose, turn, wall, with_limits, within};

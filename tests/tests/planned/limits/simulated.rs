@@ -1,8 +1,8 @@
 //! The joints that a simulated arm passes through in motions that a robot with limits has sent, judged by the witness.
 
 use jaka_motion::Transform;
-use jaka_sync::motion::{JointMove, MoveC, MoveL};
-use jaka_sync::{Error, Robot};
+use jaka_robot::motion::{JointMove, MoveC, MoveL};
+use jaka_robot::{Error, Robot};
 use jaka_tests::rig::{AMOUNTS, Random, Rig};
 use jaka_tests::witness::way::Excess;
 use jaka_tests::{Arm, CYCLE};

@@ -6,10 +6,10 @@
 use std::thread;
 use std::time::Duration;
 
+use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_robot::types::{JointPosition, Pose};
+use jaka_robot::{Cause, Client, Config, Error, Monitor, Motion, Robot, ServoConfig};
 use jaka_sim::SimulatedClock;
-use jaka_sync::motion::{EndMove, JointMove, MoveC, MoveL};
-use jaka_sync::types::{JointPosition, Pose};
-use jaka_sync::{Cause, Client, Config, Error, Monitor, Motion, Robot, ServoConfig};
 use jaka_tests::LONG;
 use jaka_tests::witness::way::{Excess, Path, Steps, inverted};
 use jaka_tests::witness::{inverse, product};

@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_sim::{Controller, Fault, Port};
-use jaka_sync::motion::MoveL;
-use jaka_sync::status::RobotStatus;
-use jaka_sync::{
+use jaka_robot::motion::MoveL;
+use jaka_robot::status::RobotStatus;
+use jaka_robot::{
     Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, MotionStatus, Occurrence, Robot,
 };
+use jaka_sim::{Controller, Fault, Port};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 

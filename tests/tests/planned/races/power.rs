@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
+use jaka_robot::jaka_sync::ErrorKind as Failure;
+use jaka_robot::{ErrorKind, Explanation};
 use jaka_sim::{Delays, Firmware, Port};
-use jaka_sync::{ErrorKind, Explanation};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 
@@ -82,6 +83,6 @@ fn powering_up_ends_at_its_deadline_and_not_with_the_next_query() {
     let mut robot = arm.robot();
     let (since, deadline) = (arm.clock().elapsed(), Duration::from_millis(250));
     let error = robot.power_up(deadline).expect_err("it takes seconds");
-    assert!(matches!(error.kind(), ErrorKind::StateTimeout { .. }), "{error:?}");
+    assert!(matches!(error.connection().map(jaka_sync::Error::kind), Some(Failure::StateTimeout { .. })), "{error:?}");
     assert_eq!(arm.clock().elapsed().saturating_sub(since), deadline);
 }

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use jaka_robot::{Cause, ErrorKind, Occurrence, Robot, RobotStop, Target};
 use jaka_sim::{Controller, Delays, Fault, Port};
-use jaka_sync::{Cause, ErrorKind, Occurrence, Robot, RobotStop, Target};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 

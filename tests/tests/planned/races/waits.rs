@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::{Cause, Phase, Rest, Robot};
 use jaka_sim::{Delays, Fault, Habit};
-use jaka_sync::motion::JointMove;
-use jaka_sync::{Cause, Phase, Rest, Robot};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;

@@ -2,11 +2,11 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use jaka_robot::jaka_motion::TimedPoint;
+use jaka_robot::status::RobotStatus;
+use jaka_robot::types::JointPosition;
+use jaka_robot::{Cause, End, Guard, RobotStop, StreamConfig};
 use jaka_sim::{Fault, Port};
-use jaka_sync::jaka_motion::TimedPoint;
-use jaka_sync::status::RobotStatus;
-use jaka_sync::types::JointPosition;
-use jaka_sync::{Cause, End, Guard, RobotStop, StreamConfig};
 
 use super::*;
 
@@ -131,7 +131,7 @@ fn a_refused_set_point_ends_it_on_the_trajectory() {
     let refusal = br#"{"errorCode":"3","errorMsg":"no","cmdName":"servo_j"}"#.to_vec();
     let (arm, _robot, end) = ended_by(&config(), |arm, _| arm.inject_for("servo_j", Fault::Instead(refusal)));
     assert_ended_on_the_way(&end, Cause::NoRemoteControl);
-    assert!(end.report.refused == 1 && end.error.as_ref().is_some_and(jaka_sync::Error::is_refused), "{end:?}");
+    assert!(end.report.refused == 1 && end.error.as_ref().is_some_and(jaka_robot::Error::is_refused), "{end:?}");
     judge(&arm, &to_and_fro(), &end);
 }
 
@@ -169,7 +169,7 @@ fn a_link_that_is_held_or_cut_ends_it() {
         let end = run.wait();
         assert_eq!(end.cause(), if cut { Cause::CommandsLost } else { Cause::Unanswered }, "{cut}: {end}");
         assert!(
-            !end.rest.was_seen() && end.error.as_ref().is_some_and(jaka_sync::Error::may_have_run),
+            !end.rest.was_seen() && end.error.as_ref().is_some_and(jaka_robot::Error::may_have_run),
             "{cut}: {end:?}"
         );
         arm.links().release();

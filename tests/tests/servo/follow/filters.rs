@@ -1,8 +1,8 @@
 //! Trajectories on an arm that lags behind its set-points, by each filter of 4.60 or none.
 
+use jaka_robot::servo::SetServoMoveFilter;
+use jaka_robot::{Cause, Numbering};
 use jaka_sim::DigitalInput;
-use jaka_sync::servo::SetServoMoveFilter;
-use jaka_sync::{Cause, Numbering};
 
 use super::*;
 use crate::stream::filters;

@@ -4,8 +4,8 @@
 
 use std::thread;
 
-use jaka_sync::jaka_motion::{Follower, Via};
-use jaka_sync::servo::ServoJ;
+use jaka_robot::jaka_motion::{Follower, Via};
+use jaka_robot::servo::ServoJ;
 
 use super::*;
 use jaka_tests::rig::Random;

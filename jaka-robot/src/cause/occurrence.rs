@@ -1,0 +1,189 @@
+//! Causes with the evidence for them.
+
+use std::error::Error as StdError;
+use std::fmt;
+use std::sync::Arc;
+
+use jaka_proto::ControllerEvent;
+use jaka_proto::wire::DecodeError;
+use jaka_sync::layer::seat_hint;
+
+use super::table::Cause;
+use super::trip::GuardTrip;
+use crate::Disconnect;
+
+/// Cause of an end of moving, or of what keeps it back, with the evidence for it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Occurrence {
+    /// Cause.
+    pub cause: Cause,
+    /// Evidence for the cause.
+    pub evidence: Evidence,
+}
+
+/// Evidence for a [`Cause`], besides packets and errors.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Evidence {
+    /// None besides the cause itself: a packet, an answer of the controller or this program shows it.
+    None,
+    /// Event of the controller that was not reported before; or, of an arm at rest but not at its target, a code that no
+    /// table has. Warnings and information do not end a motion.
+    Event {
+        /// The code as the controller writes it, such as `0x0F0034`.
+        code: String,
+        /// The event with its severity and, if it is known, its meaning; none for a code that cannot be read.
+        event: Option<ControllerEvent>,
+        /// The controller's message.
+        message: String,
+    },
+    /// Trip of a guard: the arm was stopped, or nothing was sent.
+    Trip(Arc<GuardTrip>),
+    /// End of the command connection. Another client may have taken it over, or the controller has shut down. Nothing
+    /// reconnects by itself.
+    Commands {
+        /// Address of the connection, with the port.
+        address: String,
+        /// Cause of its end.
+        cause: Arc<Disconnect>,
+    },
+    /// Loss of status packets that can be read.
+    Status {
+        /// Cause of the end of the connection; none if it is open.
+        cause: Option<Arc<Disconnect>>,
+        /// Error of a packet that cannot be read; none if no packets come.
+        unreadable: Option<DecodeError>,
+    },
+}
+
+impl From<Cause> for Occurrence {
+    fn from(cause: Cause) -> Self {
+        Self { cause, evidence: Evidence::None }
+    }
+}
+
+impl Occurrence {
+    /// Occurrence of a cause with its evidence.
+    pub fn new(cause: Cause, evidence: Evidence) -> Self {
+        Self { cause, evidence }
+    }
+
+    pub(crate) fn event(code: &str, event: Option<ControllerEvent>, message: String) -> Self {
+        Self { cause: Cause::ControllerError, evidence: Evidence::Event { code: code.to_owned(), event, message } }
+    }
+
+    pub(crate) fn trip(trip: GuardTrip) -> Self {
+        Self { cause: trip.cause(), evidence: Evidence::Trip(Arc::new(trip)) }
+    }
+
+    pub(crate) fn commands_lost(address: String, cause: Arc<Disconnect>) -> Self {
+        Self { cause: Cause::CommandsLost, evidence: Evidence::Commands { address, cause } }
+    }
+
+    pub(crate) fn status_lost(cause: Option<Arc<Disconnect>>, unreadable: Option<DecodeError>) -> Self {
+        Self { cause: Cause::StatusLost, evidence: Evidence::Status { cause, unreadable } }
+    }
+
+    /// What is below the error whose text is part of this one's.
+    pub(crate) fn source(&self) -> Option<&(dyn StdError + 'static)> {
+        match &self.evidence {
+            Evidence::Commands { cause, .. } | Evidence::Status { cause: Some(cause), .. } => cause.source(),
+            Evidence::None | Evidence::Event { .. } | Evidence::Trip(_) | Evidence::Status { cause: None, .. } => None,
+        }
+    }
+
+    /// Consequence for the motions. A guard stops the arm itself, whatever it trips by.
+    pub(crate) fn consequence(&self) -> Consequence {
+        match &self.evidence {
+            Evidence::Trip(_) => Consequence::Over,
+            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
+                Consequence::of(self.cause)
+            }
+        }
+    }
+}
+
+/// The fact of the cause, and the evidence.
+impl fmt::Display for Occurrence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let fact = self.cause;
+        let text = match &self.evidence {
+            Evidence::None => fact.to_string(),
+            Evidence::Status { cause: None, unreadable: None } => format!("{fact}: no status packets come"),
+            Evidence::Event { event: Some(event), message, .. } => format!("{fact}: {event}: {message}"),
+            Evidence::Event { event: None, code, message } => format!("{fact}: code {code}: {message}"),
+            Evidence::Trip(trip) => format!("{fact}: {trip}"),
+            Evidence::Commands { address, cause } => format!("{fact} ({address}{}): {cause}", seat_hint(cause)),
+            Evidence::Status { cause: None, unreadable: Some(source) } => format!("{fact}: {source}"),
+            Evidence::Status { cause: Some(cause), .. } => format!("{fact}: the status connection ended: {cause}"),
+        };
+        // Parts of it come from outside.
+        f.pad(&jaka_proto::text::visible(&text))
+    }
+}
+
+/// Consequence of an end of the wait for motions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Consequence {
+    /// They have ended.
+    Over,
+    /// They have ended, and no other is sent before somebody has acknowledged that.
+    Latched,
+    /// The same, and the arm may still move.
+    LatchedMayMove,
+    /// They are not waited for any more, and the arm may still move.
+    MayMove,
+    /// They may go on, and can be waited for again.
+    GoesOn,
+}
+
+impl Consequence {
+    /// Each cause is named, so that a new one does not compile before it is decided.
+    fn of(cause: Cause) -> Self {
+        match cause {
+            Cause::Reached
+            | Cause::AtRest
+            | Cause::Landed
+            | Cause::NoMotion
+            | Cause::Stopped
+            | Cause::NotPowered
+            | Cause::NotEnabled => Self::Over,
+            Cause::ProtectiveStop | Cause::EmergencyStop => Self::Latched,
+            Cause::StatusLost => Self::LatchedMayMove,
+            Cause::Deadline | Cause::CommandsLost => Self::GoesOn,
+            Cause::ControllerError
+            // None of these ends the wait for a motion that the controller plans.
+            | Cause::SoftLimit
+            | Cause::NoRemoteControl
+            | Cause::ServoMode
+            | Cause::Moving
+            | Cause::Guard
+            | Cause::Unanswered
+            | Cause::NotShown
+            | Cause::SetPointLate
+            | Cause::Departed
+            | Cause::Refused
+            | Cause::BeyondLimit
+            | Cause::NotAtStart
+            | Cause::RestNotSeen
+            | Cause::Failed => Self::MayMove,
+        }
+    }
+
+    /// True if no motion is sent before somebody has acknowledged it.
+    pub(crate) fn latches(self) -> bool {
+        match self {
+            Self::Latched | Self::LatchedMayMove => true,
+            Self::Over | Self::MayMove | Self::GoesOn => false,
+        }
+    }
+
+    /// True if the arm may still move.
+    pub(crate) fn may_move(self) -> bool {
+        match self {
+            Self::LatchedMayMove | Self::MayMove | Self::GoesOn => true,
+            Self::Over | Self::Latched => false,
+        }
+    }
+}

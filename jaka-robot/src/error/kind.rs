@@ -1,0 +1,498 @@
+//! What went wrong, told apart by what the caller can do about it.
+
+use std::error::Error as StdError;
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::Refusal;
+use jaka_sync::layer::{Failure, seat_hint};
+
+use super::Error;
+use super::end::{End, Phase};
+#[cfg(feature = "stream")]
+use crate::Evidence;
+use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
+
+jaka_proto::worded! {
+    /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
+    #[derive(Debug)]
+    #[non_exhaustive]
+    pub enum ErrorKind {
+        /// A call of the connection failed: a command was not sent, refused by the spec, or not answered; a connection could not be
+        /// made, or broke; status packets did not come, or did not show what was waited for.
+        ///
+        /// A command that the controller refused is [`Refused`](Self::Refused).
+        Connection(error: jaka_sync::Error) => "{error}",
+        /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent; correct
+        /// the option.
+        InvalidOption {
+            /// Name of the option, such as `step_count`.
+            option: &'static str,
+            /// Type that has the option, such as `ServoConfig`.
+            of: &'static str,
+            /// Value that was given.
+            value: String,
+            /// Values that the option takes, in words.
+            expected: String,
+        } => "option `{option}` of `{of}` is {value}, expected {expected}",
+        /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
+        /// port, or both addresses to [`Robot::connect_at`](crate::Robot::connect_at). Nothing was connected to.
+        PortInAddress {
+            /// The address given.
+            address: String,
+        } =>
+            "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
+             `Robot::connect_at`",
+        /// The controller refused the command, which did not run. The connection is fine.
+        Refused {
+            /// The controller's own words.
+            refusal: Refusal,
+            /// Why, and what helps: for a motion of a [`Robot`](crate::Robot), where its status tells it.
+            explanation: Option<Explanation>,
+        } => (refused(refusal, explanation.as_ref())),
+        /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream or a trajectory of which packets do not show the joints any
+        /// more has landed.
+        NotShown {
+            /// What was asked, in words.
+            what: String,
+            /// Why they do not show it, and what helps.
+            reason: NotShown,
+        } => "it is not known whether {what}: {reason}",
+        /// A wait for an input has ended, because the status is no longer known. Nothing was sent.
+        WaitEnded {
+            /// What was waited for, in words.
+            what: String,
+            /// Why the status is not known, and what helps.
+            problem: StatusProblem,
+        } => (wait_ended(what, problem)),
+        /// A wait for an input has ended, because the robot has stopped meanwhile, or was stopped. Nothing was sent.
+        WaitBroken {
+            /// What was waited for, in words.
+            what: String,
+            /// What happened.
+            occurrence: Occurrence,
+        } => "the wait has ended before {what}: {occurrence}",
+        /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
+        /// again when the robot's state is known.
+        CommandsLost {
+            /// Where the connection led, with the port.
+            address: String,
+            /// What was waited for, in words.
+            what: String,
+            /// What broke the connection.
+            cause: Arc<Disconnect>,
+        } => (commands_lost(address, what, cause)),
+        /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is not known.
+        NotGuarded {
+            /// `cmdName` of the motion.
+            command: String,
+            /// Why not, and what helps.
+            reason: NotGuarded,
+        } => "`{command}` was not sent under a guard: {reason}",
+        /// A motion, a landing or a trajectory has not ended as it was commanded: see [`End::reached`].
+        NotReached {
+            /// The end, with what led to it.
+            end: Box<End>,
+        } => "{end}",
+        /// The guard of a motion has tripped.
+        GuardTripped {
+            /// Which condition, by which packet, and what followed.
+            trip: Arc<GuardTrip>,
+        } => (with_fact(trip.cause(), trip.to_string())),
+        /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not accepted: the arm may move, and
+        /// nobody judges the guard.
+        NotStopped {
+            /// What failed first.
+            first: Error,
+            /// Why the stop was not accepted.
+            stopping: Error,
+        } => "{first}; and the stop that followed was not accepted, so the arm may still move: {stopping}",
+        /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
+        /// program that must do without it, [`Robot::allow_motion_without_status`](crate::Robot::allow_motion_without_status).
+        StatusUnknown {
+            /// Why it is not known, and what helps.
+            problem: StatusProblem,
+        } => "not sent, because the state of the robot is unknown: {problem}",
+        /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
+        NotReady {
+            /// Which state, and what helps.
+            explanation: Explanation,
+        } => "the robot cannot do this now: {explanation}",
+        /// A motion or a set-point was not sent, because it is beyond a limit of the robot.
+        BeyondLimit {
+            /// `cmdName` of the command.
+            command: String,
+            /// Which limit, by how much, and where on the way.
+            beyond: jaka_motion::Beyond,
+        } => "`{command}` was not sent: {beyond}",
+        /// A motion or a set-point was not sent, because it cannot be checked against the robot's limits.
+        NotChecked {
+            /// `cmdName` of the command.
+            command: String,
+            /// Why not, and what helps.
+            reason: crate::Unchecked,
+        } => "`{command}` was not sent, because it cannot be checked against the limits: {reason}",
+        /// The limits are those of a model by which the controller does not compute its poses.
+        ModelMismatch {
+            /// How far they differ.
+            source: jaka_motion::FitError,
+        } => "the limits are not those of this robot: its controller computes other poses than their model",
+        /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was sent. Needs the feature `stream`.
+        #[cfg(feature = "stream")]
+        Trajectory {
+            /// Which limit, and where: the way-point before, the time, the joint.
+            source: jaka_motion::TrajectoryError,
+        } => "the trajectory was not started: {source}",
+        /// A trajectory was not started, because the arm is not where it starts: move it there first, or set
+        /// [`FollowConfig::approach`](crate::FollowConfig::approach). Nothing that moves the arm was sent. Needs the feature `stream`.
+        #[cfg(feature = "stream")]
+        NotAtStart {
+            /// The joint that is the furthest away, 1 to 6.
+            joint: usize,
+            /// Where it is to be by the controller's answer, in degrees.
+            at_deg: f64,
+            /// Where the trajectory has it at the start, in degrees.
+            start_deg: f64,
+        } => (not_at_start(*joint, *at_deg, *start_deg)),
+        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds it. Needs the feature `stream`.
+        #[cfg(feature = "stream")]
+        Departed {
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// Where a packet shows it, in degrees.
+            at_deg: f64,
+            /// How far that is from all its set-points of the last half second, in degrees.
+            off_deg: f64,
+        } =>
+            "joint {joint} does not follow its set-points: it is at {at_deg:.2} deg, {off_deg:.2} deg from all of the last half second",
+        /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too
+        /// busy: it was not sent, and the session has ended without set-points that brake. Give the thread a priority
+        /// (`ServoConfig::realtime_priority`), or the machine less to do.
+        SetPointLate {
+            /// Time since it was due.
+            late: Duration,
+        } => "a set-point was too late, by {late:.1?}: the machine was too busy to send it in time",
+        /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early. Nothing was sent.
+        Thread {
+            /// Why not, in the system's words.
+            source: io::Error,
+        } => "the system has no thread for this",
+        /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs the feature `realtime`.
+        #[cfg(feature = "realtime")]
+        RealtimePriority {
+            /// The priority that was asked for.
+            priority: u8,
+            /// Why not, in the system's words.
+            source: io::Error,
+        } => (no_priority(*priority, source)),
+        /// Too many set-points of a servo session have no reply. The session has ended.
+        SetPointsUnanswered {
+            /// How many.
+            count: usize,
+            /// How long ago the oldest of them was sent.
+            oldest: Duration,
+        } =>
+            "the controller does not answer: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago; the \
+             servo session has ended without a landing",
+        /// A set-point was not sent: its servo session has ended.
+        SessionEnded {
+            /// Cause of its end.
+            cause: Cause,
+            /// Why it has ended.
+            because: String,
+        } => "not sent, because the servo session has ended: {because}",
+        /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been acknowledged: see
+        /// [`Robot::acknowledge`](crate::Robot::acknowledge).
+        NotAcknowledged {
+            /// What happened.
+            occurrence: Occurrence,
+        } => "not sent: {occurrence}",
+        /// A stop of the program's own has ended a call that sends one step after the other, such as
+        /// [`Robot::power_up`](crate::Robot::power_up): no further step was sent.
+        Stopped {
+            /// `cmdName` of the steps that had been accepted by then, in their order.
+            accepted: Vec<String>,
+            /// `cmdName` of the steps that were not sent.
+            not_sent: Vec<String>,
+        } => (stopped(&named(accepted), &named(not_sent))),
+        /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the connection is
+        /// broken ([`Error::is_disconnected`]), no stop can be sent on it either.
+        ServoModeNotLeft {
+            /// What failed in the session before; none where only leaving did.
+            first: Option<Error>,
+            /// Why servo mode could not be left.
+            leaving: Error,
+        } => (not_left(first.as_ref(), leaving)),
+        /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last set-point; servo mode was left. The arm
+        /// may not have followed: look at it before you go on.
+        RestNotSeen {
+            /// What ended the session; none where it was to land.
+            first: Option<Error>,
+            /// How long the last set-point was held.
+            after: Duration,
+        } =>
+            (format!("{}no status packet has shown the arm at rest at its last set-point within {after:?}", and(first.as_ref()))),
+        /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before you go on.
+        NotLanded {
+            /// What ended the session.
+            first: Error,
+            /// What ended the landing.
+            landing: Error,
+        } => (not_landed(first, landing)),
+    }
+}
+
+/// What the predicates of [`Error`] ask for.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    InvalidArgument,
+    NotInFirmware,
+    Connect,
+    Refused,
+    Timeout,
+    Disconnected,
+    Other,
+}
+
+/// What a kind means: what it is to the predicates, whether the command may have run, and the error below it; where the text of that is part
+/// of its own, the error below that.
+pub(super) type Meaning<'k> = (Group, bool, Option<&'k (dyn StdError + 'static)>);
+
+impl ErrorKind {
+    /// Cause of the end of moving, or why it is kept back; of several errors in one, the first by precedence.
+    pub(super) fn cause(&self) -> Cause {
+        match self {
+            Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation } => {
+                explanation.cause()
+            }
+            Self::Refused { explanation: None, .. } => Cause::Refused,
+            Self::Connection(error) => of_connection(error),
+            Self::SetPointsUnanswered { .. } => Cause::Unanswered,
+            Self::CommandsLost { .. } => Cause::CommandsLost,
+            Self::WaitBroken { occurrence, .. } => occurrence.cause,
+            Self::NotReached { end } => end.cause(),
+            Self::WaitEnded { .. } | Self::StatusUnknown { .. } => Cause::StatusLost,
+            Self::NotShown { .. } | Self::NotGuarded { .. } => Cause::NotShown,
+            Self::GuardTripped { trip } => trip.cause(),
+            Self::NotStopped { first, stopping } => first.cause().min(stopping.cause()),
+            Self::SetPointLate { .. } => Cause::SetPointLate,
+            Self::SessionEnded { cause, .. } => *cause,
+            Self::NotAcknowledged { occurrence } => occurrence.cause,
+            Self::Stopped { .. } => Cause::Stopped,
+            Self::ServoModeNotLeft { first, leaving } => {
+                first.as_ref().map_or(leaving.cause(), |first| first.cause().min(leaving.cause()))
+            }
+            Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
+            Self::NotLanded { first, landing } => first.cause().min(landing.cause()),
+            Self::InvalidOption { .. } | Self::PortInAddress { .. } | Self::Thread { .. } => Cause::Failed,
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } => Cause::BeyondLimit,
+            Self::ModelMismatch { .. } => Cause::Failed,
+            #[cfg(feature = "stream")]
+            Self::Trajectory { .. } => Cause::BeyondLimit,
+            #[cfg(feature = "stream")]
+            Self::NotAtStart { .. } => Cause::NotAtStart,
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } => Cause::Departed,
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { .. } => Cause::Failed,
+        }
+    }
+
+    /// Evidence for the cause, besides the error.
+    #[cfg(feature = "stream")]
+    pub(super) fn evidence(&self) -> Evidence {
+        match self {
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
+            Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
+            Self::NotReached { end } => end.evidence().clone(),
+            Self::Connection(error) => evidence(error),
+            Self::RestNotSeen { first: Some(first), .. }
+            | Self::NotLanded { first, .. }
+            | Self::ServoModeNotLeft { first: Some(first), .. }
+            | Self::NotStopped { first, .. } => first.kind().evidence(),
+            _ => Evidence::None,
+        }
+    }
+
+    /// Remedy that the text does not have itself.
+    pub(super) fn remedy(&self) -> Remedy {
+        match self {
+            Self::NotReached { end } => end.remedy(),
+            Self::Refused { explanation: Some(_), .. }
+            | Self::NotReady { .. }
+            | Self::NotAcknowledged { .. }
+            | Self::WaitBroken { .. }
+            | Self::SetPointLate { .. } => self.cause().remedy(),
+            #[cfg(feature = "stream")]
+            Self::Departed { .. } => self.cause().remedy(),
+            _ => Remedy::None,
+        }
+    }
+
+    /// Each kind is named, so that a new one does not compile before it is decided what it means.
+    pub(super) fn meaning(&self) -> Meaning<'_> {
+        match self {
+            Self::Connection(error) => (Group::of_connection(error), error.may_have_run(), error.source()),
+            Self::InvalidOption { .. } => (Group::InvalidArgument, false, None),
+            Self::PortInAddress { .. } => (Group::Connect, false, None),
+            Self::Refused { .. } => (Group::Refused, false, None),
+            Self::CommandsLost { cause, .. } => (Group::Disconnected, false, Some(&**cause)),
+            Self::ServoModeNotLeft { leaving, .. } => (Group::after(leaving), true, leaving.source()),
+            Self::NotStopped { first, stopping } => (Group::after(stopping), true, first.source()),
+            Self::SetPointsUnanswered { .. } => (Group::Other, true, None),
+            Self::RestNotSeen { first, .. } => (Group::Other, true, first.as_ref().and_then(|first| first.source())),
+            Self::NotLanded { first, .. } => (Group::Other, true, first.source()),
+            Self::GuardTripped { trip } => (Group::Other, !trip.is_before_start, None),
+            Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => {
+                (Group::Other, false, problem.source())
+            }
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => {
+                (Group::Other, false, occurrence.source())
+            }
+            Self::NotReached { end } => (Group::of(end.cause()), end.phase() != Phase::NotSent, end.source()),
+            Self::Thread { source } => (Group::Other, false, Some(source)),
+            Self::NotReady { .. }
+            | Self::SetPointLate { .. }
+            | Self::SessionEnded { .. }
+            | Self::NotShown { .. }
+            | Self::NotGuarded { .. }
+            | Self::Stopped { .. } => (Group::Other, false, None),
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } => (Group::Other, false, None),
+            Self::ModelMismatch { source } => (Group::Other, false, Some(source)),
+            #[cfg(feature = "stream")]
+            Self::Trajectory { source } => (Group::Other, false, source.source()),
+            #[cfg(feature = "stream")]
+            Self::NotAtStart { .. } | Self::Departed { .. } => (Group::Other, false, None),
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
+        }
+    }
+}
+
+impl Group {
+    fn of_connection(error: &jaka_sync::Error) -> Self {
+        match Failure::of(error) {
+            _ if error.is_timeout() => Self::Timeout,
+            _ if error.is_disconnected() => Self::Disconnected,
+            _ if error.is_invalid_argument() => Self::InvalidArgument,
+            Failure::NotSent => Self::NotInFirmware,
+            Failure::NotConnected => Self::Connect,
+            Failure::Refused => Self::Refused,
+            Failure::UnfitReply
+            | Failure::Unanswered
+            | Failure::Reset
+            | Failure::CommandsLost
+            | Failure::StatusLost
+            | Failure::NotInState => Self::Other,
+        }
+    }
+
+    /// Group of an end by this cause.
+    fn of(cause: Cause) -> Self {
+        if cause == Cause::CommandsLost { Self::Disconnected } else { Self::Other }
+    }
+
+    /// That of an error that tells of another one after which nothing more could be sent.
+    fn after(last: &Error) -> Self {
+        if last.is_disconnected() { Self::Disconnected } else { Self::Other }
+    }
+}
+
+/// Cause that an error of the connection shows.
+fn of_connection(error: &jaka_sync::Error) -> Cause {
+    match Failure::of(error) {
+        Failure::NotSent | Failure::NotConnected => Cause::Failed,
+        Failure::Refused => Cause::Refused,
+        // Reset here, because set-points were not answered.
+        Failure::UnfitReply | Failure::Unanswered | Failure::Reset => Cause::Unanswered,
+        Failure::CommandsLost => Cause::CommandsLost,
+        Failure::StatusLost => Cause::StatusLost,
+        Failure::NotInState => Cause::Deadline,
+    }
+}
+
+/// Evidence that an error of the connection has.
+#[cfg(feature = "stream")]
+fn evidence(error: &jaka_sync::Error) -> Evidence {
+    match error.kind() {
+        jaka_sync::ErrorKind::Disconnected { address, command: Some(_), cause, .. } => {
+            Evidence::Commands { address: address.clone(), cause: Arc::clone(cause) }
+        }
+        _ => Evidence::None,
+    }
+}
+
+fn refused(refusal: &Refusal, explanation: Option<&Explanation>) -> String {
+    explanation.map_or_else(|| refusal.to_string(), |explanation| format!("{refusal}; {explanation}"))
+}
+
+fn commands_lost(address: &str, what: &str, cause: &Disconnect) -> String {
+    format!("the wait has ended before {what}: {} ({address}{})", Cause::CommandsLost, seat_hint(cause))
+}
+
+fn wait_ended(what: &str, problem: &StatusProblem) -> String {
+    format!("the wait has ended before {what}, because {}: {problem}", Cause::StatusLost)
+}
+
+fn not_landed(first: &Error, landing: &Error) -> String {
+    with_fact(first.cause().min(landing.cause()), format!("{first}; and the arm was not braked to rest: {landing}"))
+}
+
+/// Text that begins with the fact of the cause, unless it has that already.
+fn with_fact(cause: Cause, text: String) -> String {
+    let fact = cause.to_string();
+    if text.contains(&fact) { text } else { format!("{fact}: {text}") }
+}
+
+/// What came first, if something did.
+fn and(first: Option<&Error>) -> String {
+    first.map_or_else(String::new, |first| format!("{first}; and "))
+}
+
+fn not_left(first: Option<&Error>, leaving: &Error) -> String {
+    let no_stop = if leaving.is_disconnected() { "; no stop can be sent on this connection" } else { "" };
+    let cause = first.map_or(leaving.cause(), |first| first.cause().min(leaving.cause()));
+    let first = and(first);
+    with_fact(
+        cause,
+        format!("{first}servo mode may be on, because leaving it failed or was not confirmed: {leaving}{no_stop}"),
+    )
+}
+
+fn stopped(accepted: &str, not_sent: &str) -> String {
+    format!(
+        "ended by a stop of this program (accepted before it: {accepted}; not sent: {not_sent}); when somebody has checked the robot, call \
+         `acknowledge`"
+    )
+}
+
+/// Names of commands, in words.
+fn named(commands: &[String]) -> String {
+    if commands.is_empty() {
+        return "nothing".to_owned();
+    }
+    commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(feature = "stream")]
+fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {
+    let off_deg = (start_deg - at_deg).abs();
+    let digits = if off_deg < 1e-3 { 6 } else { 3 };
+    format!(
+        "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
+         {off_deg:.digits$} deg away; move the arm there first, or ask for an approach"
+    )
+}
+
+#[cfg(feature = "realtime")]
+fn no_priority(priority: u8, source: &io::Error) -> String {
+    if source.kind() == io::ErrorKind::PermissionDenied {
+        return format!(
+            "the system does not allow this thread the real-time priority {priority}: set `rtprio` to {priority} or more for the user in \
+             /etc/security/limits.conf and log in again (`ulimit -r` shows it), or give the program CAP_SYS_NICE (`setcap \
+             cap_sys_nice=ep PROGRAM`; of a container: `--cap-add SYS_NICE`)"
+        );
+    }
+    format!("this thread cannot have the real-time priority {priority}")
+}

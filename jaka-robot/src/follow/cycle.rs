@@ -1,0 +1,288 @@
+//! The run's own thread.
+
+use jaka_sync::layer::ClientParts as _;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_motion::{Checker, Follower, Stopping, Trajectory};
+use jaka_proto::messages::types::JointPosition;
+use jaka_proto::recording::MotionStep;
+
+use super::approach::Approach;
+use super::orders::Orders;
+use super::{FollowConfig, start};
+use crate::robot::SetPointGuard;
+use crate::servo_session::{LagFit, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
+use crate::servo_thread::{Begun, OnDrop};
+use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession, TrajectoryReport};
+use jaka_sync::layer::Clock;
+
+/// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
+pub(super) fn run<S: MotionStatus>(
+    robot: &mut Robot<S>,
+    (trajectory, config): (&Trajectory, &FollowConfig),
+    guard: Option<&SetPointGuard>,
+    orders: &Arc<Orders>,
+    begun: &Begun<()>,
+) -> Option<End> {
+    // Ends the run for its handles, also where this thread panics.
+    let _ends = OnDrop(|| orders.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
+    let refused = |error: Error| {
+        // The caller has the error from here.
+        begun.send(Err(error));
+        None
+    };
+    let mut checked = None;
+    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config, guard).map(|with| checked = Some(with));
+    let mut session = match ServoSession::enter(robot, &config.servo, check) {
+        Ok(session) => session,
+        Err(error) => return refused(error),
+    };
+    let mut way = match Way::new(&session, (trajectory, checked.as_ref()), (config, guard), orders) {
+        Ok(way) => way,
+        Err(error) => return refused(session.end_by(error, &mut |_| None)),
+    };
+    begun.send(Ok(()));
+    let (period, most_deg) = (config.servo.period(), config.max_departure_deg);
+    let lag = LagFit::new(session.robot.clock().now(), way.last, period);
+    let mut supervision = Supervision::new((way.last, period), most_deg, config.max_gap, guard, Some(lag));
+    session.begin_pace();
+    let ended = session.send_all(&mut way, &mut supervision);
+    let end = way.ended(session, ended, &supervision);
+    if end.error.is_none() && end.cause() != Cause::Reached {
+        robot.client().link().record_motion(MotionStep::Failed, || end.to_string());
+    }
+    orders.end(SessionEnd::new(end.cause(), end.to_string()));
+    Some(end)
+}
+
+/// The way to where the trajectory starts, and then the trajectory.
+struct Way<'o> {
+    guard: Option<&'o SetPointGuard>,
+    /// None once the arm has been at the start.
+    approach: Option<Approach>,
+    follower: Follower,
+    orders: &'o Orders,
+    is_overdue: bool,
+    /// The last set-point, or where the arm was before.
+    last: JointPosition,
+    clock: Clock,
+}
+
+impl<'o> Way<'o> {
+    fn new<S: MotionStatus>(
+        session: &ServoSession<'_, S>,
+        (trajectory, known_by): (&Trajectory, Option<&Checker>),
+        (config, guard): (&FollowConfig, Option<&'o SetPointGuard>),
+        orders: &'o Orders,
+    ) -> Result<Self, Error> {
+        let (checker, at) = session.checker_and_start().ok_or_else(no_limits)?;
+        // A frame may have changed since, or the arm have moved.
+        if known_by != Some(checker) {
+            start::check_limits(checker, trajectory, config, guard)?;
+        }
+        start::check_start(checker, at, trajectory, config)?;
+        let period = config.servo.period();
+        let (from_to, speed) = ([at, trajectory.start()], config.approach_deg_s);
+        let approach = Approach::new(checker, from_to, speed, period.as_secs_f64(), guard)?;
+        Ok(Self {
+            guard,
+            approach: Some(approach),
+            follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
+            orders,
+            is_overdue: false,
+            last: at,
+            clock: session.robot.clock().clone(),
+        })
+    }
+
+    /// Brings the arm to rest after the last set-point, and tells how the run has ended.
+    fn ended<S: MotionStatus>(
+        mut self,
+        mut session: ServoSession<'_, S>,
+        ended: Result<(), Error>,
+        supervision: &Supervision<'_>,
+    ) -> End {
+        let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
+            Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
+            Err(error) => {
+                let (error, has_left_curve) = self.braked(&mut session, error);
+                (Some(error), has_left_curve)
+            }
+        };
+        // No trajectory time passes any more, whatever the last set-points were.
+        self.orders.followed(self.follower.time_s(), 0.0);
+        let occurrence = match &error {
+            Some(error) => error.occurrence(),
+            None if self.follower.is_at_end() && session.rest.was_seen() => Cause::Reached.into(),
+            None if self.follower.is_at_end() => Cause::RestNotSeen.into(),
+            None if self.is_overdue => Cause::Deadline.into(),
+            None => Cause::Stopped.into(),
+        };
+        let trajectory = TrajectoryReport {
+            reached: Duration::from_secs_f64(self.follower.time_s()),
+            duration: self.follower.trajectory().duration(),
+            has_left_curve,
+            lag: supervision.lag(),
+        };
+        let report = session.take_report().of_trajectory(trajectory);
+        End { error, ..End::new(occurrence, session.rest, report) }
+    }
+
+    /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own
+    /// goes out before. Says whether it has left the curve.
+    fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
+        let (mut straight_on, stops) = (session.straight_on(), Arc::clone(&session.robot.latch.stops));
+        let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
+        self.slow_down();
+        let error = session.end_by(error, &mut |course| {
+            let left = stops.time_to_brake();
+            if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
+                ahead = self.look_ahead(straight_on.periods(course), left);
+            }
+            is_straight_on = is_straight_on || ahead.takes_longer();
+            if is_straight_on {
+                self.orders.followed(self.follower.time_s(), 0.0);
+                straight_on.next(course)
+            } else {
+                self.brake()
+            }
+        });
+        let is_off = self.approach.is_none() && session.last_joints() != Some(self.follower.joints());
+        if is_off && !is_straight_on {
+            // The last one of the landing was not sent.
+            self.follower.take_back();
+        }
+        (error, is_off && is_straight_on)
+    }
+
+    /// Fails where something is in the way to the start.
+    fn check_approach(&self) -> Result<(), Error> {
+        self.approach.as_ref().map_or(Ok(()), Approach::check)
+    }
+
+    /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop
+    /// waits, if one does.
+    fn look_ahead(&self, straight_on: u32, left: Option<Duration>) -> LookAhead {
+        let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
+        let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));
+        // An approach is braked straight on as it is.
+        LookAhead { stopping: self.approach.is_none().then(|| self.follower.stopping()), most }
+    }
+
+    fn periods_in(&self, time_s: f64) -> u32 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "some seconds, of periods of 8 ms to 96 ms"
+        )]
+        let periods = (time_s / self.follower.period_s()).floor() as u32;
+        periods
+    }
+
+    /// The next set-point by which the arm is braked, where it is not at rest.
+    fn brake(&mut self) -> Option<SetPoint> {
+        // The one before was sent.
+        self.tell();
+        let joints = match &mut self.approach {
+            Some(approach) if approach.is_at_rest() => return None,
+            Some(approach) => approach.brake(),
+            None if self.follower.is_at_rest() => return None,
+            None => {
+                self.slow_down();
+                self.follower.advance()
+            }
+        };
+        Some(SetPoint::Joints(joints))
+    }
+
+    /// To a standstill on the trajectory; under a limit of force, as soon as it can be done.
+    fn slow_down(&mut self) {
+        if self.guard.is_some_and(SetPointGuard::has_force_limits) {
+            self.follower.brake();
+        } else {
+            self.follower.set_scale(0.0);
+        }
+    }
+
+    fn tell(&self) {
+        let rate = if self.follower.is_at_rest() || self.approach.is_some() { 0.0 } else { self.follower.rate() };
+        self.orders.followed(self.follower.time_s(), rate);
+    }
+}
+
+/// Whether a stop along the curve takes longer than so many periods, found bit by bit: they can be all that are left of the trajectory.
+#[derive(Default)]
+struct LookAhead {
+    /// None once it is known that it does not.
+    stopping: Option<Stopping>,
+    most: u32,
+}
+
+impl LookAhead {
+    /// Looks on; whether it is known now that it does.
+    fn takes_longer(&mut self) -> bool {
+        let Some(stopping) = &mut self.stopping else { return false };
+        let left = self.most.saturating_sub(stopping.periods());
+        if stopping.look_ahead(left.min(AT_ONCE)).is_some() {
+            self.stopping = None;
+            return false;
+        }
+        stopping.periods() >= self.most
+    }
+}
+
+/// By how many periods it looks ahead before each set-point that brakes. One takes some microseconds at most.
+const AT_ONCE: u32 = 500;
+/// How much longer braking along the curve may take than twice braking straight on, in seconds.
+const MORE_S: f64 = 0.5;
+/// How much sooner than a stop goes out the arm is to be braked: set-points may be late.
+const SPARE: Duration = Duration::from_millis(300);
+
+impl SetPoints for Way<'_> {
+    fn is_done(&mut self) -> bool {
+        if !self.orders.is_stopped() && self.orders.is_overdue(self.clock.now()) {
+            self.is_overdue = true;
+            self.orders.stop();
+        }
+        if self.approach.as_ref().is_some_and(Approach::is_done) {
+            self.approach = None;
+        }
+        match &self.approach {
+            Some(approach) => approach.is_blocked || self.orders.is_stopped() && approach.is_at_rest(),
+            None => self.follower.is_at_end() || self.orders.is_stopped() && self.follower.is_at_rest(),
+        }
+    }
+
+    fn next(&mut self) -> JointPosition {
+        let scale = self.orders.scale();
+        self.last = match &mut self.approach {
+            Some(approach) if scale > 0.0 => approach.advance(),
+            Some(approach) => approach.brake(),
+            None => {
+                self.follower.set_scale(scale);
+                self.follower.advance()
+            }
+        };
+        self.last
+    }
+
+    fn paused(&mut self) {
+        match &mut self.approach {
+            Some(approach) => approach.paused(),
+            None => self.follower.paused(),
+        }
+        self.tell();
+    }
+
+    fn take_back(&mut self) {
+        match &mut self.approach {
+            Some(approach) => approach.take_back(),
+            None => self.follower.take_back(),
+        }
+    }
+
+    fn sent(&mut self) {
+        self.tell();
+    }
+}

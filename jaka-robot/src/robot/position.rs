@@ -1,0 +1,182 @@
+//! Where the arm is, by a query that has no deadline of its own.
+//!
+//! At most one is outstanding. The wait that sent it may end before the answer comes; then the next caller waits for that answer. With
+//! a second query of the same name after a timeout, it could be uncertain which of the two was answered; that would break the
+//! connection, on which a stop may have to go out.
+
+use crate::error::Attach as _;
+use jaka_sync::layer::ClientParts as _;
+use std::time::{Duration, Instant};
+
+use jaka_proto::exchange::TypedReply;
+use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
+use jaka_proto::messages::types::Pose;
+use jaka_proto::wire::Fields;
+use jaka_proto::{Command, CommandInfo};
+
+use super::SETTLING;
+use super::target::{Place, Quantity};
+use super::wait::QUERY_PERIOD;
+use super::{MotionStatus, Robot};
+use crate::Error;
+use jaka_sync::layer::{Sent, unexpected};
+
+/// A query whose answer has not been taken.
+#[derive(Debug)]
+pub(super) struct Query {
+    question: Sent<'static>,
+    quantity: Quantity,
+    at: Instant,
+}
+
+/// The answer to a query.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub(super) place: Result<Place, Error>,
+    /// When the query was sent: the answer is later.
+    pub(super) asked: Instant,
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// Asks for the arm's position, unless a query is outstanding.
+    pub(super) fn ask(&mut self, quantity: Quantity) -> Result<(), Error> {
+        if self.query.is_some() {
+            return Ok(());
+        }
+        let at = self.clock().now();
+        let link = self.client.link();
+        let question = match quantity {
+            Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)),
+            Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
+        }?;
+        self.query = Some(Query { question, quantity, at });
+        Ok(())
+    }
+
+    /// Waits for the answer to the outstanding query, for at most `time`.
+    pub(super) fn answer(&mut self, time: Duration) -> Option<Answer> {
+        let query = self.query.take()?;
+        let (question, info) = (&query.question, query.quantity.info());
+        let place = match query.quantity {
+            Quantity::Joints => {
+                self.poll(question, info, time, |reply: GetJointPosReply| Place::Joints(reply.joint_position))
+            }
+            Quantity::Pose => self.poll(question, info, time, |reply: GetTcpPosReply| Place::Pose(reply.pose)),
+        };
+        let Some(place) = place.transpose() else {
+            self.query = Some(query);
+            return None;
+        };
+        Some(Answer { place, asked: query.at })
+    }
+
+    fn poll<R: Fields>(
+        &self,
+        question: &Sent<'_>,
+        info: &'static CommandInfo,
+        time: Duration,
+        place: impl Fn(R) -> Place,
+    ) -> Result<Option<Place>, Error> {
+        let link = self.client.link();
+        let (mut text, mut reader) = (String::new(), TypedReply::new(info));
+        if !link.poll(question, time, &mut text, &mut reader)? {
+            return Ok(None);
+        }
+        let reply = reader.take(&text).map_err(|source| link.attach(unexpected(info.name, source).into()))?;
+        Ok(Some(place(reply)))
+    }
+
+    /// The arm's position now; `None` where the controller does not say it. Waits no longer than for any reply.
+    pub(super) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        let (since, timeout) = (self.clock().stopwatch(), timeout.min(self.client.reply_timeout()));
+        loop {
+            self.ask(quantity)?;
+            let left = since.left_of(timeout);
+            match self.answer(left) {
+                None if left.is_zero() => return Err(self.no_position(quantity, timeout)),
+                Some(Answer { place: Ok(place), asked }) if asked >= since.began && place.quantity() == quantity => {
+                    return Ok(Some(place));
+                }
+                Some(Answer { place: Err(error), asked }) if asked >= since.began => {
+                    return if error.is_disconnected() { Err(error) } else { Ok(None) };
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The pose of the tool centre point now; `None` where the controller does not say it.
+    pub(crate) fn tcp_pose(&mut self, timeout: Duration) -> Result<Option<Pose>, Error> {
+        let place = self.place(Quantity::Pose, timeout)?;
+        Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
+    }
+
+    /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
+    /// where the controller does not say it, or the arm moves.
+    pub(super) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        if self.rests { self.place(quantity, timeout) } else { self.place_still_for(quantity, QUERY_PERIOD, timeout) }
+    }
+
+    /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it, or the arm moves.
+    pub(super) fn place_still_for(
+        &mut self,
+        quantity: Quantity,
+        apart: Duration,
+        timeout: Duration,
+    ) -> Result<Option<Place>, Error> {
+        let since = self.clock().stopwatch();
+        let left = || since.left_of(timeout);
+        let Some(first) = self.place(quantity, timeout)? else { return Ok(None) };
+        // A stop or a packet does not matter here: what is sent then asks for both.
+        self.clock().sleep(apart.min(left()));
+        // A query that is sent has time for its reply.
+        let second = self.place(quantity, left().max(QUERY_PERIOD))?;
+        Ok(second.filter(|second| first.is_still(second)))
+    }
+
+    /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.
+    pub(crate) fn comes_to_rest(&mut self, timeout: Duration) -> Result<bool, Error> {
+        let since = self.clock().stopwatch();
+        loop {
+            let (left, asked) = (since.left_of(timeout), self.clock().stopwatch());
+            if self.place_at_rest(Quantity::Joints, left.max(QUERY_PERIOD * 2))?.is_some() {
+                return Ok(true);
+            }
+            if left.is_zero() {
+                return Ok(false);
+            }
+            // A controller that does not say where the arm is says so at once.
+            self.clock().sleep(asked.left_of(QUERY_PERIOD).min(since.left_of(timeout)));
+        }
+    }
+
+    /// Error of a query that has been outstanding for longer than [`SETTLING`].
+    pub(super) fn unanswered(&self) -> Option<Error> {
+        let query = self.query.as_ref()?;
+        let after = self.clock().elapsed(query.at);
+        (after >= SETTLING).then(|| self.no_position(query.quantity, after))
+    }
+
+    fn no_position(&self, quantity: Quantity, after: Duration) -> Error {
+        let command = quantity.info().name.to_owned();
+        self.client.link().attach(jaka_sync::ErrorKind::Timeout { command, after }.into())
+    }
+}
+
+impl Quantity {
+    fn info(self) -> &'static CommandInfo {
+        match self {
+            Self::Joints => GetJointPos::INFO,
+            Self::Pose => GetTcpPos::INFO,
+        }
+    }
+}
+
+impl Place {
+    fn quantity(&self) -> Quantity {
+        match self {
+            Self::Joints(_) => Quantity::Joints,
+            Self::Pose(_) => Quantity::Pose,
+        }
+    }
+}

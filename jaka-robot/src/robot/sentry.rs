@@ -1,0 +1,139 @@
+//! A thread that stops a motion under a guard.
+
+#[cfg(test)]
+mod tests;
+
+use jaka_sync::layer::{MonitorParts as _, StatusLoss, Waker};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use super::guard::Armed;
+use super::stops::Sent;
+use super::vigil::{self, Vigil};
+use super::{MotionStatus, Robot, RobotStop};
+use crate::cause::Occurrence;
+use crate::{Error, GuardTrip, Monitor, StatusProblem};
+
+/// Stops the arm where the guard trips, or the status is no longer known.
+#[derive(Debug)]
+pub(super) struct Sentry<S> {
+    monitor: Arc<Monitor<S>>,
+    waker: Waker,
+    pub(super) stop: RobotStop,
+    pub(super) armed: Armed,
+    /// With an older packet the arm is stopped.
+    fresh_for: Duration,
+    /// Nobody waits for the motion any more.
+    is_relieved: AtomicBool,
+    /// The stop was not accepted.
+    has_failed: AtomicBool,
+}
+
+impl<S: MotionStatus> Sentry<S> {
+    pub(super) fn new(robot: &Robot<S>, armed: Armed, fresh_for: Duration) -> Self {
+        let (monitor, stop) = (Arc::clone(&robot.monitor), robot.stop_handle());
+        let waker = monitor.waker();
+        armed.stop_by(stop.clone());
+        let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
+        Self { monitor, waker, stop, armed, fresh_for, is_relieved, has_failed }
+    }
+
+    /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
+    pub(super) fn keep(&self) -> Option<Stopped> {
+        let _on_watch = OnWatch(self);
+        let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
+        let (why, blind) = match vigil::keep(&self.monitor, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
+            Vigil::Tripped(trip) => (Why::Trip(trip), None),
+            Vigil::Blind(problem) => (Why::Blind(problem.clone()), Some(problem)),
+            Vigil::Over(_) => return None,
+        };
+        if !self.armed.shut(blind) || is_relieved() {
+            return None;
+        }
+        let stopped = self.written(Some(&why)).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
+        self.took(&stopped.stop.accepted);
+        Some(stopped)
+    }
+
+    /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the guard had tripped, if it has, whatever
+    /// was seen since.
+    pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
+        let written = self.armed.take_written()?;
+        let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
+        Some(Stopped { why, stop: self.stop.finish(&written) })
+    }
+
+    /// A stop that was not accepted ends the wait.
+    fn took(&self, accepted: &Result<(), Error>) {
+        if accepted.is_err() {
+            self.has_failed.store(true, Ordering::SeqCst);
+            self.waker.wake();
+        }
+    }
+
+    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or that the motion was stopped.
+    fn stop_in_panic(&self) {
+        if thread::panicking() && self.armed.abandon() {
+            // A logger that panics again would end the process here.
+            if let Ok(accepted) = catch_unwind(AssertUnwindSafe(|| self.stop.stop())) {
+                self.took(&accepted);
+            }
+        }
+    }
+
+    pub(super) fn has_failed(&self) -> bool {
+        self.has_failed.load(Ordering::SeqCst)
+    }
+}
+
+/// A stop because of a guard.
+#[derive(Debug)]
+pub(super) struct Stopped {
+    /// None where only the end of the wait called for it.
+    pub(super) why: Option<Why>,
+    pub(super) stop: Sent,
+}
+
+#[derive(Debug, Clone)]
+pub(super) enum Why {
+    Trip(GuardTrip),
+    Blind(StatusProblem),
+}
+
+impl Stopped {
+    pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
+        Self { why, stop: stop.stop_and_tell() }
+    }
+}
+
+/// Relieves the sentry when it is dropped; where that is by a panic, the arm is stopped.
+pub(super) struct Relieved<'s, S: MotionStatus>(pub(super) &'s Sentry<S>);
+
+impl<S: MotionStatus> Drop for Relieved<'_, S> {
+    fn drop(&mut self) {
+        self.0.is_relieved.store(true, Ordering::SeqCst);
+        self.0.waker.wake();
+        self.0.stop_in_panic();
+    }
+}
+
+/// On the sentry's own thread: a packet's type may panic.
+struct OnWatch<'s, S: MotionStatus>(&'s Sentry<S>);
+
+impl<S: MotionStatus> Drop for OnWatch<'_, S> {
+    fn drop(&mut self) {
+        self.0.stop_in_panic();
+    }
+}
+
+/// How a motion ends whose status is not known any more.
+pub(super) fn lost(problem: StatusProblem) -> Occurrence {
+    match problem.into() {
+        StatusLoss::Ended(cause) => Occurrence::status_lost(Some(cause), None),
+        StatusLoss::Unreadable(source) => Occurrence::status_lost(None, Some(source)),
+        StatusLoss::Silence => Occurrence::status_lost(None, None),
+    }
+}

@@ -1,0 +1,210 @@
+//! The landing: the arm is braked and held, so that it is at rest when servo mode is left.
+
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
+use std::time::Duration;
+
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+
+use super::ServoSession;
+use super::braking::Braking;
+use super::course::Course;
+use super::rates::Rates;
+use super::set_point::{SetPoint, Step};
+use crate::cause::Occurrence;
+use crate::robot::Stillness;
+use crate::{Cause, Error, ErrorKind, MotionStatus, Rest};
+
+/// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its set-points is at rest
+/// by then.
+const BLIND: Duration = Duration::from_millis(200);
+
+/// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
+pub(crate) type BrakingPath<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
+
+/// Brakes an arm straight on, by a step that becomes smaller evenly.
+#[derive(Debug)]
+pub(crate) struct StraightOn {
+    rates: Rates,
+    period: Duration,
+    /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first one.
+    begun: Option<(Option<Step>, u32, u32)>,
+}
+
+impl StraightOn {
+    /// In how many periods the arm is braked from the last set-point.
+    pub(crate) fn periods(&self, course: &Course) -> u32 {
+        self.step(course).map_or(0, |step| self.rates.periods_to_brake(&step, self.period))
+    }
+
+    /// The next set-point, unless the arm is to be held at the last one.
+    pub(crate) fn next(&mut self, course: &Course) -> Option<SetPoint> {
+        let (step, count, left) = self.begun.unwrap_or_else(|| {
+            let count = self.periods(course);
+            (self.step(course), count, count)
+        });
+        let left = left.saturating_sub(1);
+        self.begun = Some((step, count, left));
+        if left == 0 { None } else { course.after(&step?.scaled(f64::from(left) / f64::from(count))) }
+    }
+
+    /// A set-point that no arm reaches in a period is not a speed.
+    fn step(&self, course: &Course) -> Option<Step> {
+        course.step().filter(|step| self.rates.is_reachable(step, self.period))
+    }
+}
+
+impl<S: MotionStatus> ServoSession<'_, S> {
+    /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at rest.
+    ///
+    /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
+    pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
+        let mut straight_on = self.straight_on();
+        self.come_to_rest_by(&mut |course| straight_on.next(course))
+    }
+
+    pub(crate) fn straight_on(&mut self) -> StraightOn {
+        if self.robot.joint_accelerations().is_some() {
+            // The way on in joints was checked, not that along the line of the poses.
+            self.course.go_on_in_joints();
+        }
+        StraightOn { rates: self.config.rates, period: self.config.period(), begun: None }
+    }
+
+    /// Brakes the arm, and holds it until the status shows it at rest.
+    pub(super) fn come_to_rest_by(&mut self, braking: BrakingPath<'_>) -> Result<(), Error> {
+        let came = if self.course.has_begun() {
+            // Set-points that were sent before may be refused yet.
+            let outstanding = u64::try_from(self.robot.client().link().outstanding()).unwrap_or(u64::MAX);
+            let refused = self.report.refused.saturating_add(outstanding);
+            self.brake(braking, refused).and_then(|()| self.hold(refused))
+        } else {
+            // It was entered at rest.
+            self.rest = Rest::Packets;
+            Ok(())
+        };
+        self.robot.latch.stops.expect_set_point(None);
+        came
+    }
+
+    /// Where the last set-point is so long ago that the arm has none, it stands.
+    fn brake(&mut self, braking: BrakingPath<'_>, refused: u64) -> Result<(), Error> {
+        let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.robot.clock().elapsed(cycle.due));
+        if late >= self.config.gap() {
+            self.stand(late);
+            return Ok(());
+        }
+        while let Some(next) = braking(&self.course) {
+            let gate = self.robot.braking_gate();
+            if !self.send_landing(next, &gate, refused)? {
+                return Ok(());
+            }
+            self.robot.latch.stops.expect_set_point(Some(self.config.gap() * 2));
+        }
+        Ok(())
+    }
+
+    /// The arm has had no set-point for so long that it is taken to stand, which is told of one that moved.
+    fn stand(&mut self, late: Duration) {
+        if self.course.is_moving() {
+            self.count_gap(late);
+        }
+        self.course.paused();
+    }
+
+    /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
+    fn hold(&mut self, refused: u64) -> Result<(), Error> {
+        // A stop of the program's own can go out now.
+        self.robot.latch.stops.expect_set_point(None);
+        let since = self.robot.clock().stopwatch();
+        let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
+        loop {
+            if is_held && self.robot.latch.unacknowledged_stop().is_some() {
+                // A stop discards set-points: the arm may rest before the last one.
+                (stillness, is_held) = (Stillness::new(self.robot.clock().now(), None), false);
+            }
+            let packet = self.robot.monitor().last_known_packet();
+            if packet.is_some_and(|packet| stillness.is_seen(&S::snapshot(&packet))) {
+                self.rest = Rest::Packets;
+                return Ok(());
+            }
+            let is_blind = self.robot.monitor().fresh_packet().is_err();
+            let patience = if is_blind { BLIND.min(self.config.rest_timeout) } else { self.config.rest_timeout };
+            if since.passed() >= patience {
+                let may_be_blind = is_blind && self.robot.moves_without_status;
+                return if may_be_blind {
+                    Ok(())
+                } else {
+                    Err(ErrorKind::RestNotSeen { first: None, after: patience }.into())
+                };
+            }
+            self.hold_once(refused)?;
+        }
+    }
+
+    fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
+        match (self.robot.latch.unacknowledged_stop(), self.course.hold()) {
+            (None, Some(set_point)) => {
+                let gate = self.robot.holding_gate();
+                match self.send_landing(set_point, &gate, refused) {
+                    // A stop has come between, or an odd reply, which the next ones make up for.
+                    Err(error) if Braking::after(&error) == Braking::Land && !error.is_refused() => Ok(()),
+                    sent => sent.map(drop),
+                }
+            }
+            // After a stop of the program's own nothing goes out; packets may still show rest.
+            (None | Some(Occurrence { cause: Cause::Stopped, .. }), _) => {
+                self.pace.wait();
+                Ok(())
+            }
+            (Some(occurrence), _) => Err(ErrorKind::NotAcknowledged { occurrence }.into()),
+        }
+    }
+
+    /// Sends a set-point in the cycle that has begun, or the next one: not where that comes after a gap, since the arm stands then. Fails
+    /// where more are refused than this.
+    fn send_landing(
+        &mut self,
+        set_point: SetPoint,
+        gate: &dyn Fn() -> Result<(), Error>,
+        refused: u64,
+    ) -> Result<bool, Error> {
+        // What was computed since takes its time, too.
+        let cycle = self.begun.take().unwrap_or_else(|| self.pace.wait());
+        let late = self.robot.clock().elapsed(cycle.due);
+        if late >= self.config.gap() {
+            self.stand(late);
+            return Ok(false);
+        }
+        self.take_answers(ServoJ::INFO.name)?;
+        // A refusal of one that was sent before is told when the session ends.
+        if let Some(refusal) = self.refusal.take_if(|_| self.report.refused > refused) {
+            return Err(refusal);
+        }
+        self.check_unanswered()?;
+        self.begun = Some(cycle);
+        if let Err(error) = self.post(&set_point, gate, Duration::MAX) {
+            self.begun = None;
+            let ErrorKind::SetPointLate { late } = *error.kind() else { return Err(error) };
+            self.stand(late);
+            return Ok(false);
+        }
+        self.course.sent(set_point, self.course.joints_at(&set_point));
+        self.report.landing_cycles += 1;
+        Ok(true)
+    }
+}
+
+/// What ended a session, and that the arm was not seen at rest after it.
+pub(super) fn not_seen(first: Error, landing: Error) -> Error {
+    match landing.into_kind() {
+        // That the status is not known says so.
+        ErrorKind::RestNotSeen { after, .. } if !matches!(first.kind(), ErrorKind::StatusUnknown { .. }) => {
+            ErrorKind::RestNotSeen { first: Some(first), after }.into()
+        }
+        ErrorKind::RestNotSeen { .. } => first,
+        // A controller that has refused one follows none.
+        ErrorKind::Refused { .. } if first.is_refused() => first,
+        landing => ErrorKind::NotLanded { first, landing: landing.into() }.into(),
+    }
+}

@@ -1,0 +1,373 @@
+//! A session in servo mode.
+
+use crate::error::Attach as _;
+use jaka_sync::layer::ClientParts as _;
+use std::cell::Cell;
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::Command;
+use jaka_proto::messages::servo::{ServoJ, ServoP};
+use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_proto::recording::MotionStep;
+
+use super::ServoConfig;
+use super::course::Course;
+use super::pace::{Cycle, Pace};
+#[cfg(feature = "realtime")]
+use super::realtime::RealtimePriority;
+use super::session_end::SessionEnd;
+use super::set_point::{SetPoint, Step};
+use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
+use jaka_sync::layer::Stopwatch;
+use jaka_sync::layer::{Answers, Gate};
+
+/// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
+/// counted, not waited for.
+///
+/// Each call sends one set-point in the next cycle. [`land`](Self::land) brakes the arm, leaves servo mode and reports; dropping the
+/// session does the same without a report, also while a panic unwinds.
+///
+/// # Entering
+/// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
+/// been waited for, while servo mode is on already, and where the controller acknowledges servo mode and does not enter
+/// it; with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] where the status is stale,
+/// missing or unreadable, with [`ErrorKind::InvalidOption`] for a [`ServoConfig`] with a value that it does not take,
+/// and as [`Client::call`](crate::Client::call). If something fails after servo mode was asked for, it is left again;
+/// [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
+///
+/// # Set-points
+/// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be
+/// faster than 180 deg/s, and [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with
+/// each other. The first step is from standstill. A set-point that is late by a period or more delays all later ones,
+/// and none is skipped. From poses to absolute joint positions there is no way without limits, since it is not known
+/// how far it is. [`ServoConfig::unchecked`] turns these checks off.
+///
+/// # Late set-points
+/// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due.
+/// No source says what an arm does then; three periods are ours. If each joint was slower than its acceleration limit
+/// times one period, the arm is taken to stand: the session goes on, and the step is compared with standstill.
+/// Otherwise the session ends with [`ErrorKind::SetPointLate`], sends no set-points that brake, since the motion that
+/// they would brake is over, and holds the last one. [`report`](Self::report) has the lateness. On a machine that does
+/// other work, give the thread `ServoConfig::realtime_priority`.
+///
+/// # Landing
+/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
+/// before a missing one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing, whatever ends it: the call that
+/// fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known. The arm is braked straight on, all
+/// joints in proportion, with the acceleration of [`ServoConfig`] or, if the robot has limits, of these. Then the last set-point is held until
+/// status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A stop of the program's own brakes, and
+/// then sends `stop_program`.
+///
+/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. What an arm does that
+/// is at speed then, or whose program is killed, is not known from any source.
+///
+/// # A link that stalls
+/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and the call fails with
+/// [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second, the connection is reset, which discards the
+/// set-points that the system has not sent, and the error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken
+/// already may still move the arm: at most the set-points that were unanswered.
+///
+/// ```no_run
+/// # use jaka_robot::{Robot, ServoConfig};
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// let mut session = robot.enter_servo_mode(&ServoConfig::new())?;
+/// for _ in 0..125 {
+///     session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
+/// }
+/// let report = session.land()?.report;
+/// println!("{} set-points, 99 % within {:?}", report.cycles, report.lateness(0.99));
+/// # Ok::<(), jaka_robot::Error>(())
+/// ```
+#[must_use = "dropping a session ends it; `land` does so, too, and reports"]
+pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
+    pub(crate) robot: &'r mut Robot<S>,
+    pub(super) config: ServoConfig,
+    pub(super) pace: Pace,
+    /// The last set-points: what the next one is compared with, and from which the arm is braked.
+    pub(super) course: Course,
+    pub(crate) report: Report,
+    /// Rest of the arm at its last set-point, before servo mode is left.
+    pub(crate) rest: Rest,
+    /// Time since servo mode was entered.
+    pub(super) since: Stopwatch,
+    pub(super) refusal: Option<Error>,
+    /// Cycle that has begun, while its set-point has not gone out.
+    pub(super) begun: Option<Cycle>,
+    /// True while servo mode is to be left.
+    pub(super) is_open: bool,
+    /// Why no more set-points go out, if so.
+    pub(super) ended: Option<SessionEnd>,
+    /// That of this thread, until the session ends.
+    #[cfg(feature = "realtime")]
+    pub(super) priority: Option<RealtimePriority>,
+}
+
+impl<S: MotionStatus> ServoSession<'_, S> {
+    /// The time of the next set-point: the periods of those before it.
+    pub fn time(&self) -> Duration {
+        self.pace.time()
+    }
+
+    /// Report of the session so far; the whole one once the session has ended.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Waits for the next cycle and sends a set-point for all joints.
+    ///
+    /// # Errors
+    /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the controller refused: it follows no
+    /// more set-points then, those that brake included; [`ErrorKind::ServoModeNotLeft`] if
+    /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
+    /// - [`InvalidArgument`](jaka_sync::ErrorKind::InvalidArgument): a joint would have to be too fast, or to become so too soon. The set-point was not sent.
+    /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
+    /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was
+    ///   not sent, and nothing braked the arm.
+    /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
+    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop. [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
+    /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
+    /// - [`ErrorKind::SessionEnded`]: the session had ended before.
+    pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
+        self.send(SetPoint::Joints(target.into()))
+    }
+
+    /// Waits for the next cycle and sends a set-point by an offset of all joints from the one before.
+    ///
+    /// # Errors
+    /// As [`send_joints`](Self::send_joints).
+    pub fn send_joint_offset(&mut self, offset: impl Into<JointPosition>) -> Result<(), Error> {
+        self.send(SetPoint::JointOffset(offset.into()))
+    }
+
+    /// Waits for the next cycle and sends a set-point for the tool centre point.
+    ///
+    /// The speeds of the joints that follow from it are the controller's to check, unless the robot has limits. It is compared with the
+    /// set-point before if that is a pose, too, or the first, and the robot has no limits.
+    ///
+    /// # Errors
+    /// As [`send_joints`](Self::send_joints).
+    pub fn send_pose(&mut self, target: impl Into<Pose>) -> Result<(), Error> {
+        self.send(SetPoint::Pose(target.into()))
+    }
+
+    /// Waits for the next cycle and sends a set-point by an offset of the tool centre point.
+    ///
+    /// No source says along which axes it goes, so a robot with limits refuses it.
+    ///
+    /// # Errors
+    /// As [`send_joints`](Self::send_joints).
+    pub fn send_pose_offset(&mut self, offset: impl Into<Pose>) -> Result<(), Error> {
+        self.send(SetPoint::PoseOffset(offset.into()))
+    }
+
+    /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns, until it
+    /// returns `Break`.
+    ///
+    /// The time is that of the set-points, [`time`](Self::time), not of the clock: a late cycle delays a motion that is a function of it.
+    ///
+    /// # Errors
+    /// As [`send_joints`](Self::send_joints).
+    pub fn run<B>(
+        &mut self,
+        mut next: impl FnMut(Duration, Option<&Snapshot<S>>) -> ControlFlow<B, JointPosition>,
+    ) -> Result<B, Error> {
+        loop {
+            let status: Option<Arc<Snapshot<S>>> = self.robot.monitor().last_known_packet();
+            match next(self.time(), status.as_deref()) {
+                ControlFlow::Continue(target) => self.send_joints(target)?,
+                ControlFlow::Break(end) => return Ok(end),
+            }
+        }
+    }
+
+    /// Sends a set-point in the next cycle, or ends the session.
+    fn send(&mut self, set_point: SetPoint) -> Result<(), Error> {
+        if let Some(end) = self.ended.clone() {
+            return Err(end.into_error());
+        }
+        let sent = self.wait_for_cycle().and_then(|_| {
+            let joints = self.check(&set_point)?;
+            self.send_checked(set_point, joints, Duration::MAX)
+        });
+        sent.map_err(|error| self.end(error))
+    }
+
+    /// Counts a set-point that went out so late, and the gap before it unless its cycle has begun after one.
+    fn went_out(&mut self, late: Duration, begun: Option<Cycle>) {
+        let period = self.config.period();
+        if late >= self.config.gap() && begun.is_none_or(|cycle| cycle.late < self.config.gap()) {
+            self.count_gap(late);
+        }
+        self.report.late(late, period);
+        if late >= period && late < self.config.gap() {
+            let text = || format!("a set-point is {late:.1?} late");
+            self.robot.client().link().record_motion(MotionStep::Late, text);
+        }
+    }
+
+    /// Counts a gap before a set-point that is so late.
+    pub(super) fn count_gap(&mut self, late: Duration) {
+        self.report.gap(late);
+        let text = || format!("a set-point is {late:.1?} late: the controller had none when several were due");
+        self.robot.client().link().record_motion(MotionStep::Gap, text);
+    }
+
+    /// Waits for the next cycle, and returns its lateness. Fails after a gap in the middle of a motion.
+    pub(super) fn wait_for_cycle(&mut self) -> Result<Duration, Error> {
+        let cycle = self.pace.wait();
+        let late = cycle.late;
+        self.begun = Some(cycle);
+        if late < self.config.gap() {
+            return Ok(late);
+        }
+        let may_go_on = self.stands_within_a_period();
+        self.course.paused();
+        self.count_gap(late);
+        if may_go_on {
+            return Ok(late);
+        }
+        // A stop may have come meanwhile, and says more.
+        self.robot.gate()().and(Err(ErrorKind::SetPointLate { late }.into()))
+    }
+
+    /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm
+    /// without a set-point is taken to stand.
+    fn stands_within_a_period(&self) -> bool {
+        let rates = &self.config.rates;
+        let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
+        !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
+    }
+
+    /// Where the joints are at the set-point, if that is known.
+    fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
+        let period = self.config.period();
+        // Limits say more of a pose: what the joints do.
+        if !(set_point.is_pose() && self.robot.refuses_beyond_limits()) {
+            let step = self.course.step_to(set_point);
+            let before = step.as_ref().and_then(|step| self.course.last_step(step));
+            match (step, before) {
+                (Some(step), Some(before)) => self.config.rates.check(&step, &before, period)?,
+                // Only where the pose at the start is not known.
+                _ if !self.course.has_begun() => {}
+                _ => self.config.rates.check_unknown(set_point)?,
+            }
+        }
+        let (before, joints) = (self.course.last_joints(), self.course.joints_at(set_point));
+        match *set_point {
+            SetPoint::Joints(_) | SetPoint::JointOffset(_) => self.robot.check_joints(before, joints, period),
+            SetPoint::Pose(target) => self.robot.check_pose(before, Some(target), period),
+            SetPoint::PoseOffset(_) => self.robot.check_pose(before, None, period),
+        }
+    }
+
+    /// Sends a set-point that has been checked, unless it is later than `most`, or follows a gap and the arm moves or
+    /// cannot begin with it.
+    pub(super) fn send_checked(
+        &mut self,
+        set_point: SetPoint,
+        joints: Option<JointPosition>,
+        most: Duration,
+    ) -> Result<(), Error> {
+        // After the wait: a stop may have come meanwhile.
+        self.take_answers(ServoJ::INFO.name)?;
+        if let Some(refusal) = self.refusal.take() {
+            return Err(refusal);
+        }
+        self.robot.latch.check()?;
+        self.check_unanswered()?;
+        let (gate, begun) = (self.robot.gate(), self.begun);
+        let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };
+        let late = self.post(&set_point, &gate, most)?;
+        self.course.sent(set_point, joints);
+        self.went_out(late, begun);
+        self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
+        Ok(())
+    }
+
+    /// True if an arm that stands at the last set-point can go on with this one.
+    fn can_begin_with(&self, next: &SetPoint, joints: Option<JointPosition>) -> bool {
+        let in_joints = self.course.last_joints().zip(joints);
+        let step = in_joints.map(|([_, last], joints)| Step::between_joints(last, joints));
+        let step = step.or_else(|| self.course.step_to(next));
+        step.is_none_or(|step| self.config.rates.check(&step, &step.scaled(0.0), self.config.period()).is_ok())
+    }
+
+    /// Greatest lateness that is not a gap.
+    fn most_without_gap(&self) -> Duration {
+        self.config.gap().saturating_sub(Duration::from_nanos(1))
+    }
+
+    /// Sends the set-point of the cycle that has begun, and returns its lateness: that at the gate, since the thread may
+    /// be held up until the moment of the write. Fails for one later than `most`, and for one that follows a gap in the
+    /// middle of a motion.
+    pub(super) fn post(
+        &mut self,
+        set_point: &SetPoint,
+        gate: &dyn Fn() -> Result<(), Error>,
+        most: Duration,
+    ) -> Result<Duration, Error> {
+        let (steps, clock) = (self.config.step_count.into(), self.robot.clock().clone());
+        let gap = if self.stands_within_a_period() { Duration::MAX } else { self.config.gap() };
+        let (client, begun, lateness) = (self.robot.client(), self.begun, Cell::new(Duration::ZERO));
+        let gate = || {
+            gate()?;
+            let late = begun.map_or(Duration::ZERO, |cycle| clock.elapsed(cycle.due));
+            lateness.set(late);
+            if late > most || late >= gap { Err(ErrorKind::SetPointLate { late }.into()) } else { Ok(()) }
+        };
+        let gate: Gate<'_, Error> = Some(&gate);
+        let outstanding = match *set_point {
+            SetPoint::Joints(target) => client.post(gate, &[ServoJ::absolute(target).step_count(steps)]),
+            SetPoint::JointOffset(offset) => client.post(gate, &[ServoJ::relative(offset).step_count(steps)]),
+            SetPoint::Pose(target) => client.post(gate, &[ServoP::absolute(target).step_count(steps)]),
+            SetPoint::PoseOffset(offset) => client.post(gate, &[ServoP::relative(offset).step_count(steps)]),
+        }?;
+        let late = lateness.get();
+        if let Some(cycle) = self.begun.take() {
+            self.pace.went_out(cycle, late);
+        }
+        self.report.most_outstanding = self.report.most_outstanding.max(outstanding);
+        Ok(late)
+    }
+
+    /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
+    pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
+        let link = self.robot.client().link();
+        let count = link.outstanding();
+        if count < self.config.most_unanswered() {
+            return Ok(());
+        }
+        let oldest = link.oldest_posted().unwrap_or_default();
+        Err(link.attach(ErrorKind::SetPointsUnanswered { count, oldest }.into()))
+    }
+
+    pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
+        let (answers, checked) = self.robot.client().link().drain(command);
+        self.count(answers);
+        Ok(checked?)
+    }
+
+    pub(super) fn count(&mut self, answers: Answers) {
+        self.report.accepted += answers.accepted;
+        for error in answers.failed {
+            if matches!(error.kind(), jaka_sync::ErrorKind::ReplyLost { .. }) {
+                // Whether the controller took it is not known.
+                self.course.lost();
+                self.report.unanswered += 1;
+            } else {
+                self.report.refused += 1;
+                self.refusal.get_or_insert(error.into());
+            }
+        }
+    }
+}
+
+impl<S: MotionStatus> fmt::Debug for ServoSession<'_, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ServoSession").field("config", &self.config).field("time", &self.time()).finish_non_exhaustive()
+    }
+}

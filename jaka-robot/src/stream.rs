@@ -1,0 +1,198 @@
+//! Smooth motions to targets and velocities that any thread gives at any time.
+
+mod cycle;
+mod handle;
+mod target;
+
+use std::marker::PhantomData;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_motion::Dynamics;
+use jaka_proto::messages::status::RobotStatus;
+
+pub use self::handle::StreamHandle;
+#[cfg(doc)]
+use crate::ErrorKind;
+use crate::error::OptionName;
+use crate::robot::SetPointGuard;
+use crate::servo_session::check_at_least;
+use crate::servo_thread::ServoThread;
+use crate::{End, Error, Guard, MotionStatus, Robot, ServoConfig};
+
+/// How a [`Stream`] runs.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use = "a configuration does nothing until a stream is begun with it"]
+pub struct StreamConfig {
+    servo: ServoConfig,
+    dynamics: Option<Dynamics>,
+    max_departure_deg: f64,
+    max_gap: Duration,
+}
+
+impl Default for StreamConfig {
+    fn default() -> Self {
+        Self { servo: ServoConfig::new(), dynamics: None, max_departure_deg: 5.0, max_gap: Duration::from_millis(100) }
+    }
+}
+
+impl StreamConfig {
+    /// The defaults: a set-point each 8 ms, and the speeds and accelerations of the robot's limits.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets how the servo session runs in which set-points go out: their period, the filter, how long entering may take, and more. What it says
+    /// of speeds and accelerations does not matter, since set-points are generated within those of the stream.
+    pub fn servo(mut self, servo: ServoConfig) -> Self {
+        self.servo = servo;
+        self
+    }
+
+    /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks with which a joint reaches its acceleration
+    /// in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the limits are an [`ErrorKind::InvalidOption`].
+    pub fn dynamics(mut self, dynamics: Dynamics) -> Self {
+        self.dynamics = Some(dynamics);
+        self
+    }
+
+    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the
+    /// stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no number, is an
+    /// [`ErrorKind::InvalidOption`].
+    pub fn max_departure(mut self, degrees: f64) -> Self {
+        self.max_departure_deg = degrees;
+        self
+    }
+
+    /// Sets how late a set-point may be while the arm is slow: 100 ms by default. Beyond that the stream ends with
+    /// [`ErrorKind::SetPointLate`]. In the middle of a motion it ends so after three periods
+    /// ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from standstill.
+    pub fn max_gap(mut self, time: Duration) -> Self {
+        self.max_gap = time;
+        self
+    }
+
+    /// Name of one of its options.
+    const fn option(name: &'static str) -> OptionName {
+        OptionName::new("StreamConfig", name)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_at_least(Self::option("max_departure"), self.max_departure_deg, "deg")
+    }
+}
+
+/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`].
+///
+/// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of [`StreamConfig::dynamics`] and the robot's
+/// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
+///
+/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known,
+/// joints that do not follow their set-points. After a set-point that is three periods late at speed nothing brakes.
+/// What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm is braked within the jerks, too.
+/// If this thread is held up, the stream goes on: a velocity ends after the time for which it was given.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_robot::jaka_motion::{Limits, Model};
+/// use jaka_robot::{Robot, StreamConfig};
+///
+/// let arm = Model::named("Zu 5").expect("a published arm");
+/// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm))?;
+/// let stream = robot.stream(&StreamConfig::new())?;
+/// let start = stream.joints();
+/// stream.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;
+/// stream.wait_for_rest(Duration::from_secs(10))?;
+/// stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 10.0], Duration::from_millis(500))?;
+/// let end = stream.land()?;
+/// println!("{} set-points", end.report.cycles);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use = "dropping a stream ends it; `land` does so, too, and reports"]
+#[derive(Debug)]
+pub struct Stream<'r, S: MotionStatus = RobotStatus> {
+    handle: StreamHandle,
+    thread: ServoThread<Result<End, Error>>,
+    robot: PhantomData<&'r mut Robot<S>>,
+}
+
+/// Streams need the feature `stream`.
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
+    ///
+    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    ///
+    /// # Errors
+    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
+    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
+    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
+        self.begin_stream(config, None)
+    }
+
+    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes
+    /// goes out in the next servo period after the packet.
+    ///
+    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
+    /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
+    ///
+    /// # Errors
+    /// As [`stream`](Self::stream). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
+    /// period).
+    pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
+        let armed = self.arm_for_set_points(&guard.into())?;
+        self.begin_stream(config, Some(armed))
+    }
+
+    fn begin_stream(&mut self, config: &StreamConfig, guard: Option<SetPointGuard>) -> Result<Stream<'_, S>, Error> {
+        config.check()?;
+        let config = config.clone();
+        let work = move |robot: &mut Robot<S>, begun: &_| cycle::run(robot, &config, guard.as_ref(), begun);
+        let (thread, (targets, generator)) = ServoThread::start("jaka stream", self.lent(), work)?;
+        let handle = StreamHandle { targets, desk: Arc::new(generator) };
+        Ok(Stream { handle, thread, robot: PhantomData })
+    }
+}
+
+impl<S: MotionStatus> Stream<'_, S> {
+    /// A handle for another thread, which gives targets, too.
+    pub fn handle(&self) -> StreamHandle {
+        self.handle.clone()
+    }
+
+    /// Brakes the arm, holds it until the status shows it at rest, and leaves servo mode.
+    ///
+    /// # Errors
+    /// As [`ServoSession::land`](crate::ServoSession::land); or the error with which the stream has ended before.
+    pub fn land(mut self) -> Result<End, Error> {
+        self.handle.targets.land();
+        self.thread.join()?
+    }
+}
+
+/// What the handle does, the stream does, too.
+impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
+    type Target = StreamHandle;
+
+    fn deref(&self) -> &StreamHandle {
+        &self.handle
+    }
+}
+
+impl<S: MotionStatus> Drop for Stream<'_, S> {
+    fn drop(&mut self) {
+        if self.thread.was_awaited {
+            return;
+        }
+        self.handle.targets.land();
+        if let Err(error) = self.thread.join().and_then(|ended| ended) {
+            log::warn!(target: "jaka_robot", "the stream that was dropped did not end at rest: {error}");
+        }
+    }
+}

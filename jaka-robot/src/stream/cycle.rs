@@ -1,0 +1,120 @@
+//! The cycle's own thread.
+
+use std::sync::Arc;
+
+use jaka_motion::{Dynamics, Generator, Goal, Step};
+use jaka_proto::messages::types::JointPosition;
+
+use super::StreamConfig;
+use super::target::{Order, Targets};
+use crate::robot::SetPointGuard;
+use crate::servo_session::{
+    Course, LagFit, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
+};
+use crate::servo_thread::{Begun, OnDrop};
+use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession};
+
+/// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.
+pub(super) fn run<S: MotionStatus>(
+    robot: &mut Robot<S>,
+    config: &StreamConfig,
+    guard: Option<&SetPointGuard>,
+    begun: &Begun<(Arc<Targets>, Generator)>,
+) -> Option<Result<End, Error>> {
+    // The caller has the error from here, and not from the thread.
+    let refused = |error: Error| {
+        begun.send(Err(error));
+        None
+    };
+    let clock = robot.clock().clone();
+    let timeout = config.servo.enter_timeout;
+    let check = |robot: &mut Robot<S>| {
+        check_shows_joints(robot, timeout)?;
+        guard.map_or(Ok(()), SetPointGuard::check_before_start)
+    };
+    let mut session = match ServoSession::enter(robot, &config.servo, check) {
+        Ok(session) => session,
+        Err(error) => return refused(error),
+    };
+    let mut generator = match generator_at_start(&session, config, guard) {
+        Ok(generator) => generator,
+        Err(error) => return refused(session.end_by(error, &mut |_| None)),
+    };
+    let targets = Arc::new(Targets::new(generator.joints(), &clock));
+    // Ends the stream for its handles, also where this thread panics.
+    let _ends = OnDrop(|| targets.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
+    begun.send(Ok((Arc::clone(&targets), generator.clone())));
+    let (start, period) = (generator.joints(), config.servo.period());
+    let lag = guard.filter(|guard| guard.has_force_limits()).map(|_| LagFit::new(clock.now(), start, period));
+    let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
+    let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
+    let ended = session.send_all(&mut led, &mut supervision);
+    if let Err(error) = &ended {
+        targets.land_because(SessionEnd::of(error));
+    }
+    let rest = &mut |course: &Course| {
+        targets.landing(course.joints());
+        (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints))
+    };
+    let result = match ended {
+        Ok(()) => session.land_by(rest, &supervision).map(|()| session.landed()),
+        Err(error) => Err(session.end_by(error, rest)),
+    };
+    if let Some(joints) = session.last_joints() {
+        targets.landed(joints);
+    }
+    targets.end(result.as_ref().map_or_else(SessionEnd::of, |_| SessionEnd::new(Cause::Landed, "it has landed")));
+    Some(result)
+}
+
+fn generator_at_start<S: MotionStatus>(
+    session: &ServoSession<'_, S>,
+    config: &StreamConfig,
+    guard: Option<&SetPointGuard>,
+) -> Result<Generator, Error> {
+    let (checker, start) = session.checker_and_start().ok_or_else(no_limits)?;
+    let dynamics = config.dynamics.unwrap_or_else(|| Dynamics::of(checker.limits()));
+    generator(checker, (dynamics, StreamConfig::option("dynamics")), start, config.servo.period().as_secs_f64(), guard)
+}
+
+/// What the generator makes of the orders of the handles.
+struct Led<'s> {
+    generator: &'s mut Generator,
+    targets: &'s Targets,
+    /// None before the first one.
+    order: Option<Order>,
+    /// The last goal, and the set-point on the way to it.
+    last: Option<(Goal, Step)>,
+}
+
+/// How far from its target a joint may be that has reached it, in degrees.
+const THERE_DEG: f64 = 1e-4;
+
+impl SetPoints for Led<'_> {
+    fn is_done(&mut self) -> bool {
+        self.targets.is_landing()
+    }
+
+    fn next(&mut self) -> JointPosition {
+        self.order = self.targets.order().or(self.order);
+        let goal = self.order.map_or(Goal::Rest, |order| self.targets.goal(&order));
+        let step = self.generator.next(&goal);
+        let joints = step.joints;
+        self.last = Some((goal, step));
+        joints
+    }
+
+    fn paused(&mut self) {
+        self.generator.paused();
+    }
+
+    fn take_back(&mut self) {
+        self.generator.take_back();
+    }
+
+    fn sent(&mut self) {
+        let (Some(order), Some((goal, step))) = (&self.order, self.last.take()) else { return };
+        let is_there = !matches!(goal, Goal::Joints(target) if target.max_distance(&step.joints) > THERE_DEG);
+        self.targets.sent(step, order, is_there && self.generator.is_at_rest());
+    }
+}

@@ -1,0 +1,253 @@
+//! Parts of this crate for a layer above it, such as one that waits for motions. **Not covered by semantic versioning.**
+//!
+//! A layer sends through a [`Gate`], which keeps commands back at the last moment, posts commands whose replies nobody waits
+//! for in particular, polls for the reply to a question, watches the packets of a [`Monitor`], and attaches the last
+//! messages of a connection to its own errors. The traits give access to these parts of the types of this crate.
+//!
+//! A thread that holds a lock of its layer must not use a connection, unless the lock is taken before that of the
+//! connection (`Link`). A gate runs under the lock of the connection.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::wire::DecodeError;
+use jaka_proto::{Command, CommandInfo};
+
+#[cfg(doc)]
+use crate::Config;
+pub use crate::address::names_a_port;
+pub use crate::clock::{Clock, Place, Stopwatch};
+pub use crate::disconnect::is_text_line;
+pub use crate::exchanges::show as show_exchanges;
+pub use crate::link::{Answers, Gate, Link, SendError, Sent, unexpected};
+pub use crate::monitor::{Waker, describe};
+pub use crate::motion_status::told;
+pub use crate::stop::WrittenStop;
+pub use crate::sync::{Watched, lock};
+use crate::{Client, Disconnect, Error, ErrorKind, Monitor, Snapshot, StatusProblem, StopHandle};
+
+/// Failure that an [`Error`] tells of, as a closed choice: each kind is one of these.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Failure {
+    /// The request is wrong, or the firmware does not have it. Nothing was sent.
+    NotSent,
+    /// No connection could be made.
+    NotConnected,
+    /// The controller refused.
+    Refused,
+    /// A reply does not fit the spec.
+    UnfitReply,
+    /// No reply came in time, or the command could not be sent in time.
+    Unanswered,
+    /// This side reset the connection, because set-points had no reply.
+    Reset,
+    /// The command connection is broken.
+    CommandsLost,
+    /// The status connection is broken, or no packets come that can be read.
+    StatusLost,
+    /// Packets came, but none that shows the state that was waited for.
+    NotInState,
+}
+
+impl Failure {
+    /// Failure that an error tells of.
+    pub fn of(error: &Error) -> Self {
+        match error.kind() {
+            ErrorKind::InvalidArgument(_) | ErrorKind::NotInFirmware(_) => Self::NotSent,
+            ErrorKind::Connect { .. } => Self::NotConnected,
+            ErrorKind::Refused { .. } => Self::Refused,
+            ErrorKind::Timeout { .. } | ErrorKind::NotSentInTime { .. } | ErrorKind::ReplyLost { .. } => {
+                Self::Unanswered
+            }
+            ErrorKind::UnexpectedReply { .. } => Self::UnfitReply,
+            ErrorKind::Disconnected { cause, .. } if matches!(**cause, Disconnect::Reset { .. }) => Self::Reset,
+            ErrorKind::Disconnected { command: Some(_), .. } => Self::CommandsLost,
+            ErrorKind::Disconnected { command: None, .. }
+            | ErrorKind::StatusUnknown { .. }
+            | ErrorKind::StatusTimeout { .. }
+            | ErrorKind::UnexpectedStatus { .. } => Self::StatusLost,
+            ErrorKind::StateTimeout { .. } => Self::NotInState,
+        }
+    }
+}
+
+/// Loss of the status that a [`StatusProblem`] tells of, as a closed choice: each problem is one of these.
+#[derive(Debug, Clone)]
+pub enum StatusLoss {
+    /// No packet comes, or none that counts.
+    Silence,
+    /// Packets come that cannot be read.
+    Unreadable(DecodeError),
+    /// The status connection has ended for good.
+    Ended(Arc<Disconnect>),
+}
+
+impl From<StatusProblem> for StatusLoss {
+    fn from(problem: StatusProblem) -> Self {
+        match problem {
+            StatusProblem::Ended { cause } => Self::Ended(cause),
+            StatusProblem::Unreadable { source } => Self::Unreadable(source),
+            StatusProblem::Missing { .. }
+            | StatusProblem::Stale { .. }
+            | StatusProblem::Resuming
+            | StatusProblem::Reconnecting => Self::Silence,
+        }
+    }
+}
+
+/// Parts of a [`Client`].
+pub trait ClientParts: Sized {
+    /// Connection of the client.
+    fn link(&self) -> &Arc<Link>;
+
+    /// Another client of the same connection, for a thread that this one outlives.
+    #[must_use]
+    fn lent(&self) -> Self;
+
+    /// Timeout for the reply to a command.
+    fn timeout_of(&self, info: &CommandInfo) -> Duration;
+
+    /// Sends a command unless the gate keeps it back, and waits for its reply.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn call_through<C: Command, R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        command: &C,
+        timeout: Duration,
+    ) -> Result<C::Reply, SendError<R>>;
+
+    /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>>;
+}
+
+impl ClientParts for Client {
+    fn link(&self) -> &Arc<Link> {
+        &self.link
+    }
+
+    fn lent(&self) -> Self {
+        Client::lent(self)
+    }
+
+    fn timeout_of(&self, info: &CommandInfo) -> Duration {
+        Client::timeout_of(self, info)
+    }
+
+    fn call_through<C: Command, R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        command: &C,
+        timeout: Duration,
+    ) -> Result<C::Reply, SendError<R>> {
+        Client::call_through(self, gate, command, timeout)
+    }
+
+    fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
+        Client::post(self, gate, commands)
+    }
+}
+
+/// Parts of a [`Monitor`].
+pub trait MonitorParts<S> {
+    /// Clock of the monitor.
+    fn clock(&self) -> &Clock;
+
+    /// Age from which a packet is stale: [`Config::stale_after`].
+    fn stale_after(&self) -> Duration;
+
+    /// Newest packet, if the connection is there and the packet is fresh.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem>;
+
+    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something; none
+    /// after `timeout`.
+    ///
+    /// # Errors
+    /// The connection has ended.
+    fn watch<T>(
+        &self,
+        timeout: Duration,
+        find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
+    ) -> Result<Option<T>, Error>;
+
+    /// Waker of the threads in [`watch`](Self::watch).
+    fn waker(&self) -> Waker;
+
+    /// Observes each packet before all observers of the program's own.
+    fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static);
+}
+
+impl<S: Send + Sync + 'static> MonitorParts<S> for Monitor<S> {
+    fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
+    fn stale_after(&self) -> Duration {
+        self.stale_after
+    }
+
+    fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
+        Monitor::fresh_packet(self)
+    }
+
+    fn watch<T>(
+        &self,
+        timeout: Duration,
+        find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
+    ) -> Result<Option<T>, Error> {
+        Monitor::watch(self, timeout, find)
+    }
+
+    fn waker(&self) -> Waker {
+        Monitor::waker(self)
+    }
+
+    fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
+        Monitor::observe_first(self, call);
+    }
+}
+
+/// Parts of a [`StopHandle`].
+pub trait StopParts {
+    /// Writes the stop.
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`].
+    fn write(&self) -> Result<WrittenStop, Error>;
+
+    /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
+    fn write_now(&self) -> Option<WrittenStop>;
+
+    /// Waits until the controller has accepted a stop that was written.
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`].
+    fn wait(&self, written: &WrittenStop) -> Result<(), Error>;
+}
+
+impl StopParts for StopHandle {
+    fn write(&self) -> Result<WrittenStop, Error> {
+        StopHandle::write(self)
+    }
+
+    fn write_now(&self) -> Option<WrittenStop> {
+        StopHandle::write_now(self)
+    }
+
+    fn wait(&self, written: &WrittenStop) -> Result<(), Error> {
+        StopHandle::wait(self, written)
+    }
+}
+
+/// Phrase about what may be behind the end of a command connection, for the text of an error.
+pub fn seat_hint(cause: &Disconnect) -> &'static str {
+    cause.seat_hint()
+}
