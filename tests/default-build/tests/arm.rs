@@ -3,9 +3,9 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_sim::{Controller, Delays};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{Cause, Config, Robot, ServoConfig};
+use jaka_sim::{Controller, Delays};
 
 /// Timeout for what must happen, however busy the machine is.
 const LONG: Duration = Duration::from_secs(60);
