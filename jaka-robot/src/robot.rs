@@ -22,7 +22,6 @@ mod vigil;
 mod wait;
 mod watch;
 
-use jaka_sync::layer::{ClientParts as _, Clock, MonitorParts as _, names_a_port};
 use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
@@ -30,6 +29,7 @@ use std::time::Duration;
 use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::{ClientParts as _, Clock, MonitorParts as _, names_a_port};
 
 use self::batch::{Batch, Begin, Frames};
 pub(crate) use self::guard::Armed;

@@ -4,10 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 use std::{mem, thread};
 
+use jaka_sync::layer::{Clock, Watched};
+
 use crate::servo_session::SessionEnd;
 use crate::{Cause, Error, ErrorKind, MotionStatus, Robot};
-use jaka_sync::layer::Clock;
-use jaka_sync::layer::Watched;
 
 /// A thread that has a lent robot. Who waits for it waits in the clock's time.
 #[derive(Debug)]

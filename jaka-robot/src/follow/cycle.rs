@@ -1,12 +1,12 @@
 //! The run's own thread.
 
-use jaka_sync::layer::ClientParts as _;
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::{ClientParts as _, Clock};
 
 use super::approach::Approach;
 use super::orders::Orders;
@@ -15,7 +15,6 @@ use crate::robot::SetPointGuard;
 use crate::servo_session::{LagFit, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession, TrajectoryReport};
-use jaka_sync::layer::Clock;
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
 pub(super) fn run<S: MotionStatus>(

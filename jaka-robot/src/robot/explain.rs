@@ -1,14 +1,13 @@
 //! Why a command was refused.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::time::Duration;
 
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::{ErrorCode, Refusal};
+use jaka_sync::layer::{MonitorParts as _, told};
 
 use super::{MotionStatus, Robot};
 use crate::{Error, ErrorKind, Explanation};
-use jaka_sync::layer::told;
 
 /// How long the query may take that explains a refusal.
 const PATIENCE: Duration = Duration::from_secs(1);

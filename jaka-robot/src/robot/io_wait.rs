@@ -1,16 +1,17 @@
 //! Waits for inputs.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
+
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 
 use super::guard::Guard;
 use super::inputs::{AnalogCondition, InputCondition};
 use super::vigil::{self, Vigil};
 use super::{MotionStatus, Robot};
 use super::{SETTLING, trouble};
+use crate::error::Attach as _;
 use crate::{Cause, Error, ErrorKind, Occurrence, Snapshot, StatusProblem, TripReason};
 
 /// What happens to the robot during a wait. What was so before does not end it: a program may wait for the button that

@@ -1,14 +1,13 @@
 //! What keeps motions back until it has been acknowledged.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
+
+use jaka_sync::layer::{Clock, MonitorParts as _, lock};
 
 use super::stops::Stops;
 use super::{MotionStatus, trouble};
 use crate::{Cause, Error, ErrorKind, Monitor, Occurrence};
-use jaka_sync::layer::Clock;
-use jaka_sync::layer::lock;
 
 /// What keeps the motions of a robot back until it has been acknowledged: a stop that a packet has shown, a lost status, a packet that tells
 /// nothing because its own type has panicked, and stops of handles that no [`End`](crate::End) has reported.

@@ -3,16 +3,16 @@
 mod motion;
 mod set_points;
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::time::Duration;
 
 use jaka_motion::{Checker, Frames, Limits, Model, Tolerance};
 use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
 use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_sync::layer::ClientParts as _;
 
 use super::{MotionStatus, Robot};
+use crate::error::Attach as _;
 use crate::{Error, ErrorKind, Explanation, Unchecked};
 
 /// What happens to a motion or a set-point that is beyond a limit, or that cannot be checked.

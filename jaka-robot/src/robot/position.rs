@@ -4,8 +4,6 @@
 //! a second query of the same name after a timeout, it could be uncertain which of the two was answered; that would break the
 //! connection, on which a stop may have to go out.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::TypedReply;
@@ -13,13 +11,14 @@ use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos,
 use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
+use jaka_sync::layer::{ClientParts as _, Sent, unexpected};
 
 use super::SETTLING;
 use super::target::{Place, Quantity};
 use super::wait::QUERY_PERIOD;
 use super::{MotionStatus, Robot};
 use crate::Error;
-use jaka_sync::layer::{Sent, unexpected};
+use crate::error::Attach as _;
 
 /// A query whose answer has not been taken.
 #[derive(Debug)]

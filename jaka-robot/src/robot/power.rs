@@ -1,18 +1,17 @@
 //! Powering and enabling the arm, and the way back.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
+use jaka_sync::layer::{ClientParts as _, Clock, MonitorParts as _, Stopwatch, describe, told};
 
 use super::readiness::unknown;
 use super::stops::Stops;
 use super::{MotionStatus, Robot};
+use crate::error::Attach as _;
 use crate::{Error, ErrorKind, Explanation, StatusProblem};
-use jaka_sync::layer::{Clock, Stopwatch, describe, told};
 
 /// How often the state is asked for.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);

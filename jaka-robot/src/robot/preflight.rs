@@ -11,13 +11,13 @@ mod settings;
 use std::fmt::{self, Display};
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::{Client, Config, Error, Monitor};
 
 use self::arm::Expected;
 use self::commands::Commands;
 pub use self::finding::{CheckItem, Finding, Verdict};
 use self::packets::Count;
 use super::{MotionStatus, Robot};
-use jaka_sync::{Client, Config, Error, Monitor};
 
 /// What was found on a robot before it is used: see [`Robot::preflight`] and [`read_at`](Self::read_at).
 ///

@@ -1,11 +1,12 @@
 //! Whether the robot's state is known well enough to move it: an unknown state counts as a bad one.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
+
 use super::{MotionStatus, Robot, trouble};
+use crate::error::Attach as _;
 use crate::{Cause, Error, ErrorKind, Monitor, Snapshot, StatusProblem};
 
 impl<S: MotionStatus> Robot<S> {

@@ -1,12 +1,11 @@
 //! Motions under a guard.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
 use jaka_proto::CommandInfo;
+use jaka_sync::layer::{ClientParts as _, Watched};
 
 use super::guard::{Guard, longest_silence};
 use super::readiness::unknown;
@@ -14,8 +13,8 @@ use super::sentry::{Relieved, Sentry, Stopped, Why, lost};
 use super::stops::Sent;
 use super::{Motion, MotionStatus, Path, Robot};
 use crate::cause::Occurrence;
+use crate::error::Attach as _;
 use crate::{End, Error, ErrorKind, GuardTrip, NotGuarded, Report, Rest, TripReason};
-use jaka_sync::layer::Watched;
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);

@@ -3,12 +3,13 @@
 #[cfg(test)]
 mod tests;
 
-use jaka_sync::layer::{MonitorParts as _, StatusLoss, Waker};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
+
+use jaka_sync::layer::{MonitorParts as _, StatusLoss, Waker};
 
 use super::guard::Armed;
 use super::stops::Sent;

@@ -1,16 +1,13 @@
 //! Stops from other threads, and what they keep back.
 
-use jaka_sync::layer::StopParts as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use jaka_sync::layer::{Clock, StopParts as _, Waker, Watched, WrittenStop};
+
 use crate::{Cause, Error, Occurrence, StopHandle};
-use jaka_sync::layer::Clock;
-use jaka_sync::layer::Waker;
-use jaka_sync::layer::Watched;
-use jaka_sync::layer::WrittenStop;
 
 /// The stops that were asked for through handles, by their numbers from 1.
 #[derive(Debug)]

@@ -1,8 +1,9 @@
 //! Watching a guard and the status.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::sync::Arc;
 use std::time::Duration;
+
+use jaka_sync::layer::MonitorParts as _;
 
 use super::MotionStatus;
 use super::guard::Armed;

@@ -1,8 +1,9 @@
 //! Waiting for the end of a batch: packets, stops, and the controller's answers.
 
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 
 use super::position::Answer;
 use super::wait::Wait;

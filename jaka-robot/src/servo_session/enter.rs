@@ -1,16 +1,16 @@
 //! Into servo mode.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
+use jaka_sync::layer::ClientParts as _;
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
 use super::{MOST_STEPS, ServoConfig, ServoSession};
+use crate::error::Attach as _;
 use crate::{Error, ErrorKind, Explanation, MotionStatus, Report, Rest, Robot};
 
 impl<'r, S: MotionStatus> ServoSession<'r, S> {

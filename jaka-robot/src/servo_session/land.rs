@@ -1,10 +1,10 @@
 //! The landing: the arm is braked and held, so that it is at rest when servo mode is left.
 
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 
 use super::ServoSession;
 use super::braking::Braking;

@@ -2,11 +2,12 @@
 
 use std::time::Duration;
 
+use jaka_sync::layer::Clock;
+
 use super::ServoConfig;
 use super::enter::check_step_count;
 use super::pace::Pace;
 use crate::Error;
-use jaka_sync::layer::Clock;
 
 impl ServoConfig {
     /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each of them began. Sends

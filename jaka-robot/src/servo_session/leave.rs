@@ -1,7 +1,5 @@
 //! Out of servo mode, in each way in which a session can end.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::time::Duration;
 
 use jaka_proto::Command;
@@ -9,6 +7,7 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _, Sent};
 
 use super::ServoSession;
 #[cfg(feature = "stream")]
@@ -17,8 +16,8 @@ use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::session_end::SessionEnd;
+use crate::error::Attach as _;
 use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, MotionStatus, Report};
-use jaka_sync::layer::Sent;
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);

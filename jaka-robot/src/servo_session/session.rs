@@ -1,7 +1,5 @@
 //! A session in servo mode.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::cell::Cell;
 use std::fmt;
 use std::ops::ControlFlow;
@@ -13,6 +11,7 @@ use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Stopwatch};
 
 use super::ServoConfig;
 use super::course::Course;
@@ -21,9 +20,8 @@ use super::pace::{Cycle, Pace};
 use super::realtime::RealtimePriority;
 use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
+use crate::error::Attach as _;
 use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
-use jaka_sync::layer::Stopwatch;
-use jaka_sync::layer::{Answers, Gate};
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
 /// counted, not waited for.

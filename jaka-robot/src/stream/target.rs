@@ -5,11 +5,10 @@ use std::time::{Duration, Instant};
 
 use jaka_motion::{Bound, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
+use jaka_sync::layer::{Clock, Watched};
 
 use crate::Cause;
 use crate::servo_session::SessionEnd;
-use jaka_sync::layer::Clock;
-use jaka_sync::layer::Watched;
 
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]

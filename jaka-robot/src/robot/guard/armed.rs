@@ -1,6 +1,5 @@
 //! A guard that judges packets.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -8,6 +7,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
+use jaka_sync::layer::{MonitorParts as _, lock};
 
 use super::Guard;
 use super::condition::Judge;
@@ -15,7 +15,6 @@ use crate::robot::readiness::{fresh_status, unknown};
 use crate::robot::stops::Written;
 use crate::robot::{MotionStatus, RobotStop};
 use crate::{Error, ErrorKind, GuardTrip, Monitor, Robot, Snapshot, StatusProblem};
-use jaka_sync::layer::lock;
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it, and never
 /// waits for a judgement.

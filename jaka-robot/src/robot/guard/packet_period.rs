@@ -1,7 +1,8 @@
 //! How often packets come, on which the speed under a limit of force depends.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::time::Duration;
+
+use jaka_sync::layer::MonitorParts as _;
 
 use crate::{MotionStatus, Robot};
 

@@ -1,14 +1,14 @@
 //! A guard of set-points, which is asked in each cycle.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 use std::time::Duration;
 
 use jaka_motion::{Checker, Follower, Generator};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
+use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 
 use super::{Armed, ForceLimit, Guard};
+use crate::error::Attach as _;
 use crate::robot::readiness::{fresh_status, unknown};
 use crate::{
     Error, ErrorKind, GuardTrip, LagBeyondReaction, Monitor, MotionStatus, NotGuarded, Robot, StatusProblem, TripReason,

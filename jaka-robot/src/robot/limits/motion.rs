@@ -1,14 +1,14 @@
 //! A motion, checked on its whole way.
 
-use crate::error::Attach as _;
-use jaka_sync::layer::ClientParts as _;
 use std::time::Duration;
 
 use jaka_motion::{Beyond, JointPace, TcpPace};
 use jaka_proto::CommandInfo;
 use jaka_proto::messages::kinematics::KineInverse;
 use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_sync::layer::ClientParts as _;
 
+use crate::error::Attach as _;
 use crate::robot::batch::Begin;
 use crate::robot::target::{Place, Quantity};
 use crate::{Error, ErrorKind, Motion, MotionStatus, Path, Robot, Target, Unchecked};

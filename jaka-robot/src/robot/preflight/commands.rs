@@ -2,12 +2,11 @@
 
 use jaka_proto::messages::power::{GetVersion, GetVersionReply};
 use jaka_proto::{Command, FirmwareVersion};
-use jaka_sync::layer::ClientParts as _;
+use jaka_sync::layer::{ClientParts as _, Clock};
+use jaka_sync::{Client, Error};
 
 use super::finding::{CheckItem, Finding, Judgement, either};
 use super::ports;
-use jaka_sync::layer::Clock;
-use jaka_sync::{Client, Error};
 
 /// The oldest firmware of which there is a capture.
 const OLDEST: FirmwareVersion = FirmwareVersion::new([1, 5, 14]);

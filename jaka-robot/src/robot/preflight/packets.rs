@@ -1,16 +1,15 @@
 //! What status packets tell, and how they come.
 
-use jaka_sync::layer::MonitorParts as _;
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::{MonitorParts as _, Stopwatch};
+use jaka_sync::{Error, Monitor, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 use super::finding::{CheckItem, Finding, Judgement};
 use super::ports;
 use crate::robot::MotionStatus;
-use jaka_sync::layer::Stopwatch;
-use jaka_sync::{Error, Monitor, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 /// How long packets are counted.
 const WINDOW: Duration = Duration::from_secs(1);

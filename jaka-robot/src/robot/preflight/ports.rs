@@ -3,9 +3,10 @@
 use std::error::Error as StdError;
 use std::io;
 
-use super::finding::Judgement;
 use jaka_sync::layer::is_text_line;
 use jaka_sync::{Disconnect, Error, ErrorCode, ErrorKind};
+
+use super::finding::Judgement;
 
 const REMOTE_CONTROL: &str = "grant remote control at the pendant: the controller may be in local mode";
 const ANOTHER_CLIENT: &str =
