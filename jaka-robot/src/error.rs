@@ -20,7 +20,7 @@ use crate::Cause;
 #[cfg(feature = "stream")]
 use crate::cause::Occurrence;
 
-/// Why a call failed: an [`ErrorKind`], and the last messages of the connection where they are recorded.
+/// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
 /// Two questions matter after an error: may the command have run ([`may_have_run`](Self::may_have_run)), and can the
 /// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent twice on its own.
@@ -54,12 +54,12 @@ struct Inner {
 }
 
 impl Error {
-    /// What went wrong.
+    /// Kind of the error.
     pub fn kind(&self) -> &ErrorKind {
         &self.0.kind
     }
 
-    /// What went wrong, without the last messages.
+    /// Kind of the error, without the last messages.
     pub fn into_kind(self) -> ErrorKind {
         self.0.kind
     }
@@ -77,8 +77,8 @@ impl Error {
 
     /// True if the controller may have carried out the command although the call failed.
     ///
-    /// Where a call sends several commands, as [`Robot::power_up`](crate::Robot::power_up) does, this is about the one that failed: those
-    /// before it were carried out.
+    /// A call that sends several commands, such as [`Robot::power_up`](crate::Robot::power_up), tells of the one that
+    /// failed: those before it were carried out.
     pub fn may_have_run(&self) -> bool {
         self.kind().meaning().1
     }
@@ -119,7 +119,8 @@ impl Error {
         if let ErrorKind::Refused { refusal, .. } = self.kind() { Some(refusal) } else { None }
     }
 
-    /// The last eight messages of the connection on which the call failed, oldest first: sent and received, with their times.
+    /// Last eight messages of the connection on which the call failed, oldest first: sent and received, with their
+    /// times.
     ///
     /// Empty where nothing is recorded ([`Config::recorder`](crate::Config::recorder)), and for errors that concern no
     /// connection. The alternate form of the error, `{:#}`, shows them below its text.
@@ -161,7 +162,7 @@ impl Error {
         &mut self.0.kind
     }
 
-    /// The same error, with the last messages of its connection.
+    /// Attaches the last messages of the connection.
     pub(crate) fn with_exchanges(mut self, exchanges: impl Into<Box<[Entry]>>) -> Self {
         self.0.exchanges = exchanges.into();
         self
@@ -200,15 +201,8 @@ impl From<ErrorKind> for Error {
 /// A refusal is [`ErrorKind::Refused`], whatever it concerns; all else is [`ErrorKind::Connection`].
 impl From<jaka_sync::Error> for Error {
     fn from(error: jaka_sync::Error) -> Self {
-        if !error.is_refused() {
-            return ErrorKind::Connection(error).into();
-        }
-        match error.into_parts() {
-            (jaka_sync::ErrorKind::Refused { refusal }, exchanges) => {
-                Self::from(ErrorKind::Refused { refusal, explanation: None }).with_exchanges(exchanges)
-            }
-            (kind, _) => ErrorKind::Connection(kind.into()).into(),
-        }
+        let Some(refusal) = error.refusal().cloned() else { return ErrorKind::Connection(error).into() };
+        Self::from(ErrorKind::Refused { refusal, explanation: None }).with_exchanges(error.exchanges())
     }
 }
 
@@ -236,7 +230,7 @@ impl From<SendError<Error>> for Error {
 
 /// Errors with the last messages of a connection.
 pub(crate) trait Attach {
-    /// The same error, with the last messages where they are recorded.
+    /// Attaches the last messages of the connection, where they are recorded.
     fn attach(&self, error: Error) -> Error;
 }
 

@@ -39,7 +39,7 @@ impl Clock {
     }
 
     /// Time since an instant of the system; by a simulated clock, since that clock was made.
-    pub fn elapsed_since_start(&self, started: Instant) -> Duration {
+    pub(crate) fn elapsed_since_start(&self, started: Instant) -> Duration {
         self.0.as_ref().map_or_else(|| started.elapsed(), SimulatedClock::elapsed)
     }
 
@@ -81,7 +81,7 @@ impl Clock {
     }
 
     /// The place of a thread that will be started, and serves others.
-    pub fn servant(&self) -> Place {
+    pub(crate) fn servant(&self) -> Place {
         Place(self.0.as_ref().map(SimulatedClock::servant))
     }
 

@@ -76,7 +76,7 @@ impl Disconnect {
     }
 
     /// True if the controller has ended the connection, in order or not.
-    pub fn is_by_controller(&self) -> bool {
+    pub(crate) fn is_by_controller(&self) -> bool {
         use io::ErrorKind::{BrokenPipe, ConnectionAborted, ConnectionReset};
         match self {
             Self::Closed { .. } => true,

@@ -42,7 +42,7 @@ struct Inner {
 }
 
 jaka_proto::worded! {
-    /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
+    /// Kinds of errors, told apart by what the caller can do about them: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
@@ -56,11 +56,11 @@ jaka_proto::worded! {
         ///
         /// A controller may refuse a second client of its command port, which serves one.
         Connect {
-            /// The address given, with the port.
+            /// Address that was given, with the port.
             address: String,
-            /// Which of the ports it was to be.
+            /// Port that it was to be.
             port: Port,
-            /// Why not, in the system's words.
+            /// Error of the system.
             source: io::Error,
         } => (cannot_connect(address, *port, source)),
         /// The controller refused the command, which did not run. The connection is fine.
@@ -74,15 +74,15 @@ jaka_proto::worded! {
         Timeout {
             /// `cmdName` of the command.
             command: String,
-            /// How long the call waited.
+            /// Time that the call waited.
             after: Duration,
         } => "no reply to `{command}` within {after:?}; it may have run",
-        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending. It did not run, and
-        /// the connection can still be used.
+        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending. It
+        /// did not run, and the connection can still be used.
         NotSentInTime {
             /// `cmdName` of the command.
             command: String,
-            /// How long the call waited.
+            /// Time that the call waited.
             after: Duration,
         } => "`{command}` could not be sent within {after:?}; it did not run",
         /// A later command was answered, this one was not. The command may have run; the connection is fine.
@@ -90,33 +90,35 @@ jaka_proto::worded! {
             /// `cmdName` of the command.
             command: String,
         } => "`{command}` may have run, but its reply was lost: a later command was answered",
-        /// The reply is not a refusal, and does not fit the spec. The command has most likely run; the connection is fine.
+        /// The reply is not a refusal, and does not fit the spec. The command has most likely run; the connection is
+        /// fine.
         ///
         /// The raw reply is kept: see [`Client::last_reply`](crate::Client::last_reply).
         UnexpectedReply {
             /// `cmdName` of the command.
             command: String,
-            /// Which field does not fit.
+            /// Field that does not fit.
             source: DecodeError,
         } => "`{command}` was not refused, but its reply does not fit the spec",
-        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is known.
+        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is
+        /// known.
         Disconnected {
-            /// Where the connection led, with the port.
+            /// Address of the connection, with the port.
             address: String,
             /// `cmdName` of the command of this call; none for a status connection.
             command: Option<String>,
             /// True if the command had been sent, at least in part, and may have run.
             sent: bool,
-            /// What broke the connection.
+            /// Cause of the break.
             cause: Arc<Disconnect>,
         } => (disconnected(address, command.as_deref(), *sent, cause)),
         /// Status packets came, but none in time that shows the state that was waited for.
         StateTimeout {
-            /// How long the call waited.
+            /// Time that the call waited.
             after: Duration,
-            /// How many packets came meanwhile.
+            /// Number of packets that came meanwhile.
             packets: u64,
-            /// What the last one says about the arm; none for a type of the user's own.
+            /// State of the arm by the last packet; none for a type of the user's own.
             says: Option<String>,
         } => (not_in_state(*after, *packets, says.as_deref())),
         /// The state of the robot is unknown: packets have just resumed after a silence, and may be old.
@@ -126,36 +128,30 @@ jaka_proto::worded! {
         } => "the state of the robot is unknown: {problem}",
         /// No status packet came in time. The stream can still be used.
         StatusTimeout {
-            /// Where the packets were to come from, with the port.
+            /// Address from which the packets were to come, with the port.
             address: String,
-            /// How long the call waited.
+            /// Time that the call waited.
             after: Duration,
         } =>
             "no status packet from {address} within {after:?}; check that this is the status port, 10000, and that the controller has \
              started",
         /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
         UnexpectedStatus {
-            /// Which field does not fit.
+            /// Field that does not fit.
             source: DecodeError,
         } => "a status packet does not fit the spec",
     }
 }
 
 impl Error {
-    /// What went wrong.
+    /// Kind of the error.
     pub fn kind(&self) -> &ErrorKind {
         &self.0.kind
     }
 
-    /// What went wrong, without the last messages.
+    /// Kind of the error, without the last messages.
     pub fn into_kind(self) -> ErrorKind {
         self.0.kind
-    }
-
-    /// What went wrong, and the last messages.
-    #[doc(hidden)]
-    pub fn into_parts(self) -> (ErrorKind, Box<[Entry]>) {
-        (self.0.kind, self.0.exchanges)
     }
 
     /// True if the controller may have carried out the command although the call failed.
@@ -216,7 +212,8 @@ impl Error {
         if let ErrorKind::Refused { refusal } = self.kind() { Some(refusal) } else { None }
     }
 
-    /// The last eight messages of the connection on which the call failed, oldest first: sent and received, with their times.
+    /// Last eight messages of the connection on which the call failed, oldest first: sent and received, with their
+    /// times.
     ///
     /// Empty where nothing is recorded ([`Config::recorder`](crate::Config::recorder)), and for errors that concern no
     /// connection. The alternate form of the error, `{:#}`, shows them below its text.
@@ -224,7 +221,7 @@ impl Error {
         &self.0.exchanges
     }
 
-    /// The same error, with the last messages of its connection.
+    /// Attaches the last messages of the connection.
     pub(crate) fn with_exchanges(mut self, exchanges: Box<[Entry]>) -> Self {
         self.0.exchanges = exchanges;
         self

@@ -73,18 +73,19 @@ impl Failure {
 }
 
 /// Loss of the status that a [`StatusProblem`] tells of, as a closed choice: each problem is one of these.
-#[derive(Debug, Clone)]
-pub enum StatusLoss {
+#[derive(Debug, Clone, Copy)]
+pub enum StatusLoss<'p> {
     /// No packet comes, or none that counts.
     Silence,
     /// Packets come that cannot be read.
-    Unreadable(DecodeError),
+    Unreadable(&'p DecodeError),
     /// The status connection has ended for good.
-    Ended(Arc<Disconnect>),
+    Ended(&'p Arc<Disconnect>),
 }
 
-impl From<StatusProblem> for StatusLoss {
-    fn from(problem: StatusProblem) -> Self {
+impl<'p> StatusLoss<'p> {
+    /// Loss that a problem tells of.
+    pub fn of(problem: &'p StatusProblem) -> Self {
         match problem {
             StatusProblem::Ended { cause } => Self::Ended(cause),
             StatusProblem::Unreadable { source } => Self::Unreadable(source),

@@ -83,7 +83,7 @@ impl<T> Watched<T> {
     }
 
     /// How many threads wait.
-    pub fn sleepers(&self) -> usize {
+    pub(crate) fn sleepers(&self) -> usize {
         self.sleepers.load(Ordering::Relaxed)
     }
 }

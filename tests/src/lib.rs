@@ -27,6 +27,11 @@ pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
 pub use skipped::{left_out, skipped};
 
+/// Kind of the error of the connection, if a call of it failed.
+pub fn failure(error: &jaka_robot::Error) -> Option<&jaka_sync::ErrorKind> {
+    error.connection().map(jaka_sync::Error::kind)
+}
+
 /// The project's README, for its example to be compiled.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

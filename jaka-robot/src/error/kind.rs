@@ -371,21 +371,17 @@ impl ErrorKind {
 }
 
 impl Group {
+    /// Group that an error of the connection has by its own predicates.
     fn of_connection(error: &jaka_sync::Error) -> Self {
-        match Failure::of(error) {
-            _ if error.is_timeout() => Self::Timeout,
-            _ if error.is_disconnected() => Self::Disconnected,
-            _ if error.is_invalid_argument() => Self::InvalidArgument,
-            Failure::NotSent => Self::NotInFirmware,
-            Failure::NotConnected => Self::Connect,
-            Failure::Refused => Self::Refused,
-            Failure::UnfitReply
-            | Failure::Unanswered
-            | Failure::Reset
-            | Failure::CommandsLost
-            | Failure::StatusLost
-            | Failure::NotInState => Self::Other,
-        }
+        let groups = [
+            (error.is_invalid_argument(), Self::InvalidArgument),
+            (error.is_not_in_firmware(), Self::NotInFirmware),
+            (error.is_connect(), Self::Connect),
+            (error.is_refused(), Self::Refused),
+            (error.is_timeout(), Self::Timeout),
+            (error.is_disconnected(), Self::Disconnected),
+        ];
+        groups.into_iter().find_map(|(is_in, group)| is_in.then_some(group)).unwrap_or(Self::Other)
     }
 
     /// Group of an end by this cause.

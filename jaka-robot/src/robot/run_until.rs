@@ -158,7 +158,7 @@ impl<S: MotionStatus> Robot<S> {
                 end.error = rest.err();
             }
             Some(Why::Blind(problem)) => {
-                end.occurrence = lost(problem);
+                end.occurrence = lost(&problem);
                 self.latch.set(&end.occurrence);
             }
             None => {}

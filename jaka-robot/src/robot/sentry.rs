@@ -131,10 +131,10 @@ impl<S: MotionStatus> Drop for OnWatch<'_, S> {
 }
 
 /// How a motion ends whose status is not known any more.
-pub(super) fn lost(problem: StatusProblem) -> Occurrence {
-    match problem.into() {
-        StatusLoss::Ended(cause) => Occurrence::status_lost(Some(cause), None),
-        StatusLoss::Unreadable(source) => Occurrence::status_lost(None, Some(source)),
+pub(super) fn lost(problem: &StatusProblem) -> Occurrence {
+    match StatusLoss::of(problem) {
+        StatusLoss::Ended(cause) => Occurrence::status_lost(Some(Arc::clone(cause)), None),
+        StatusLoss::Unreadable(source) => Occurrence::status_lost(None, Some(source.clone())),
         StatusLoss::Silence => Occurrence::status_lost(None, None),
     }
 }

@@ -112,7 +112,7 @@ impl Braking {
 
     /// Commands pass, whatever the status port does.
     fn after_problem(problem: &StatusProblem) -> Self {
-        match problem.clone().into() {
+        match StatusLoss::of(problem) {
             StatusLoss::Silence | StatusLoss::Unreadable(_) | StatusLoss::Ended(_) => Self::Land,
         }
     }

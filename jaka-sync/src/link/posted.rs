@@ -76,7 +76,7 @@ impl Link {
     }
 
     /// True if nothing is outstanding, also nothing that was given up.
-    pub fn is_idle(&self) -> bool {
+    pub(crate) fn is_idle(&self) -> bool {
         self.state.lock().exchange.outstanding() == 0
     }
 

@@ -34,7 +34,7 @@ impl Findings {
 
 /// Counts what a call ended with.
 pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
-    let failure = |error: &Error| match error.connection().map(jaka_sync::Error::kind) {
+    let failure = |error: &Error| match crate::failure(error) {
         _ if error.is_refused() => "refused",
         Some(Failure::Timeout { .. }) => "timeouts",
         Some(Failure::ReplyLost { .. }) => "replies lost",

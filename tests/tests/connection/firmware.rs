@@ -5,10 +5,10 @@
 use std::time::Duration;
 
 use fan::{FanCommands as _, FanCurve, SetFan};
-use jaka_robot::jaka_sync::{self, ErrorKind as Failure};
+use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::{Cause, Client, Error, FirmwareVersion, Motion, NotInFirmware, Target};
 use jaka_sim::{Controller, Fault, Firmware};
-use jaka_tests::{Arm, ArmBuilder, LONG};
+use jaka_tests::{Arm, ArmBuilder, LONG, failure};
 use serde_json::json;
 
 jaka_robot::pack!("data/fan.toml");
@@ -44,7 +44,7 @@ fn says(controller: &Controller, version: &str) {
 
 fn missing<E: Into<Error>>(result: Result<(), E>) -> NotInFirmware {
     let error: Error = result.expect_err("the firmware does not have it").into();
-    match error.connection().map(jaka_sync::Error::kind) {
+    match failure(&error) {
         Some(Failure::NotInFirmware(missing)) => missing.clone(),
         _ => panic!("the firmware does not have it, not {error:?}"),
     }

@@ -10,8 +10,8 @@ use jaka_robot::payload::GetPayload;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{Client, Config, Error};
 use jaka_sim::SimulatedClock;
-use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
+use jaka_tests::{Arm, failure};
 
 use crate::link::LinkTrouble;
 use crate::model::{self, Expected};
@@ -267,7 +267,7 @@ impl<'t> Cell<'t> {
         assert!(took <= timeout.max(PATIENCE), "{self}: took {took:?}");
         let shown = format!("{result:?}");
         if let Err(error) = &result {
-            let failure = error.connection().map(jaka_sync::Error::kind);
+            let failure = failure(error);
             let is_timeout = matches!(failure, Some(Failure::Timeout { .. } | Failure::StatusTimeout { .. }));
             if is_timeout && self.kind == Kind::Entering {
                 assert!(took >= timeout, "{self}: {error} after {took:?}");

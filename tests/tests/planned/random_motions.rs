@@ -13,8 +13,8 @@ use jaka_robot::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_robot::types::{JointPosition, MoveMode, Pose};
 use jaka_robot::{Cause, Command, Error, ErrorKind, Robot, RobotStop, ServoConfig, ServoSession, StopHandle};
 use jaka_sim::{Delays, Habit, Port, State};
-use jaka_tests::Arm;
 use jaka_tests::simulated::{beside, until};
+use jaka_tests::{Arm, failure};
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -353,10 +353,7 @@ fn check_sent(rig: &mut Rig, started: &[Result<(), Error>], before: usize, what:
     if let Some(error) = failed {
         let allowed = matches!(error.kind(), ErrorKind::NotAcknowledged { .. } | ErrorKind::StatusUnknown { .. })
             || error.is_disconnected()
-            || error
-                .connection()
-                .map(jaka_sync::Error::kind)
-                .is_some_and(|kind| matches!(kind, Failure::Timeout { .. }));
+            || matches!(failure(error), Some(Failure::Timeout { .. }));
         assert!(allowed || error.is_refused(), "{what}: {error:?}");
         rig.tally.refused += 1;
         most += usize::from(error.may_have_run() || error.is_refused());

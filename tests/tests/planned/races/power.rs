@@ -83,6 +83,6 @@ fn powering_up_ends_at_its_deadline_and_not_with_the_next_query() {
     let mut robot = arm.robot();
     let (since, deadline) = (arm.clock().elapsed(), Duration::from_millis(250));
     let error = robot.power_up(deadline).expect_err("it takes seconds");
-    assert!(matches!(error.connection().map(jaka_sync::Error::kind), Some(Failure::StateTimeout { .. })), "{error:?}");
+    assert!(matches!(jaka_tests::failure(&error), Some(Failure::StateTimeout { .. })), "{error:?}");
     assert_eq!(arm.clock().elapsed().saturating_sub(since), deadline);
 }
