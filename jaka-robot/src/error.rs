@@ -98,8 +98,8 @@ impl Error {
         self.kind().meaning().0 == Group::Refused
     }
 
-    /// True if the spec forbids the request, or an option of this crate does not take its value. Nothing that moves the arm
-    /// was sent.
+    /// True if the spec forbids the request, or an option of this crate does not take its value. Nothing that moves the
+    /// arm was sent.
     pub fn is_invalid_argument(&self) -> bool {
         self.kind().meaning().0 == Group::InvalidArgument
     }

@@ -249,8 +249,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
     /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
-    /// packet shows a stop) and [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after `ErrorKind::BeyondLimit` and
-    /// `ErrorKind::NotChecked`.
+    /// packet shows a stop) and [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after
+    /// `ErrorKind::BeyondLimit` and `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         self.send(motion, self.client.timeout_of(M::INFO), None)
     }

@@ -128,8 +128,8 @@ impl Client {
         }
     }
 
-    /// Generic over the reason of the gate alone: a copy for each type of reply would be most of what this crate takes to
-    /// compile.
+    /// Generic over the reason of the gate alone: a copy for each type of reply would be most of what this crate takes
+    /// to compile.
     fn exchange<R>(
         &mut self,
         info: &'static CommandInfo,

@@ -77,8 +77,8 @@ jaka_proto::worded! {
             /// Time that the call waited.
             after: Duration,
         } => "no reply to `{command}` within {after:?}; it may have run",
-        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending. It
-        /// did not run, and the connection can still be used.
+        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending.
+        /// It did not run, and the connection can still be used.
         NotSentInTime {
             /// `cmdName` of the command.
             command: String,
@@ -100,8 +100,8 @@ jaka_proto::worded! {
             /// Field that does not fit.
             source: DecodeError,
         } => "`{command}` was not refused, but its reply does not fit the spec",
-        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state is
-        /// known.
+        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state
+        /// is known.
         Disconnected {
             /// Address of the connection, with the port.
             address: String,

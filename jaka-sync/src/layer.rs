@@ -1,8 +1,9 @@
-//! Parts of this crate for a layer above it, such as one that waits for motions. **Not covered by semantic versioning.**
+//! Parts of this crate for a layer above it, such as one that waits for motions. **Not covered by semantic
+//! versioning.**
 //!
-//! A layer sends through a [`Gate`], which keeps commands back at the last moment, posts commands whose replies nobody waits
-//! for in particular, polls for the reply to a question, watches the packets of a [`Monitor`], and attaches the last
-//! messages of a connection to its own errors. The traits give access to these parts of the types of this crate.
+//! A layer sends through a [`Gate`], which keeps commands back at the last moment, posts commands whose replies nobody
+//! waits for in particular, polls for the reply to a question, watches the packets of a [`Monitor`], and attaches the
+//! last messages of a connection to its own errors. The traits give access to these parts of the types of this crate.
 //!
 //! A thread that holds a lock of its layer must not use a connection, unless the lock is taken before that of the
 //! connection (`Link`). A gate runs under the lock of the connection.
@@ -168,8 +169,8 @@ pub trait MonitorParts<S> {
     /// The reason why there is none.
     fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem>;
 
-    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something; none
-    /// after `timeout`.
+    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something;
+    /// none after `timeout`.
     ///
     /// # Errors
     /// The connection has ended.

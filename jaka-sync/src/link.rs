@@ -179,8 +179,8 @@ impl Link {
         self.tap.motion(step, text);
     }
 
-    /// Records an error of this connection where no other entry shows it, and returns the last messages, oldest first; none
-    /// where nothing is recorded.
+    /// Records an error of this connection where no other entry shows it, and returns the last messages, oldest first;
+    /// none where nothing is recorded.
     pub fn note(&self, error: &(dyn StdError + 'static), is_shown: bool) -> Box<[Entry]> {
         self.tap.note(error, is_shown)
     }

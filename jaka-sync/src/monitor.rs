@@ -192,7 +192,8 @@ impl<S: 'static> Monitor<S> {
     /// Waits for the next packet that comes. A packet that [may be old](Snapshot::follows_silence) does not count.
     ///
     /// # Errors
-    /// After the reply timeout [`ErrorKind::StatusTimeout`] if none came, [`ErrorKind::StatusUnknown`] if all may be old;
+    /// After the reply timeout [`ErrorKind::StatusTimeout`] if none came, [`ErrorKind::StatusUnknown`] if all may be
+    /// old;
     /// [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn next_packet(&self) -> Result<Arc<Snapshot<S>>, Error> {
         let now = self.last_known_packet().map_or(0, |snapshot| snapshot.number);
@@ -207,7 +208,8 @@ impl<S: 'static> Monitor<S> {
     ///
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none,
-    /// [`ErrorKind::StatusUnknown`] if the newest may be old, [`ErrorKind::UnexpectedStatus`] if they could not be read,
+    /// [`ErrorKind::StatusUnknown`] if the newest may be old, [`ErrorKind::UnexpectedStatus`] if they could not be
+    /// read,
     /// [`ErrorKind::StatusTimeout`] if none came. [`ErrorKind::Disconnected`] if the connection has ended.
     pub fn wait_until(&self, wanted: impl Fn(&S) -> bool, timeout: Duration) -> Result<Arc<Snapshot<S>>, Error> {
         let fresh = self.stale_after;

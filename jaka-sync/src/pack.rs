@@ -4,7 +4,8 @@
 ///
 /// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of `newer.toml`
 /// comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait `NewerCommands`, whose
-/// methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that implements [`Call`](crate::Call).
+/// methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that implements
+/// [`Call`](crate::Call).
 /// An edit of the file rebuilds your crate, and what is wrong in it is a compiler error at the macro's path that names file, line
 /// and column.
 ///

@@ -19,8 +19,8 @@ jaka_proto::worded! {
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
-        /// A call of the connection failed: a command was not sent, refused by the spec, or not answered; a connection could not be
-        /// made, or broke; status packets did not come, or did not show what was waited for.
+        /// A call of the connection failed: a command was not sent, refused by the spec, or not answered; a connection
+        /// could not be made, or broke; status packets did not come, or did not show what was waited for.
         ///
         /// A command that the controller refused is [`Refused`](Self::Refused).
         Connection(error: jaka_sync::Error) => "{error}",

@@ -106,7 +106,8 @@ impl<S: MotionStatus> Robot<S> {
     ///   without this field passes: then only the controller refuses.
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
     ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
-    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last packet says.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_up_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
@@ -146,7 +147,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
-    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last packet says.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {

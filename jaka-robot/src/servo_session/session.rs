@@ -121,12 +121,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the controller refused: it follows no
     /// more set-points then, those that brake included; [`ErrorKind::ServoModeNotLeft`] if
     /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
-    /// - [`InvalidArgument`](jaka_sync::ErrorKind::InvalidArgument): a joint would have to be too fast, or to become so too soon. The set-point was not sent.
+    /// - [`InvalidArgument`](jaka_sync::ErrorKind::InvalidArgument): a joint would have to be too fast, or to become so
+    ///   too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
     /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was
     ///   not sent, and nothing braked the arm.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
-    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop. [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
+    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop.
+    ///   [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
     /// - [`ErrorKind::SessionEnded`]: the session had ended before.
     pub fn send_joints(&mut self, target: impl Into<JointPosition>) -> Result<(), Error> {
