@@ -1,8 +1,8 @@
 //! A velocity of the tool that is given again and again, and ends by itself when it is not.
 //!
 //! `cargo run --example velocity` runs against a simulated controller; with an address, against a robot, which should
-//! be a Zu 5. There it powers and enables the arm, which stays so, and moves the tool centre point up by some 20 mm, and
-//! down again; it asks before.
+//! be a Zu 5. There it powers and enables the arm, which stays so, and moves the tool centre point up by some 20 mm,
+//! and down again; it asks before.
 
 mod common;
 

@@ -75,7 +75,8 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// After `timeout` [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout), which tells what the last packet says of
     /// the input. At once [`ErrorKind::NotShown`] if a packet does not show the input, [`ErrorKind::WaitEnded`] if
-    /// packets stay away, come again after a silence, cannot be read, or their connection is lost, [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
+    /// packets stay away, come again after a silence, cannot be read, or their connection is lost,
+    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
     /// that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         self.wait_for(&condition.into(), timeout)
