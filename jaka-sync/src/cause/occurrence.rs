@@ -7,6 +7,7 @@ use std::sync::Arc;
 use jaka_proto::ControllerEvent;
 use jaka_proto::wire::DecodeError;
 
+use super::remedy::Remedy;
 use super::table::Cause;
 use super::trip::GuardTrip;
 use crate::Disconnect;
@@ -89,6 +90,16 @@ impl Occurrence {
         match &self.evidence {
             Evidence::Commands { cause, .. } | Evidence::Status { cause: Some(cause), .. } => cause.source(),
             Evidence::None | Evidence::Event { .. } | Evidence::Trip(_) | Evidence::Status { cause: None, .. } => None,
+        }
+    }
+
+    /// Remedy: that of the cause, or of the trip of a guard.
+    pub(crate) fn remedy(&self) -> Remedy {
+        match &self.evidence {
+            Evidence::Trip(trip) => trip.remedy(),
+            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
+                self.cause.remedy()
+            }
         }
     }
 

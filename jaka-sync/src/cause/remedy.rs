@@ -3,8 +3,8 @@
 use std::fmt;
 
 jaka_proto::worded! {
-    /// What somebody can do about a [`Cause`](crate::Cause), in the calls of this crate. A program that shows other
-    /// calls matches on it.
+    /// What somebody can do about a [`Cause`](crate::Cause) or an [`Error`](crate::Error), in the calls of this crate.
+    /// A program that shows other calls matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Remedy {
         /// Nothing has to be done.
@@ -31,13 +31,47 @@ jaka_proto::worded! {
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
         /// Check the network, and that the controller is on.
-        CheckNetwork => "check the network, and that the controller is on; the arm may still move",
+        CheckNetwork => "check the network, and that the controller is on",
         /// Give the thread a priority, or the machine less to do.
         UnloadMachine => "give the thread a priority (`ServoConfig::realtime_priority`), or the machine less to do",
         /// Find out what holds the arm.
         FindObstacle => "find out what holds the arm",
         /// Move the arm to the start of the trajectory, or ask for an approach.
         MoveToStart => "move the arm there first, or ask for an approach (`FollowConfig::approach`)",
+        /// Leave the port out of the address of a robot, or name both ports.
+        LeaveOutPort => "give its address without a port, or both addresses to `Robot::connect_at`",
+        /// Check that the controller is on, and that no other client holds the seat of its command port.
+        FreeSeat =>
+            "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat",
+        /// Check that the address is that of the status port, and that the controller has started.
+        CheckStatusPort => "check that this is the status port, 10000, and that the controller has started",
+        /// Connect to the status port again.
+        ConnectStatusAgain => "make a new `Robot`, or set `Config::reconnect`",
+        /// Wait for status packets.
+        WaitForPackets => "wait until more status packets have come",
+        /// Try again in a moment.
+        TryAgain => "try again in a moment",
+        /// Switch the force sensor on.
+        SwitchSensorOn => "switch the sensor on (`set_torque_sensor_mode`)",
+        /// Move more slowly.
+        MoveMoreSlowly => "move more slowly",
+        /// Move on a line or an arc towards a contact.
+        MoveOnLine => "move on a line or an arc towards a contact (`move_l`, `move_c`)",
+        /// Give the motion an acceleration.
+        GiveAcceleration => "give the motion an acceleration",
+        /// Wait for the end of all motions.
+        WaitForMotions => "wait for the end of all motions first",
+        /// Give an absolute target.
+        GiveAbsoluteTarget => "give an absolute target",
+        /// Give the robot limits.
+        GiveLimits => "give the robot limits with `Robot::with_limits`",
+        /// Give the limit of force a longer reaction.
+        LengthenReaction => "give the limit a reaction that is longer than the lag (`ForceLimit::reaction`)",
+        /// Allow the user, or the program, real-time priorities.
+        AllowRealtimePriority =>
+            "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
+             shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
+             container: `--cap-add SYS_NICE`)",
         /// The error or the end says it.
         SeeError => "see the error",
     }

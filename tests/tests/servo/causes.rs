@@ -195,9 +195,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
             let checker = Checker::new(follow::limits(), Frames::new());
             let trajectory = follow::trajectory(&follow::to_and_fro(), &checker).expect("within the limits");
             match robot.start_follow_until(&trajectory, &FollowConfig::new().servo(servo()), guard()) {
-                Ok(run) => {
-                    motion_end(run.wait())
-                }
+                Ok(run) => motion_end(run.wait()),
                 Err(error) => of(error),
             }
         }
