@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 
 use itertools::Itertools as _;
-use jaka_robot::{CauseGroup, Error, ErrorKind, Explanation, Refusal, Remedy};
+use jaka_robot::{Error, ErrorKind, Explanation, Refusal, Remedy, jaka_sync};
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
 
@@ -93,24 +93,18 @@ fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
 impl Failure {
     /// What to type, or to do, against the cause.
     pub(crate) fn hint(&self) -> Option<&'static str> {
-        let cause = match self {
-            Self::Refused { explanation: Some(explanation), .. } => explanation.cause(),
-            // Other errors say themselves what helps.
-            Self::Robot(error) if error.cause().group() == CauseGroup::Robot => error.cause(),
-            Self::Robot(error) => match error.kind() {
-                ErrorKind::NotAcknowledged { .. } | ErrorKind::NotReached { .. } => error.cause(),
-                _ => return None,
-            },
-            _ => return None,
-        };
-        verb(cause.remedy())
+        match self {
+            Self::Refused { explanation: Some(explanation), .. } => verb(explanation.cause().remedy()),
+            Self::Robot(error) => verb(error.remedy()),
+            _ => None,
+        }
     }
 }
 
 /// What this program offers for a remedy.
-fn verb(remedy: Remedy) -> Option<&'static str> {
+pub(crate) fn verb(remedy: Remedy) -> Option<&'static str> {
     Some(match remedy {
-        Remedy::None | Remedy::SeeError => return None,
+        Remedy::None | Remedy::SeeError | Remedy::Connection(jaka_sync::Remedy::None) => return None,
         Remedy::ReleaseEmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
         Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
         Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
@@ -121,10 +115,37 @@ fn verb(remedy: Remedy) -> Option<&'static str> {
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
         Remedy::LookAtArm => "look at the arm before it moves again",
         Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
-        Remedy::CheckNetwork => "check the network; `jaka stop` is worth a try: commands may still pass",
+        Remedy::Connection(jaka_sync::Remedy::CheckNetwork)
+        | Remedy::Connection(jaka_sync::Remedy::ConnectStatusAgain) => {
+            "check the network; `jaka stop` is worth a try: commands may still pass"
+        }
         Remedy::UnloadMachine => "`jaka jitter` shows how late this machine is, and what helps",
         Remedy::FindObstacle => "find out what holds the arm",
         Remedy::MoveToStart => "`--approach` moves the arm to the start first",
+        Remedy::LeaveOutPort => "leave out the port; `--command-port` and `--status-port` name other ones",
+        Remedy::Connection(jaka_sync::Remedy::FreeSeat) => {
+            "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat"
+        }
+        Remedy::Connection(jaka_sync::Remedy::CheckStatusPort) => {
+            "check that this is the status port, 10000, and that the controller has started"
+        }
+        Remedy::Connection(jaka_sync::Remedy::WaitForPackets) => {
+            "wait until more status packets have come: `jaka status --watch` shows them"
+        }
+        Remedy::Connection(jaka_sync::Remedy::TryAgain) => "try again in a moment",
+        Remedy::SwitchSensorOn => "switch the sensor on: `jaka call set_torque_sensor_mode`",
+        Remedy::MoveMoreSlowly => "move more slowly",
+        Remedy::MoveOnLine => "move on a line or an arc towards a contact",
+        Remedy::GiveAcceleration => "`--acceleration` gives the motion one",
+        Remedy::WaitForMotions => "wait for the end of all motions first: `jaka status --watch` shows it",
+        Remedy::GiveAbsoluteTarget => "give an absolute target",
+        Remedy::GiveLimits => "`--model` gives the robot limits",
+        Remedy::LengthenReaction => "give the limit a reaction that is longer than the lag",
+        Remedy::AllowRealtimePriority => {
+            "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
+             shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
+             container: `--cap-add SYS_NICE`)"
+        }
     })
 }
 
@@ -135,6 +156,13 @@ pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     } else {
         "the controller has not taken the stop; the arm may still move, use the emergency stop"
     }
+}
+
+/// Fact of an error of a library, which is the text of its kind, followed by the texts of its causes. Its own text has
+/// the library's remedy, too.
+pub(crate) fn fact(kind: &dyn fmt::Display, error: &dyn StdError) -> String {
+    let fact = kind.to_string();
+    error.source().map_or_else(|| fact.clone(), |source| format!("{fact}: {}", chain(source)))
 }
 
 /// An error's text, followed by those of its causes.

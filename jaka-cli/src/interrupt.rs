@@ -9,7 +9,7 @@ use std::{process, thread};
 
 use jaka_robot::{FollowHandle, RobotStop};
 
-use crate::failure::{Failure, chain, not_taken};
+use crate::failure::{Failure, fact, not_taken};
 use crate::{exit, logging, output, raw, record};
 
 /// Patience with a program that is about to end, where it ends with the same code.
@@ -160,7 +160,7 @@ fn stop_arm(stop: &RobotStop) {
         Ok(()) => output::urgent_note("interrupted: the controller has taken the stop (`stop_program`)"),
         Err(error) => end_with(
             exit::NOT_STOPPED,
-            &format!("interrupted, but {}: {}", not_taken(error.may_have_run()), chain(&error)),
+            &format!("interrupted, but {}: {}", not_taken(error.may_have_run()), fact(error.kind(), &error)),
         ),
     }
 }

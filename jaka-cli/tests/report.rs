@@ -279,7 +279,7 @@ fn ends_of_trajectories_and_of_landings_are_told() {
         let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
         session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("it is sent");
         arm.link(Port::Status).to_client().hold();
-        session.land().expect_err("no packet shows rest").to_string()
+        session.land().expect_err("no packet shows rest").kind().to_string()
     });
     let mut text = Writer::new();
     recording.write(&mut text);

@@ -85,7 +85,8 @@ fn nothing_comes_from_the_address() {
     let port = silent.local_addr().unwrap().port().to_string();
     let args = ["status", "-r", "127.0.0.1", "--status-port", &port, "--timeout", "0.2"];
     expect![[r#"
-        error: no status packet from 127.0.0.1:PORT within 200ms; check that this is the status port, 10000, and that the controller has started
+        error: no status packet from 127.0.0.1:PORT within 200ms
+        hint: check that this is the status port, 10000, and that the controller has started
         exit code Some(5)"#]]
     .assert_eq(&failure(&mut jaka(&args)).replace(&port, "PORT"));
 }

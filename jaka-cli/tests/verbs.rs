@@ -225,7 +225,8 @@ fn an_interrupt_of_up_keeps_further_steps_back() {
     interrupt(&child);
     let run = result(child);
     let text = "note: interrupted: no further step is sent\n\
-                error: interrupted; accepted before: power_on; not sent: enable_robot\n";
+                error: interrupted; accepted before: power_on; not sent: enable_robot\n\
+                hint: look at the arm before it moves again\n";
     assert_eq!((run.code, run.err.as_str()), (Some(4), text));
     assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
 }

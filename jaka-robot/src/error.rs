@@ -2,6 +2,7 @@
 
 mod end;
 mod kind;
+mod line;
 mod option_name;
 
 use std::error::Error as StdError;
@@ -16,9 +17,9 @@ pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
 pub(crate) use self::option_name::OptionName;
-use crate::Cause;
 #[cfg(feature = "stream")]
 use crate::cause::Occurrence;
+use crate::{Cause, Remedy};
 
 /// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -67,6 +68,19 @@ impl Error {
     /// Cause of the end of moving, or why moving is kept back: the same for an event in each way of moving.
     pub fn cause(&self) -> Cause {
         self.kind().cause()
+    }
+
+    /// Remedy: what somebody can do about it; [`Remedy::None`] where nothing is known to help.
+    pub fn remedy(&self) -> Remedy {
+        self.kind().remedy()
+    }
+
+    /// Remedy where the arm may have moved: that of the cause, unless the error has one of its own.
+    fn remedy_of_event(&self) -> Remedy {
+        match self.remedy() {
+            Remedy::None | Remedy::SeeError => self.cause().remedy(),
+            own => own,
+        }
     }
 
     /// Cause and the evidence for it.
@@ -147,17 +161,6 @@ impl Error {
         matches!(self.kind(), ErrorKind::GuardTripped { .. })
     }
 
-    /// Text in an end, which says itself that nothing more was sent.
-    fn in_end(&self) -> String {
-        match self.kind() {
-            ErrorKind::NotAcknowledged { occurrence } => occurrence.to_string(),
-            ErrorKind::NotReady { explanation } => explanation.to_string(),
-            ErrorKind::StatusUnknown { problem } => problem.to_string(),
-            ErrorKind::Refused { refusal, .. } => refusal.to_string(),
-            kind => kind.to_string(),
-        }
-    }
-
     pub(crate) fn kind_mut(&mut self) -> &mut ErrorKind {
         &mut self.0.kind
     }
@@ -181,7 +184,7 @@ impl fmt::Debug for Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
-        self.kind().remedy().append(f)?;
+        self.remedy().append(f)?;
         if f.alternate() { show_exchanges(self.exchanges(), f) } else { Ok(()) }
     }
 }

@@ -11,7 +11,7 @@ use jaka_proto::recording::{Entry, Port};
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
-use crate::{Disconnect, StatusProblem, exchanges};
+use crate::{Disconnect, Remedy, StatusProblem, exchanges};
 
 /// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -62,7 +62,7 @@ jaka_proto::worded! {
             port: Port,
             /// Error of the system.
             source: io::Error,
-        } => (cannot_connect(address, *port, source)),
+        } => "cannot connect to {address}",
         /// The controller refused the command, which did not run. The connection is fine.
         Refused {
             /// The controller's own words.
@@ -132,9 +132,7 @@ jaka_proto::worded! {
             address: String,
             /// Time that the call waited.
             after: Duration,
-        } =>
-            "no status packet from {address} within {after:?}; check that this is the status port, 10000, and that the controller has \
-             started",
+        } => "no status packet from {address} within {after:?}",
         /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
         UnexpectedStatus {
             /// Field that does not fit.
@@ -152,6 +150,32 @@ impl Error {
     /// Kind of the error, without the last messages.
     pub fn into_kind(self) -> ErrorKind {
         self.0.kind
+    }
+
+    /// Remedy: what somebody can do about it; [`Remedy::None`] where nothing is known to help.
+    pub fn remedy(&self) -> Remedy {
+        match self.kind() {
+            ErrorKind::Connect { port: Port::Command, source, .. }
+                if source.kind() == io::ErrorKind::ConnectionRefused =>
+            {
+                Remedy::FreeSeat
+            }
+            ErrorKind::StatusTimeout { .. } => Remedy::CheckStatusPort,
+            ErrorKind::StatusUnknown { problem } => problem.remedy(),
+            ErrorKind::Disconnected { command: None, cause, .. } if cause.is_by_controller() => Remedy::CheckNetwork,
+            // The fact says all that is known.
+            ErrorKind::InvalidArgument(_)
+            | ErrorKind::NotInFirmware(_)
+            | ErrorKind::Connect { .. }
+            | ErrorKind::Refused { .. }
+            | ErrorKind::Timeout { .. }
+            | ErrorKind::NotSentInTime { .. }
+            | ErrorKind::ReplyLost { .. }
+            | ErrorKind::UnexpectedReply { .. }
+            | ErrorKind::Disconnected { .. }
+            | ErrorKind::StateTimeout { .. }
+            | ErrorKind::UnexpectedStatus { .. } => Remedy::None,
+        }
     }
 
     /// True if the controller may have carried out the command although the call failed.
@@ -235,10 +259,12 @@ impl fmt::Debug for Error {
     }
 }
 
-/// One line of text. With `{:#}` the last messages stand below it, where they were recorded.
+/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`]. With `{:#}` the last
+/// messages stand below it, where they were recorded.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
+        self.remedy().append(f)?;
         if f.alternate() { exchanges::show(self.exchanges(), f) } else { Ok(()) }
     }
 }
@@ -289,22 +315,9 @@ impl From<NotSent> for Error {
     }
 }
 
-fn cannot_connect(address: &str, port: Port, source: &io::Error) -> String {
-    let is_refused = port == Port::Command && source.kind() == io::ErrorKind::ConnectionRefused;
-    let hint = if is_refused {
-        "; check that the controller is on, and that no other client, such as the vendor's app, holds its one seat"
-    } else {
-        ""
-    };
-    format!("cannot connect to {address}{hint}")
-}
-
 fn disconnected(address: &str, command: Option<&str>, sent: bool, cause: &Disconnect) -> String {
     let hint = cause.seat_hint();
     match command {
-        None if cause.is_by_controller() => {
-            format!("the status connection to {address} is broken; check the network, and that the controller is on")
-        }
         None => format!("the status connection to {address} is broken"),
         Some(command) if sent => {
             format!("the connection to {address} broke during `{command}`, which may have run{hint}")

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
-use crate::Disconnect;
+use crate::{Disconnect, Remedy};
 
 jaka_proto::worded! {
     /// Why the state of a robot is not known.
@@ -18,27 +18,41 @@ jaka_proto::worded! {
             /// Where it is connected to, with the port.
             address: String,
         } =>
-            "no status packet has come from {address}; check that this is the status port, 10000, and that the controller has started",
+            "no status packet has come from {address}",
         /// No status packet has come for longer than [`Config::stale_after`](crate::Config::stale_after).
         Stale {
             /// How long ago the last one came.
             age: Duration,
-        } => "the last status packet came {age:.1?} ago; check the network, and wait until packets come again",
+        } => "the last status packet came {age:.1?} ago",
         /// Packets have just resumed after a silence; the first may be old ones that the network had held back.
-        Resuming => "status packets have just resumed after a silence, and may be old; try again in a moment",
+        Resuming => "status packets have just resumed after a silence, and may be old",
         /// The status connection has ended for good.
         Ended {
             /// Why.
             cause: Arc<Disconnect>,
-        } => "the status connection has ended ({cause}); make a new `Robot`, or set `Config::reconnect`",
+        } => "the status connection has ended ({cause})",
         /// The status connection was lost, and the monitor is connecting again.
         Reconnecting =>
-            "the status connection was lost, and the monitor is reconnecting; wait until packets come again",
+            "the status connection was lost, and the monitor is reconnecting",
         /// The newest packet cannot be read, or does not show whether the arm is stopped.
         Unreadable {
             /// Which field, and why.
             source: DecodeError,
         } => "the newest status packet does not show whether the arm is stopped: {source}",
+    }
+}
+
+impl StatusProblem {
+    /// Remedy.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::Missing { .. } => Remedy::CheckStatusPort,
+            Self::Stale { .. } => Remedy::CheckNetwork,
+            Self::Resuming => Remedy::TryAgain,
+            Self::Ended { .. } => Remedy::ConnectStatusAgain,
+            Self::Reconnecting => Remedy::WaitForPackets,
+            Self::Unreadable { .. } => Remedy::None,
+        }
     }
 }
 

@@ -128,5 +128,5 @@ fn packets_that_stay_away_end_it() {
         arm.link(Port::Status).to_client().hold();
     };
     let run = jaka_beside(&arm, held, ["status", "--watch", "--fields", "enabled", "--format", "csv"]);
-    assert!(run.code != 0 && run.err.contains(" within 5s; check that this is the status port"), "{run:?}");
+    assert!(run.code != 0 && run.err.contains(" within 5s\nhint: check that this is the status port"), "{run:?}");
 }

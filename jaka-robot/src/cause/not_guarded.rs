@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::remedy::Remedy;
+
 jaka_proto::worded! {
     /// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not known.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,16 +61,31 @@ jaka_proto::worded! {
             time_s: f64,
         } =>
             "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a \
-             contact; follow it more slowly",
+             contact",
         /// The speed of the tool centre point does not follow from the motion: only that of a line or an arc does.
         SpeedUnknown =>
-            "the speed of the tool does not follow from it; move on a line or an arc towards a contact (`move_l`, `move_c`)",
+            "the speed of the tool does not follow from it",
         /// The motion does not say its acceleration, and the limit says nothing of the braking.
-        BrakingUnknown => "it does not say with which acceleration, from which the braking follows; give it one",
+        BrakingUnknown => "it does not say with which acceleration, from which the braking follows",
         /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count then.
-        Moving => "the arm must be at rest before, and no other motion may be waiting",
+        Moving => "the arm is not at rest, or another motion is waiting",
         /// Too few packets have come in time to know their period.
-        PeriodUnknown => "too few status packets have come to know their period; wait for more",
+        PeriodUnknown => "too few status packets have come to know their period",
+    }
+}
+
+impl NotGuarded {
+    /// Remedy.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::TooFast { .. } => Remedy::MoveMoreSlowly,
+            #[cfg(feature = "stream")]
+            Self::TooFastAlong { .. } | Self::CannotBrake { .. } => Remedy::MoveMoreSlowly,
+            Self::SpeedUnknown => Remedy::MoveOnLine,
+            Self::BrakingUnknown => Remedy::GiveAcceleration,
+            Self::Moving => Remedy::WaitForMotions,
+            Self::PeriodUnknown => jaka_sync::Remedy::WaitForPackets.into(),
+        }
     }
 }
 

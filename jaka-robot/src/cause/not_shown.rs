@@ -6,6 +6,7 @@ use std::error::Error as StdError;
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::wire::DecodeError;
 
+use super::remedy::Remedy;
 use crate::Snapshot;
 
 jaka_proto::worded! {
@@ -31,12 +32,22 @@ jaka_proto::worded! {
             count: usize,
         } => "`{field}` of the status packet has {count} elements",
         /// The force sensor does not report that it works: switch it on.
-        SensorOff => "the sensor does not report that it works; switch it on",
+        SensorOff => "the sensor does not report that it works",
         /// The force sensor reports an error.
         SensorError {
             /// Its code, as the controller writes it.
             code: String,
         } => "the sensor reports error {code}",
+    }
+}
+
+impl NotShown {
+    /// Remedy.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::SensorOff => Remedy::SwitchSensorOn,
+            Self::Absent { .. } | Self::Unfit { .. } | Self::TooShort { .. } | Self::SensorError { .. } => Remedy::None,
+        }
     }
 }
 

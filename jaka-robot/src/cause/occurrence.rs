@@ -8,6 +8,7 @@ use jaka_proto::ControllerEvent;
 use jaka_proto::wire::DecodeError;
 use jaka_sync::layer::seat_hint;
 
+use super::remedy::Remedy;
 use super::table::Cause;
 use super::trip::GuardTrip;
 use crate::Disconnect;
@@ -90,6 +91,16 @@ impl Occurrence {
         match &self.evidence {
             Evidence::Commands { cause, .. } | Evidence::Status { cause: Some(cause), .. } => cause.source(),
             Evidence::None | Evidence::Event { .. } | Evidence::Trip(_) | Evidence::Status { cause: None, .. } => None,
+        }
+    }
+
+    /// Remedy: that of the cause, or of the trip of a guard.
+    pub(crate) fn remedy(&self) -> Remedy {
+        match &self.evidence {
+            Evidence::Trip(trip) => trip.remedy(),
+            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
+                self.cause.remedy()
+            }
         }
     }
 

@@ -3,8 +3,8 @@
 use std::fmt;
 
 jaka_proto::worded! {
-    /// What somebody can do about a [`Cause`](crate::Cause), in the calls of this crate. A program that shows other
-    /// calls matches on it.
+    /// What somebody can do about a [`Cause`](crate::Cause) or an [`Error`](crate::Error), in the calls of this crate.
+    /// A program that shows other calls matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Remedy {
         /// Nothing has to be done.
@@ -30,14 +30,37 @@ jaka_proto::worded! {
         LookAtArm => "look at the arm, then call `acknowledge`",
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
-        /// Check the network, and that the controller is on.
-        CheckNetwork => "check the network, and that the controller is on; the arm may still move",
         /// Give the thread a priority, or the machine less to do.
         UnloadMachine => "give the thread a priority (`ServoConfig::realtime_priority`), or the machine less to do",
         /// Find out what holds the arm.
         FindObstacle => "find out what holds the arm",
         /// Move the arm to the start of the trajectory, or ask for an approach.
         MoveToStart => "move the arm there first, or ask for an approach (`FollowConfig::approach`)",
+        /// Leave the port out of the address of a robot, or name both ports.
+        LeaveOutPort => "give its address without a port, or both addresses to `Robot::connect_at`",
+        /// Switch the force sensor on.
+        SwitchSensorOn => "switch the sensor on (`set_torque_sensor_mode`)",
+        /// Move more slowly.
+        MoveMoreSlowly => "move more slowly",
+        /// Move on a line or an arc towards a contact.
+        MoveOnLine => "move on a line or an arc towards a contact (`move_l`, `move_c`)",
+        /// Give the motion an acceleration.
+        GiveAcceleration => "give the motion an acceleration",
+        /// Wait for the end of all motions.
+        WaitForMotions => "wait for the end of all motions first",
+        /// Give an absolute target.
+        GiveAbsoluteTarget => "give an absolute target",
+        /// Give the robot limits.
+        GiveLimits => "give the robot limits with `Robot::with_limits`",
+        /// Give the limit of force a longer reaction.
+        LengthenReaction => "give the limit a reaction that is longer than the lag (`ForceLimit::reaction`)",
+        /// Allow the user, or the program, real-time priorities.
+        AllowRealtimePriority =>
+            "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
+             shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
+             container: `--cap-add SYS_NICE`)",
+        /// That of the connection.
+        Connection(remedy: jaka_sync::Remedy) => "{remedy}",
         /// The error or the end says it.
         SeeError => "see the error",
     }
@@ -50,5 +73,11 @@ impl Remedy {
             Self::None | Self::SeeError => Ok(()),
             other => write!(f, "; {other}"),
         }
+    }
+}
+
+impl From<jaka_sync::Remedy> for Remedy {
+    fn from(remedy: jaka_sync::Remedy) -> Self {
+        if remedy == jaka_sync::Remedy::None { Self::None } else { Self::Connection(remedy) }
     }
 }

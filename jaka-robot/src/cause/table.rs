@@ -24,7 +24,7 @@ pub enum CauseGroup {
 /// Makes the enum of the rows: the variant, its name for programs, its group, its fact and its remedy. The order of the
 /// rows is the precedence.
 macro_rules! causes {
-    ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident,)+) => {
+    ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident $(($of_connection:ident))?,)+) => {
         /// Way in which moving has ended, or is kept back.
         ///
         /// The same event has the same cause in each way of moving: motions,
@@ -57,7 +57,7 @@ macro_rules! causes {
 
             /// Remedy: what somebody can do about it.
             pub fn remedy(self) -> Remedy {
-                match self { $(Self::$variant => Remedy::$remedy,)+ }
+                match self { $(Self::$variant => Remedy::$remedy $((jaka_sync::Remedy::$of_connection))?,)+ }
             }
 
             fn fact(self) -> &'static str {
@@ -93,9 +93,9 @@ causes! {
     /// This program or another client stopped it.
     Stopped "stopped" Ended "the motion was stopped before its target" LookAtArm,
     /// The controller does not answer commands.
-    Unanswered "unanswered" Connection "the controller does not answer" CheckNetwork,
+    Unanswered "unanswered" Connection "the controller does not answer" Connection(CheckNetwork),
     /// The state of the robot is unknown: no status packets come that can be read.
-    StatusLost "status_lost" Connection "the state of the robot is unknown" CheckNetwork,
+    StatusLost "status_lost" Connection "the state of the robot is unknown" Connection(CheckNetwork),
     /// Packets do not show what has to be known.
     NotShown "not_shown" Robot "status packets do not show what has to be known" SeeError,
     /// It has not ended in time.

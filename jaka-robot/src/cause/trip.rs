@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::not_shown::NotShown;
+use super::remedy::Remedy;
 use super::table::Cause;
 use crate::Snapshot;
 
@@ -53,13 +54,8 @@ impl fmt::Display for LagBeyondReaction {
         write!(
             f,
             "the arm lagged {at_least}{lag:?} behind its set-points, {perhaps}longer than the limit's reaction of \
-             {reaction:?}: the tool may have gone on for longer than the overtravel; "
-        )?;
-        if self.is_lower_bound {
-            write!(f, "give the limit a reaction of more than {:?}", lag.max(reaction))
-        } else {
-            write!(f, "give the limit a reaction of at least {lag:?}")
-        }
+             {reaction:?}: the tool may have gone on for longer than the overtravel"
+        )
     }
 }
 
@@ -82,6 +78,15 @@ impl GuardTrip {
             TripReason::Holds | TripReason::Panicked => Cause::Guard,
             TripReason::NotShown(_) if self.packet.unreadable().is_some() => Cause::StatusLost,
             TripReason::NotShown(_) => Cause::NotShown,
+        }
+    }
+
+    /// Remedy: against what kept the condition from being judged, or against a lag beyond the reaction.
+    pub fn remedy(&self) -> Remedy {
+        match (&self.reason, &self.lag) {
+            (TripReason::NotShown(reason), _) if self.cause() == Cause::NotShown => reason.remedy(),
+            (TripReason::Holds | TripReason::Panicked, Some(_)) => Remedy::LengthenReaction,
+            (TripReason::Holds | TripReason::Panicked, None) | (TripReason::NotShown(_), _) => self.cause().remedy(),
         }
     }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::Error;
+use super::line::{Line, STOP_NOT_ACCEPTED, with_fact};
 use crate::cause::Occurrence;
 use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, TripReason};
 
@@ -97,9 +98,17 @@ impl End {
         if may_move { Phase::MayStillMove } else { Phase::Ended }
     }
 
-    /// Remedy: what somebody can do about the cause; none where a stop was accepted because of it.
+    /// Remedy: what somebody can do about the cause; none where a stop was accepted because of it, except against what
+    /// kept the guard from being judged.
     pub fn remedy(&self) -> Remedy {
-        if let Some(Ok(())) = self.stop { Remedy::None } else { self.cause().remedy() }
+        let stop = self.stop.as_ref().and_then(|stop| stop.as_ref().err());
+        let leading = self.error.iter().chain(stop).min_by_key(|error| Error::cause(error));
+        match (leading, self.occurrence.remedy()) {
+            (Some(error), _) if error.cause() < self.occurrence.cause => error.remedy_of_event(),
+            (Some(error), Remedy::SeeError) => error.remedy_of_event(),
+            (_, remedy) if !matches!(self.stop, Some(Ok(()))) || self.trip().is_some() => remedy,
+            _ => Remedy::None,
+        }
     }
 
     /// `Ok` if the arm is where it was sent, and this as an error otherwise.
@@ -164,31 +173,19 @@ impl End {
         self.occurrence.source().or_else(|| self.error.as_ref().and_then(StdError::source))
     }
 
-    /// Writes the fact of a trajectory that ended by an error.
-    fn fmt_error(&self, error: &Error, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (cause, known) = (self.cause(), error.in_end());
-        if known.starts_with(&cause.to_string()) { f.write_str(&known) } else { write!(f, "{cause}: {known}") }
-    }
-
-    /// Writes the fact of a motion that the controller plans, and of the stop and the query for the position.
-    fn fmt_planned(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let cause = self.cause();
-        if self.occurrence.cause != cause {
-            write!(f, "{cause}: ")?;
+    /// Facts of a motion that the controller plans, and of the stop and the query for the position.
+    fn planned(&self) -> String {
+        let mut line = Line::of(self.occurrence.cause, self.occurrence.to_string());
+        line = match &self.stop {
+            Some(Ok(())) => line.followed_by("the arm was told to stop", None),
+            Some(Err(error)) => line.followed_by(STOP_NOT_ACCEPTED, Some(error)),
+            None if self.phase() == Phase::MayStillMove => line.followed_by("the arm may still move", None),
+            None => line,
+        };
+        if let Some(error) = &self.error {
+            line = line.followed_by("the query for its position failed", Some(error));
         }
-        write!(f, "{}", self.occurrence)?;
-        match &self.stop {
-            Some(Ok(())) => f.write_str("; the arm was told to stop")?,
-            Some(Err(error)) => {
-                write!(f, "; the stop that followed was not accepted, so the arm may still move: {error}")?;
-            }
-            None if self.phase() == Phase::MayStillMove => f.write_str("; the arm may still move")?,
-            None => {}
-        }
-        match &self.error {
-            Some(error) => write!(f, "; the query for its position failed: {error}"),
-            None => Ok(()),
-        }
+        line.into_text()
     }
 }
 
@@ -196,8 +193,10 @@ impl End {
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.error {
-            Some(error) if self.is_of_trajectory() => self.fmt_error(error, f)?,
-            _ => self.fmt_planned(f)?,
+            Some(error) if self.is_of_trajectory() => {
+                f.write_str(&with_fact(self.cause(), error.kind().event()))?;
+            }
+            _ => f.write_str(&self.planned())?,
         }
         #[cfg(feature = "stream")]
         if let Some(trajectory) = self.report.trajectory.as_ref().filter(|_| self.occurrence.cause != Cause::Reached) {

@@ -10,6 +10,7 @@ use jaka_sync::layer::{Failure, seat_hint};
 
 use super::Error;
 use super::end::{End, Phase};
+use super::line::{Line, STOP_NOT_ACCEPTED, Sequence, with_fact};
 #[cfg(feature = "stream")]
 use crate::Evidence;
 use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
@@ -23,7 +24,7 @@ jaka_proto::worded! {
         /// could not be made, or broke; status packets did not come, or did not show what was waited for.
         ///
         /// A command that the controller refused is [`Refused`](Self::Refused).
-        Connection(error: jaka_sync::Error) => "{error}",
+        Connection(error: jaka_sync::Error) => (error.kind().to_string()),
         /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent; correct
         /// the option.
         InvalidOption {
@@ -42,13 +43,12 @@ jaka_proto::worded! {
             /// The address given.
             address: String,
         } =>
-            "cannot connect to {address}: a robot has two ports, so give its address without a port, or both addresses to \
-             `Robot::connect_at`",
+            "cannot connect to {address}: the address has a port, but a robot has two",
         /// The controller refused the command, which did not run. The connection is fine.
         Refused {
             /// The controller's own words.
             refusal: Refusal,
-            /// Why, and what helps: for a motion of a [`Robot`](crate::Robot), where its status tells it.
+            /// Why: for a motion of a [`Robot`](crate::Robot), where its status tells it.
             explanation: Option<Explanation>,
         } => (refused(refusal, explanation.as_ref())),
         /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream or a trajectory of which packets do not show the joints any
@@ -56,14 +56,14 @@ jaka_proto::worded! {
         NotShown {
             /// What was asked, in words.
             what: String,
-            /// Why they do not show it, and what helps.
+            /// Why they do not show it.
             reason: NotShown,
         } => "it is not known whether {what}: {reason}",
         /// A wait for an input has ended, because the status is no longer known. Nothing was sent.
         WaitEnded {
             /// What was waited for, in words.
             what: String,
-            /// Why the status is not known, and what helps.
+            /// Why the status is not known.
             problem: StatusProblem,
         } => (wait_ended(what, problem)),
         /// A wait for an input has ended, because the robot has stopped meanwhile, or was stopped. Nothing was sent.
@@ -87,7 +87,7 @@ jaka_proto::worded! {
         NotGuarded {
             /// `cmdName` of the motion.
             command: String,
-            /// Why not, and what helps.
+            /// Why not.
             reason: NotGuarded,
         } => "`{command}` was not sent under a guard: {reason}",
         /// A motion, a landing or a trajectory has not ended as it was commanded: see [`End::reached`].
@@ -107,16 +107,16 @@ jaka_proto::worded! {
             first: Error,
             /// Why the stop was not accepted.
             stopping: Error,
-        } => "{first}; and the stop that followed was not accepted, so the arm may still move: {stopping}",
+        } => (Sequence::new(first, stopping).line(STOP_NOT_ACCEPTED)),
         /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
         /// program that must do without it, [`Robot::allow_motion_without_status`](crate::Robot::allow_motion_without_status).
         StatusUnknown {
-            /// Why it is not known, and what helps.
+            /// Why it is not known.
             problem: StatusProblem,
         } => "not sent, because the state of the robot is unknown: {problem}",
         /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
         NotReady {
-            /// Which state, and what helps.
+            /// Which state.
             explanation: Explanation,
         } => "the robot cannot do this now: {explanation}",
         /// A motion or a set-point was not sent, because it is beyond a limit of the robot.
@@ -130,7 +130,7 @@ jaka_proto::worded! {
         NotChecked {
             /// `cmdName` of the command.
             command: String,
-            /// Why not, and what helps.
+            /// Why not.
             reason: crate::Unchecked,
         } => "`{command}` was not sent, because it cannot be checked against the limits: {reason}",
         /// The limits are those of a model by which the controller does not compute its poses.
@@ -165,7 +165,8 @@ jaka_proto::worded! {
             /// How far that is from all its set-points of the last half second, in degrees.
             off_deg: f64,
         } =>
-            "joint {joint} does not follow its set-points: it is at {at_deg:.2} deg, {off_deg:.2} deg from all of the last half second",
+            "a joint does not follow its set-points: joint {joint} is at {at_deg:.2} deg, {off_deg:.2} deg from all of \
+             the last half second",
         /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too
         /// busy: it was not sent, and the session has ended without set-points that brake. Give the thread a priority
         /// (`ServoConfig::realtime_priority`), or the machine less to do.
@@ -201,6 +202,8 @@ jaka_proto::worded! {
             cause: Cause,
             /// Why it has ended.
             because: String,
+            /// Remedy for what has ended it.
+            remedy: Remedy,
         } => "not sent, because the servo session has ended: {because}",
         /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been acknowledged: see
         /// [`Robot::acknowledge`](crate::Robot::acknowledge).
@@ -223,7 +226,7 @@ jaka_proto::worded! {
             first: Option<Error>,
             /// Why servo mode could not be left.
             leaving: Error,
-        } => (not_left(first.as_ref(), leaving)),
+        } => (Sequence::new(first.as_ref(), leaving).line(not_left(leaving))),
         /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last set-point; servo mode was left. The arm
         /// may not have followed: look at it before you go on.
         RestNotSeen {
@@ -231,15 +234,14 @@ jaka_proto::worded! {
             first: Option<Error>,
             /// How long the last set-point was held.
             after: Duration,
-        } =>
-            (format!("{}no status packet has shown the arm at rest at its last set-point within {after:?}", and(first.as_ref()))),
+        } => (rest_not_seen(first.as_ref(), *after)),
         /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before you go on.
         NotLanded {
             /// What ended the session.
             first: Error,
             /// What ended the landing.
             landing: Error,
-        } => (not_landed(first, landing)),
+        } => (Sequence::new(first, landing).line("the arm was not braked to rest")),
     }
 }
 
@@ -275,16 +277,14 @@ impl ErrorKind {
             Self::WaitEnded { .. } | Self::StatusUnknown { .. } => Cause::StatusLost,
             Self::NotShown { .. } | Self::NotGuarded { .. } => Cause::NotShown,
             Self::GuardTripped { trip } => trip.cause(),
-            Self::NotStopped { first, stopping } => first.cause().min(stopping.cause()),
+            Self::NotStopped { first, stopping } => Sequence::new(first, stopping).cause(),
             Self::SetPointLate { .. } => Cause::SetPointLate,
             Self::SessionEnded { cause, .. } => *cause,
             Self::NotAcknowledged { occurrence } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
-            Self::ServoModeNotLeft { first, leaving } => {
-                first.as_ref().map_or(leaving.cause(), |first| first.cause().min(leaving.cause()))
-            }
+            Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).cause(),
             Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
-            Self::NotLanded { first, landing } => first.cause().min(landing.cause()),
+            Self::NotLanded { first, landing } => Sequence::new(first, landing).cause(),
             Self::InvalidOption { .. } | Self::PortInAddress { .. } | Self::Thread { .. } => Cause::Failed,
             Self::BeyondLimit { .. } | Self::NotChecked { .. } => Cause::BeyondLimit,
             Self::ModelMismatch { .. } => Cause::Failed,
@@ -297,6 +297,31 @@ impl ErrorKind {
             #[cfg(feature = "realtime")]
             Self::RealtimePriority { .. } => Cause::Failed,
         }
+    }
+
+    /// Causes of all events that it tells.
+    pub(super) fn causes(&self) -> Vec<Cause> {
+        match self {
+            Self::NotStopped { first, stopping } => Sequence::new(first, stopping).causes(),
+            Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).causes(),
+            Self::NotLanded { first, landing } => Sequence::new(first, landing).causes(),
+            Self::RestNotSeen { first: Some(first), .. } => {
+                first.kind().causes().into_iter().chain([Cause::RestNotSeen]).collect()
+            }
+            _ => vec![self.cause()],
+        }
+    }
+
+    /// Event, beginning with the fact of its cause: for texts that say themselves what was not sent because of it.
+    pub(super) fn event(&self) -> String {
+        let text = match self {
+            Self::NotAcknowledged { occurrence } => occurrence.to_string(),
+            Self::NotReady { explanation } => explanation.to_string(),
+            Self::StatusUnknown { problem } => problem.to_string(),
+            Self::Refused { refusal, .. } => refusal.to_string(),
+            kind => kind.to_string(),
+        };
+        with_fact(self.cause(), text)
     }
 
     /// Evidence for the cause, besides the error.
@@ -315,18 +340,43 @@ impl ErrorKind {
         }
     }
 
-    /// Remedy that the text does not have itself.
+    /// Remedy. Each kind is named, so that a new one does not compile before it is decided.
     pub(super) fn remedy(&self) -> Remedy {
         match self {
             Self::NotReached { end } => end.remedy(),
-            Self::Refused { explanation: Some(_), .. }
+            Self::GuardTripped { trip } => trip.remedy(),
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.remedy(),
+            Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.remedy().into(),
+            Self::NotShown { reason, .. } => reason.remedy(),
+            Self::NotGuarded { reason, .. } => reason.remedy(),
+            Self::SessionEnded { remedy, .. } => *remedy,
+            Self::NotStopped { first, stopping } => Sequence::new(first, stopping).remedy(),
+            Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).remedy(),
+            Self::NotLanded { first, landing } => Sequence::new(first, landing).remedy(),
+            Self::RestNotSeen { first: Some(first), .. } => first.remedy_of_event(),
+            Self::Refused { .. }
             | Self::NotReady { .. }
-            | Self::NotAcknowledged { .. }
-            | Self::WaitBroken { .. }
-            | Self::SetPointLate { .. } => self.cause().remedy(),
+            | Self::CommandsLost { .. }
+            | Self::SetPointLate { .. }
+            | Self::SetPointsUnanswered { .. }
+            | Self::Stopped { .. }
+            | Self::RestNotSeen { first: None, .. } => self.cause().remedy(),
+            Self::Connection(error) => error.remedy().into(),
+            Self::PortInAddress { .. } => Remedy::LeaveOutPort,
+            Self::NotChecked { reason, .. } => reason.remedy(),
+            // The fact says all that is known.
+            Self::InvalidOption { .. } | Self::Thread { .. } => Remedy::None,
+            Self::BeyondLimit { .. } | Self::ModelMismatch { .. } => Remedy::None,
             #[cfg(feature = "stream")]
-            Self::Departed { .. } => self.cause().remedy(),
-            _ => Remedy::None,
+            Self::Departed { .. } | Self::NotAtStart { .. } => self.cause().remedy(),
+            #[cfg(feature = "stream")]
+            Self::Trajectory { .. } => Remedy::None,
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { source, .. } if source.kind() == io::ErrorKind::PermissionDenied => {
+                Remedy::AllowRealtimePriority
+            }
+            #[cfg(feature = "realtime")]
+            Self::RealtimePriority { .. } => Remedy::None,
         }
     }
 
@@ -338,11 +388,15 @@ impl ErrorKind {
             Self::PortInAddress { .. } => (Group::Connect, false, None),
             Self::Refused { .. } => (Group::Refused, false, None),
             Self::CommandsLost { cause, .. } => (Group::Disconnected, false, Some(&**cause)),
-            Self::ServoModeNotLeft { leaving, .. } => (Group::after(leaving), true, leaving.source()),
-            Self::NotStopped { first, stopping } => (Group::after(stopping), true, first.source()),
+            Self::ServoModeNotLeft { first, leaving } => {
+                (Group::after(leaving), true, Sequence::new(first.as_ref(), leaving).source())
+            }
+            Self::NotStopped { first, stopping } => {
+                (Group::after(stopping), true, Sequence::new(first, stopping).source())
+            }
             Self::SetPointsUnanswered { .. } => (Group::Other, true, None),
             Self::RestNotSeen { first, .. } => (Group::Other, true, first.as_ref().and_then(|first| first.source())),
-            Self::NotLanded { first, .. } => (Group::Other, true, first.source()),
+            Self::NotLanded { first, landing } => (Group::Other, true, Sequence::new(first, landing).source()),
             Self::GuardTripped { trip } => (Group::Other, !trip.is_before_start, None),
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => {
                 (Group::Other, false, problem.source())
@@ -431,36 +485,23 @@ fn wait_ended(what: &str, problem: &StatusProblem) -> String {
     format!("the wait has ended before {what}, because {}: {problem}", Cause::StatusLost)
 }
 
-fn not_landed(first: &Error, landing: &Error) -> String {
-    with_fact(first.cause().min(landing.cause()), format!("{first}; and the arm was not braked to rest: {landing}"))
+fn not_left(leaving: &Error) -> &'static str {
+    // Where the command connection is lost, the fact says that no stop can be sent.
+    if leaving.is_disconnected() && leaving.cause() != Cause::CommandsLost {
+        "servo mode may be on, because leaving it failed or was not confirmed, and no stop can be sent on this \
+         connection"
+    } else {
+        "servo mode may be on, because leaving it failed or was not confirmed"
+    }
 }
 
-/// Text that begins with the fact of the cause, unless it has that already.
-fn with_fact(cause: Cause, text: String) -> String {
-    let fact = cause.to_string();
-    if text.contains(&fact) { text } else { format!("{fact}: {text}") }
-}
-
-/// What came first, if something did.
-fn and(first: Option<&Error>) -> String {
-    first.map_or_else(String::new, |first| format!("{first}; and "))
-}
-
-fn not_left(first: Option<&Error>, leaving: &Error) -> String {
-    let no_stop = if leaving.is_disconnected() { "; no stop can be sent on this connection" } else { "" };
-    let cause = first.map_or(leaving.cause(), |first| first.cause().min(leaving.cause()));
-    let first = and(first);
-    with_fact(
-        cause,
-        format!("{first}servo mode may be on, because leaving it failed or was not confirmed: {leaving}{no_stop}"),
-    )
+fn rest_not_seen(first: Option<&Error>, after: Duration) -> String {
+    let what = format!("{} at its last set-point within {after:?}", Cause::RestNotSeen);
+    Line::of_error(first).followed_by(&what, None).into_text()
 }
 
 fn stopped(accepted: &str, not_sent: &str) -> String {
-    format!(
-        "ended by a stop of this program (accepted before it: {accepted}; not sent: {not_sent}); when somebody has checked the robot, call \
-         `acknowledge`"
-    )
+    format!("ended by a stop of this program (accepted before it: {accepted}; not sent: {not_sent})")
 }
 
 /// Names of commands, in words.
@@ -477,18 +518,14 @@ fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {
     let digits = if off_deg < 1e-3 { 6 } else { 3 };
     format!(
         "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
-         {off_deg:.digits$} deg away; move the arm there first, or ask for an approach"
+         {off_deg:.digits$} deg away"
     )
 }
 
 #[cfg(feature = "realtime")]
 fn no_priority(priority: u8, source: &io::Error) -> String {
     if source.kind() == io::ErrorKind::PermissionDenied {
-        return format!(
-            "the system does not allow this thread the real-time priority {priority}: set `rtprio` to {priority} or more for the user in \
-             /etc/security/limits.conf and log in again (`ulimit -r` shows it), or give the program CAP_SYS_NICE (`setcap \
-             cap_sys_nice=ep PROGRAM`; of a container: `--cap-add SYS_NICE`)"
-        );
+        return format!("the system does not allow this thread the real-time priority {priority}");
     }
     format!("this thread cannot have the real-time priority {priority}")
 }

@@ -51,7 +51,7 @@ pub(super) fn run<S: MotionStatus>(
     if end.error.is_none() && end.cause() != Cause::Reached {
         robot.client().link().record_motion(MotionStep::Failed, || end.to_string());
     }
-    orders.end(SessionEnd::new(end.cause(), end.to_string()));
+    orders.end(SessionEnd::of_trajectory(&end));
     Some(end)
 }
 

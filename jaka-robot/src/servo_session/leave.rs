@@ -79,7 +79,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         let link = self.robot.client().link();
         match &ended {
             Ok(()) => link.record_motion(MotionStep::Done, || format!("the set-points have ended, and the arm {rest}")),
-            Err(error) => link.record_motion(MotionStep::Failed, || error.to_string()),
+            Err(error) => link.record_motion(MotionStep::Failed, || error.kind().to_string()),
         }
         ended
     }
@@ -117,7 +117,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(SessionEnd::of(&error));
-        self.robot.client().link().record_motion(MotionStep::Failed, || error.to_string());
+        self.robot.client().link().record_motion(MotionStep::Failed, || error.kind().to_string());
         #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error

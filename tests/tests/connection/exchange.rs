@@ -398,8 +398,8 @@ fn a_robots_address_with_a_port_is_refused() {
         assert_eq!(
             error.to_string(),
             format!(
-                "cannot connect to {address}: a robot has two ports, so give its address without a port, or both \
-                 addresses to `Robot::connect_at`"
+                "cannot connect to {address}: the address has a port, but a robot has two; give its address without a \
+                 port, or both addresses to `Robot::connect_at`"
             )
         );
     }

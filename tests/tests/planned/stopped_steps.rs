@@ -177,8 +177,8 @@ fn after_a_stop_no_further_step_of_powering_down_is_sent() {
     assert_eq!(bench.arm.changes(), ["disable_robot", "stop_program"]);
     assert_eq!(
         error.to_string(),
-        "ended by a stop of this program (accepted before it: `disable_robot`; not sent: `power_off`); when somebody has checked the \
-         robot, call `acknowledge`"
+        "ended by a stop of this program (accepted before it: `disable_robot`; not sent: `power_off`); look at the \
+         arm, then call `acknowledge`"
     );
 }
 

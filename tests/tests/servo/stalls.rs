@@ -6,7 +6,9 @@ use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, MoveL};
 use jaka_robot::types::{JointPosition, MoveMode, Pose};
-use jaka_robot::{Cause, Config, End, Error, ErrorKind, Evidence, Phase, Rest, Robot, RobotStop, ServoConfig};
+use jaka_robot::{
+    Cause, Config, End, Error, ErrorKind, Evidence, Phase, Remedy, Rest, Robot, RobotStop, ServoConfig, jaka_sync,
+};
 use jaka_sim::{Delays, Fault, Port, StatusFault};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
@@ -205,7 +207,7 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     arm.clock().sleep(Duration::from_millis(60));
     assert!(robot.monitor().disconnect_cause().is_some());
     let error = robot.start(&to(5.0, 60.0)).expect_err("nobody knows how the arm is");
-    assert!(error.to_string().contains("make a new `Robot`"), "{error}");
+    assert_eq!(error.remedy(), Remedy::Connection(jaka_sync::Remedy::ConnectStatusAgain), "{error}");
 }
 
 #[test]

@@ -348,10 +348,10 @@ fn joints_that_do_not_follow_end_the_stream() {
         stream.rest().is_err()
     });
     let error = stream.rest().expect_err("it has ended");
-    assert!(error.to_string().contains("joint 1 does not follow its set-points"), "{error}");
+    assert!(error.to_string().contains("a joint does not follow its set-points: joint 1 is at"), "{error}");
     let error = stream.land().expect_err("it has ended");
     assert!(
-        error.to_string().contains("joint 1 does not follow its set-points: it is at 15.00 deg, 5.00 deg from"),
+        error.to_string().contains("a joint does not follow its set-points: joint 1 is at 15.00 deg, 5.00 deg from"),
         "{error}"
     );
     assert!(!arm.state().servo_mode);

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use jaka_robot::{Error, ErrorKind, ServoConfig};
 
-use crate::failure::{Failure, chain};
+use crate::failure::{Failure, fact, verb};
 use crate::target::Target;
 
 /// What was measured.
@@ -49,7 +49,8 @@ impl Lateness {
             let Ok(waits) = &mut measured.realtime else { continue };
             match waits.turn(&realtime, turn) {
                 Err(error) if matches!(error.kind(), ErrorKind::RealtimePriority { .. }) => {
-                    measured.realtime = Err(chain(&error));
+                    let hint = verb(error.remedy()).map(|hint| format!("; {hint}")).unwrap_or_default();
+                    measured.realtime = Err(format!("{}{hint}", fact(error.kind(), &error)));
                 }
                 turned => turned?,
             }

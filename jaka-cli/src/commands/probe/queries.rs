@@ -9,7 +9,7 @@ use serde_json::Map;
 use super::finding::{Finding, Outcome};
 use super::progress::Progress;
 use crate::commands::call::reply_json;
-use crate::failure::{Failure, chain};
+use crate::failure::{Failure, chain, fact};
 use crate::target::Target;
 
 /// How often to reconnect at most: a controller that ends the connection on every query is not pestered.
@@ -119,6 +119,6 @@ fn unanswered(error: &Error) -> Outcome {
             }
             _ => Outcome::NoReply(chain(&**cause)),
         },
-        _ => Outcome::NoReply(chain(error)),
+        _ => Outcome::NoReply(fact(error.kind(), error)),
     }
 }

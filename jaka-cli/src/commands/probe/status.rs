@@ -7,7 +7,7 @@ use jaka_sync::{ErrorKind, StatusStream};
 use super::finding::{Finding, Outcome};
 use super::progress::Progress;
 use crate::commands::call::reply_json;
-use crate::failure::chain;
+use crate::failure::{chain, fact};
 use crate::target::Target;
 
 /// The name of the finding.
@@ -50,7 +50,7 @@ fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
         match error.kind() {
             ErrorKind::UnexpectedStatus { .. } => {}
             ErrorKind::Disconnected { cause, .. } => return Err(Outcome::Unreadable(chain(&**cause))),
-            _ => return Err(Outcome::NoReply(chain(&error))),
+            _ => return Err(Outcome::NoReply(fact(error.kind(), &error))),
         }
     }
     Ok(stream.packet_text().unwrap_or_default().to_owned())

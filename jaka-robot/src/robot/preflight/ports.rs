@@ -50,7 +50,7 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
         ErrorKind::Disconnected { cause, .. } => {
             lost(cause, "check that this is port 10000 of a controller that is not shutting down")
         }
-        _ => (chain(error), "see what comes with `jaka status --raw`"),
+        _ => (facts(error), "see what comes with `jaka status --raw`"),
     };
     Judgement::wrong(seen, advice)
 }
@@ -62,7 +62,7 @@ pub(super) fn failure(error: &Error) -> String {
         ErrorKind::Disconnected { command: Some(command), cause, .. } => {
             format!("the connection broke at `{command}`: {}", chain(&**cause))
         }
-        _ => chain(error),
+        _ => facts(error),
     }
 }
 
@@ -107,6 +107,12 @@ fn lost(cause: &Disconnect, closed: &'static str) -> (String, &'static str) {
         Disconnect::Frame(_) | Disconnect::NotJson(_) => (chain(cause), NOT_A_CONTROLLER),
         _ => (chain(cause), "connect again"),
     }
+}
+
+/// Facts of an error and its sources.
+fn facts(error: &Error) -> String {
+    let fact = error.kind().to_string();
+    error.source().map_or_else(|| fact.clone(), |source| format!("{fact}: {}", chain(source)))
 }
 
 /// An error's text, followed by those of its causes.

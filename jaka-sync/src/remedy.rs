@@ -1,0 +1,33 @@
+//! What helps against errors of connections.
+
+use std::fmt;
+
+jaka_proto::worded! {
+    /// What somebody can do about an [`Error`](crate::Error) of a connection or a
+    /// [`StatusProblem`](crate::StatusProblem). A program that shows other words matches on it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Remedy {
+        /// Nothing is known to help.
+        None => "",
+        /// Check the network, and that the controller is on.
+        CheckNetwork => "check the network, and that the controller is on",
+        /// Check that the controller is on, and that no other client holds the seat of its command port.
+        FreeSeat =>
+            "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat",
+        /// Check that the address is that of the status port, and that the controller has started.
+        CheckStatusPort => "check that this is the status port, 10000, and that the controller has started",
+        /// Connect to the status port again.
+        ConnectStatusAgain => "connect again, or set `Config::reconnect`",
+        /// Wait for status packets.
+        WaitForPackets => "wait until more status packets have come",
+        /// Try again in a moment.
+        TryAgain => "try again in a moment",
+    }
+}
+
+impl Remedy {
+    /// Appends it to a fact.
+    pub(crate) fn append(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self == Self::None { Ok(()) } else { write!(f, "; {self}") }
+    }
+}
