@@ -1,5 +1,6 @@
 //! The clock.
 
+mod hold_up;
 mod participant;
 mod presence;
 
@@ -7,6 +8,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use self::hold_up::HoldUps;
 pub use self::participant::Participant;
 use crate::seat::Seat;
 use crate::state::{MovesTime, Reason, State};
@@ -36,6 +38,7 @@ struct Inner {
     /// Real time for which this stands still for an end that does not take part.
     grace: Duration,
     state: Mutex<State>,
+    hold_ups: HoldUps,
 }
 
 /// Real time for which a clock stands still for an end that does not take part, unless the user says otherwise.
@@ -51,7 +54,7 @@ impl SimulatedClock {
     /// not take part. With a minute, what another program answers always comes at the time at which it was asked; but a
     /// wait for one that is silent takes a minute.
     pub fn with_grace(grace: Duration) -> Self {
-        Self(Arc::new(Inner { origin: Instant::now(), grace, state: Mutex::default() }))
+        Self(Arc::new(Inner { origin: Instant::now(), grace, state: Mutex::default(), hold_ups: HoldUps::default() }))
     }
 
     pub(crate) fn grace(&self) -> Duration {
@@ -60,7 +63,15 @@ impl SimulatedClock {
 
     /// What the time is.
     pub fn now(&self) -> Instant {
-        self.0.origin + self.elapsed()
+        let now = self.0.origin + self.elapsed();
+        self.0.hold_ups.has_read();
+        now
+    }
+
+    /// Holds a thread of this name up, as a scheduler does: once it has slept and read the clock the next time, it calls
+    /// `act` before it goes on, which may sleep.
+    pub fn hold_up(&self, thread: &str, act: impl FnOnce() + Send + 'static) {
+        self.0.hold_ups.add(thread, act);
     }
 
     /// The time since the clock was made.
@@ -73,6 +84,7 @@ impl SimulatedClock {
         if !time.is_zero() {
             let until = self.deadline(Some(time));
             self.wait(self.lock(), Reason::Time, until, || ());
+            hold_up::has_slept();
         }
     }
 

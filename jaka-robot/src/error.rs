@@ -7,6 +7,7 @@ mod option_name;
 
 use std::error::Error as StdError;
 use std::fmt;
+use std::sync::Arc;
 
 use jaka_proto::Refusal;
 use jaka_proto::check::InvalidArgument;
@@ -19,7 +20,7 @@ use self::kind::Group;
 pub(crate) use self::option_name::OptionName;
 #[cfg(feature = "stream")]
 use crate::cause::Occurrence;
-use crate::{Cause, Remedy};
+use crate::{Cause, GuardTrip, Remedy};
 
 /// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -215,6 +216,12 @@ impl From<jaka_sync::ErrorKind> for Error {
     }
 }
 
+impl From<GuardTrip> for Error {
+    fn from(trip: GuardTrip) -> Self {
+        ErrorKind::GuardTripped { trip: Arc::new(trip) }.into()
+    }
+}
+
 impl From<InvalidArgument> for Error {
     fn from(invalid: InvalidArgument) -> Self {
         jaka_sync::Error::from(invalid).into()
@@ -247,7 +254,6 @@ impl Attach for Link {
 #[cfg(test)]
 mod tests {
     use std::io;
-    use std::sync::Arc;
 
     use super::*;
     use crate::Disconnect;

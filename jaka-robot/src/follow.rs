@@ -9,19 +9,18 @@ mod start;
 
 use std::marker::PhantomData;
 use std::sync::Arc;
-use std::time::Duration;
 
 use jaka_motion::Trajectory;
-use jaka_proto::messages::status::RobotStatus;
 
 pub use self::config::FollowConfig;
 pub use self::handle::{FollowHandle, FollowProgress};
 use self::orders::Orders;
 #[cfg(doc)]
 use crate::ErrorKind;
-use crate::robot::SetPointGuard;
+use crate::guard::SetPointGuard;
+use crate::servo_session::{Led, LentArm};
 use crate::servo_thread::ServoThread;
-use crate::{End, Error, Guard, MotionStatus, Robot};
+use crate::{End, Error};
 
 /// A robot that follows a [`Trajectory`], from [`Robot::start_follow`].
 ///
@@ -42,6 +41,7 @@ use crate::{End, Error, Guard, MotionStatus, Robot};
 ///
 /// ```no_run
 /// use std::time::Duration;
+///
 /// use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 /// use jaka_robot::{FollowConfig, Robot};
 ///
@@ -61,83 +61,33 @@ use crate::{End, Error, Guard, MotionStatus, Robot};
 /// ```
 #[must_use = "dropping a run stops it; `wait` waits for its end"]
 #[derive(Debug)]
-pub struct FollowRun<'r, S: MotionStatus = RobotStatus> {
+pub struct FollowRun<'r> {
     handle: FollowHandle,
     thread: ServoThread<End>,
-    robot: PhantomData<&'r mut Robot<S>>,
+    robot: PhantomData<&'r mut ()>,
 }
 
-/// Following trajectories needs the feature `stream`.
-impl<S: MotionStatus> Robot<S> {
-    /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the trajectory where it is not done
-    /// by the deadline.
-    ///
-    /// The arm must be where the trajectory starts: see [`FollowConfig::approach`].
-    ///
-    /// # Errors
-    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`End`].
-    pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<End, Error> {
-        Ok(self.start_follow(trajectory, &FollowConfig::new().deadline(deadline))?.wait())
-    }
-
-    /// Begins to follow a trajectory.
-    ///
-    /// All of it is compared with the robot's limits before the first set-point, with the tool and the frames that the controller has now, whatever it was
-    /// compared with before; also where the limits' policy is only to warn.
-    ///
-    /// # Errors
-    /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits,
-    /// [`ErrorKind::NotShown`] if packets do not show the joints, [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than where the controller's own answer says that the
-    /// joints are to be, [`ErrorKind::BeyondLimit`] if the straight way in joint space to its start is beyond a limit,
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take.
-    pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_, S>, Error> {
-        self.begin_follow(trajectory, config, None)
-    }
-
-    /// The same under a guard: when it trips, the arm is braked along the trajectory, and the run ends with [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes
-    /// goes out in the next servo period after the packet.
-    ///
-    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
-    ///
-    /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where packets stay away for three of their periods, 100 ms at least. All of
-    /// the trajectory is looked at, at its own speed, which is the most that a handle can ask for: wherever something were touched, the tool must rest within the overtravel,
-    /// [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An approach is so slow that the same holds.
-    ///
-    /// # Errors
-    /// As [`start_follow`](Self::start_follow). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (a
-    /// [`ForceLimit`](crate::ForceLimit) permits less speed: it says where, and how much).
-    pub fn start_follow_until(
-        &mut self,
-        trajectory: &Trajectory,
-        config: &FollowConfig,
-        guard: impl Into<Guard>,
-    ) -> Result<FollowRun<'_, S>, Error> {
-        let armed = self.arm_for_set_points(&guard.into())?;
-        self.begin_follow(trajectory, config, Some(armed))
-    }
-
-    fn begin_follow(
-        &mut self,
-        trajectory: &Trajectory,
-        config: &FollowConfig,
+impl<'r> FollowRun<'r> {
+    /// Begins a run in a thread of its own.
+    pub(crate) fn begin(
+        led: Led<'r>,
+        (trajectory, config): (&Trajectory, &FollowConfig),
         guard: Option<SetPointGuard>,
-    ) -> Result<FollowRun<'_, S>, Error> {
+    ) -> Result<Self, Error> {
         config.check()?;
-        let deadline = config.deadline.and_then(|time| self.clock().now().checked_add(time));
+        let deadline = config.deadline.and_then(|time| led.arm.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));
         let handle = FollowHandle { orders: Arc::clone(&orders), duration: trajectory.duration() };
         let (trajectory, config) = (trajectory.clone(), config.clone());
-        let work = move |robot: &mut Robot<S>, begun: &_| {
-            cycle::run(robot, (&trajectory, &config), guard.as_ref(), &orders, begun)
+        let work = move |lent: &mut LentArm, begun: &_| {
+            cycle::run(lent, (&trajectory, &config), guard.as_ref(), &orders, begun)
         };
-        let (thread, ()) = ServoThread::start("jaka follow", self.lent(), work)?;
-        Ok(FollowRun { handle, thread, robot: PhantomData })
+        let (thread, ()) = ServoThread::start("jaka follow", led.lent(), work)?;
+        Ok(Self { handle, thread, robot: PhantomData })
     }
 }
 
-impl<S: MotionStatus> FollowRun<'_, S> {
+impl FollowRun<'_> {
     /// A handle for another thread.
     pub fn handle(&self) -> FollowHandle {
         self.handle.clone()
@@ -150,7 +100,7 @@ impl<S: MotionStatus> FollowRun<'_, S> {
 }
 
 /// What the handle does, the run does, too.
-impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
+impl std::ops::Deref for FollowRun<'_> {
     type Target = FollowHandle;
 
     fn deref(&self) -> &FollowHandle {
@@ -158,7 +108,7 @@ impl<S: MotionStatus> std::ops::Deref for FollowRun<'_, S> {
     }
 }
 
-impl<S: MotionStatus> Drop for FollowRun<'_, S> {
+impl Drop for FollowRun<'_> {
     fn drop(&mut self) {
         if self.thread.was_awaited {
             return;

@@ -1,9 +1,19 @@
 #![doc = include_str!("../docs/overview.md")]
 
+mod arm;
 mod cause;
 mod error;
 #[cfg(feature = "stream")]
 mod follow;
+mod guard;
+mod input_wait;
+mod inputs;
+mod limits;
+mod motions;
+mod place;
+mod planned;
+mod power_steps;
+mod preflight;
 mod report;
 mod robot;
 mod servo_session;
@@ -19,6 +29,7 @@ pub use jaka_sync;
 #[doc(no_inline)]
 pub use jaka_sync::*;
 
+pub use arm::RobotStop;
 pub use cause::{
     Cause, CauseGroup, Evidence, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Occurrence, Remedy,
     TripReason, Unchecked,
@@ -26,13 +37,16 @@ pub use cause::{
 pub use error::{End, Error, ErrorKind, Phase, Rest};
 #[cfg(feature = "stream")]
 pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};
+pub use guard::{ForceComponent, ForceLimit, Guard, TcpBox};
+pub use inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
+pub use limits::LimitPolicy;
+pub use motions::{Motion, Path, Target};
+pub use power_steps::PowerStep;
+pub use preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use report::Report;
 #[cfg(feature = "stream")]
 pub use report::{FollowLag, TrajectoryReport};
-pub use robot::{
-    AnalogCondition, AnalogInput, CheckItem, Finding, ForceComponent, ForceLimit, Guard, Input, InputCondition,
-    LimitPolicy, Motion, Numbering, Path, PowerStep, Preflight, Robot, RobotStop, Target, TcpBox, Verdict,
-};
+pub use robot::Robot;
 pub use servo_session::{ServoConfig, ServoSession};
 #[cfg(feature = "stream")]
 pub use stream::{Stream, StreamConfig, StreamHandle};

@@ -1,59 +1,26 @@
-//! A client and a monitor together: motions that are waited for.
+//! A robot: a client and a monitor together.
 
-mod batch;
-mod explain;
-mod guard;
-mod inputs;
-mod io_wait;
-mod latch;
-mod limits;
-mod motion;
-mod position;
-mod power;
-mod preflight;
-mod readiness;
-mod rest;
-mod run_until;
-mod sentry;
-mod stops;
-mod target;
-mod trouble;
-mod vigil;
-mod wait;
-mod watch;
+mod leading;
+mod reading;
 
 use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_proto::messages::power::GetRobotState;
+use jaka_motion::{Checker, Limits};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{ClientParts as _, Clock, MonitorParts as _, names_a_port};
+use jaka_sync::layer::{ClientParts as _, names_a_port};
 
-use self::batch::{Batch, Begin, Frames};
-pub(crate) use self::guard::Armed;
-pub use self::guard::{ForceComponent, ForceLimit, Guard, TcpBox};
-#[cfg(feature = "stream")]
-pub(crate) use self::guard::{MeasuredLag, SetPointGuard};
-pub use self::inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
-use self::latch::Latch;
-use self::limits::Checks;
-pub use self::limits::LimitPolicy;
-pub use self::motion::{Motion, Path};
-use self::position::Query;
-pub use self::power::PowerStep;
-pub use self::preflight::{CheckItem, Finding, Preflight, Verdict};
-pub(crate) use self::rest::Stillness;
-pub use self::stops::RobotStop;
-use self::target::Goal;
-pub use self::target::Target;
-use self::wait::{Grace, Wait};
-use crate::cause::{Consequence, Occurrence};
-use crate::{Call, Cause, Client, Command, Config, End, Error, ErrorKind, Monitor, MotionStatus, Report, Rest};
-
-/// How long the news may take that settles the cause of an end: the next packet, or the end of the other connection.
-const SETTLING: Duration = Duration::from_millis(250);
+#[cfg(doc)]
+use crate::Cause;
+use crate::arm::Arm;
+use crate::limits::LimitChecks;
+use crate::planned::{Grace, Moving, Planned};
+use crate::servo_session::Led;
+use crate::{
+    Call, Client, Command, Config, End, Error, ErrorKind, LimitPolicy, Monitor, Motion, MotionStatus, Occurrence,
+    RobotStop,
+};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -88,23 +55,10 @@ const SETTLING: Duration = Duration::from_millis(250);
 #[derive(Debug)]
 #[must_use = "dropping a robot closes its connections, and its stop handles can no longer stop the arm"]
 pub struct Robot<S: MotionStatus = RobotStatus> {
-    client: Client,
     monitor: Arc<Monitor<S>>,
-    grace: Grace,
-    silence: Duration,
-    /// True if the program has allowed motion without status.
-    pub(crate) moves_without_status: bool,
-    /// What must be acknowledged before the arm moves again.
-    pub(crate) latch: Latch,
-    batch: Option<Batch>,
-    /// What motions are checked against, and where the last one will end.
-    checks: Checks,
-    /// How often frames had been changed when the last motion was sent.
-    frame_changes: u64,
-    /// The query that has not been answered.
-    query: Option<Query>,
-    /// True if the last wait saw the arm at rest by the controller's answers, and nothing was sent since.
-    rests: bool,
+    pub(crate) arm: Arm,
+    limits: LimitChecks,
+    planned: Planned,
 }
 
 impl Robot<RobotStatus> {
@@ -165,20 +119,10 @@ impl<S: MotionStatus> Robot<S> {
     /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
+        let arm = Arm::new(client, &monitor, true);
         let grace = Grace { time: Duration::from_millis(400), packets: 3 };
-        Self {
-            latch: Latch::new(&monitor, &client.link().clock),
-            client,
-            monitor,
-            grace,
-            silence: Duration::from_secs(2),
-            moves_without_status: false,
-            batch: None,
-            checks: Checks::default(),
-            frame_changes: 0,
-            query: None,
-            rests: false,
-        }
+        let planned = Planned::new(grace, Duration::from_secs(2));
+        Self { monitor, arm, limits: LimitChecks::default(), planned }
     }
 
     /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller is not enough to
@@ -188,40 +132,72 @@ impl<S: MotionStatus> Robot<S> {
     /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one without length,
     /// or, if its target is known and the arm is not there, as stopped.
     pub fn with_start_grace(mut self, time: Duration, packets: u32) -> Self {
-        self.grace = Grace { time, packets: packets.max(1) };
+        self.planned.grace = Grace { time, packets: packets.max(1) };
         self
     }
 
     /// Sets how long no status packet may come while a motion is waited for. 2 s by default.
     pub fn with_status_silence(mut self, time: Duration) -> Self {
-        self.silence = time;
+        self.planned.silence = time;
         self
     }
 
     /// Allows motions and set-points while the status is stale, missing or unreadable.
     ///
     /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other means.
-    pub fn allow_motion_without_status(mut self) -> Self {
-        self.moves_without_status = true;
+    pub fn allow_motion_without_status(self) -> Self {
+        self.arm.state.allow_motion_without_status();
         self
     }
 
-    /// The client, for all other commands.
+    /// The same robot with limits, which each motion and each set-point is checked against before it is sent.
     ///
-    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
-    /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
-    #[doc(alias = "get_joint_pos")]
-    #[doc(alias = "get_tcp_pos")]
-    #[doc(alias = "set_digital_output")]
-    pub fn client(&mut self) -> &mut Client {
-        self.rests = false;
-        self.checks.forget_plan();
-        &mut self.client
+    /// A motion that is beyond a limit anywhere on its way is refused with [`ErrorKind::BeyondLimit`], one whose way is not known with
+    /// [`ErrorKind::NotChecked`]; nothing is sent then. [`Checker`] tells what is checked, and how finely. Checked are
+    /// [`run`](Self::run), [`start`](Self::start) and servo sessions, not what is sent through [`client`](Self::client), such as a jog.
+    ///
+    /// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not say.
+    /// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this program does not
+    /// know it yet, the arm goes to the target of the next motion from elsewhere: [`wait`](Self::wait) for the end of a motion to know.
+    ///
+    /// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know nothing of
+    /// collisions, not even of the arm with itself, and do not see motions of other clients.
+    ///
+    /// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from which its
+    /// tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where both answers do not
+    /// fit together a frame has changed, and the poses are asked for again.
+    ///
+    /// ```no_run
+    /// use jaka_robot::Robot;
+    /// use jaka_robot::jaka_motion::{Limits, Model};
+    /// use jaka_robot::motion::JointMove;
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm).with_tcp_speed(250.0)?)?;
+    /// let error = robot.start(&JointMove::absolute([0.0, 0.0, 181.0, 0.0, 0.0, 0.0], 20.0).acceleration(50.0)).unwrap_err();
+    /// assert_eq!(error.to_string(), "`joint_move` was not sent: joint 3 would be at 181 deg; limit 175 (Zu 5)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`](crate::Client::call).
+    pub fn with_limits(mut self, limits: Limits) -> Result<Self, Error> {
+        self.limits = LimitChecks::new(&mut self.arm, limits, LimitPolicy::default())?;
+        Ok(self)
     }
 
-    /// The monitor, which can be cloned for other threads.
-    pub fn monitor(&self) -> &Arc<Monitor<S>> {
-        &self.monitor
+    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. Without limits this does nothing.
+    ///
+    /// A controller that has come to compute other poses than the limits' model is an error all the same ([`ErrorKind::ModelMismatch`]).
+    pub fn with_limit_policy(mut self, policy: LimitPolicy) -> Self {
+        self.limits.set_policy(policy);
+        self
+    }
+
+    /// The same robot without limits.
+    pub fn without_limits(mut self) -> Self {
+        self.limits = LimitChecks::default();
+        self
     }
 
     /// Sends a motion and waits for its end.
@@ -237,8 +213,8 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "movej")]
     #[doc(alias = "movel")]
     pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<End, Error> {
-        let since = self.clock().stopwatch();
-        self.send(motion, timeout, None)?;
+        let since = self.arm.clock().stopwatch();
+        self.moving().send(motion, timeout, None)?;
         Ok(self.wait(since.left_of(timeout)))
     }
 
@@ -252,174 +228,30 @@ impl<S: MotionStatus> Robot<S> {
     /// packet shows a stop) and [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after
     /// `ErrorKind::BeyondLimit` and `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
-        self.send(motion, self.client.timeout_of(M::INFO), None)
-    }
-
-    /// Sends a motion, under a guard if there is one, which lets it out or not.
-    fn send<M: Motion>(&mut self, motion: &M, timeout: Duration, guard: Option<&Armed>) -> Result<(), Error> {
-        let since = self.clock().stopwatch();
-        self.client.link().check_open(M::INFO.name)?;
-        self.latch.check()?;
-        let begin = self.begin(motion, timeout)?;
-        let left = || since.left_of(timeout);
-        let end = self.check_limits(motion, &begin, left())?;
-        self.rests = false;
-        let gate = self.gate();
-        let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
-        let sent = self.client.call_through(Some(&guarded), motion, left());
-        self.frame_changes = begin.frames.changes;
-        match sent {
-            Ok(()) => {
-                self.accepted(Goal::new(motion.target(), motion.tolerance(), begin.start), begin);
-                self.plan(end);
-            }
-            Err(error) => {
-                let error = Error::from(error);
-                // It can still be waited for.
-                if error.may_have_run() {
-                    self.accepted(Goal::Unknown, begin);
-                    self.checks.forget_plan();
-                }
-                return Err(self.explained(error, left()));
-            }
-        }
-        Ok(())
-    }
-
-    /// What is known of the arm before a motion.
-    fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
-        let since = self.clock().stopwatch();
-        let Some(newest) = self.known_status(timeout)? else {
-            return Ok(Begin::default());
-        };
-        let mut begin = Begin::new(
-            &newest.status,
-            Frames::new(&newest.status, self.client.link().frame_changes(), self.frame_changes),
-        );
-        if let Some(quantity) = motion.target().start_quantity().filter(|_| self.batch.is_none() && begin.at_rest) {
-            begin.start = self.place_at_rest(quantity, since.left_of(timeout))?;
-        }
-        Ok(begin)
-    }
-
-    fn accepted(&mut self, goal: Goal, begin: Begin) {
-        // Packets that came before the reply may be older than the motion.
-        let now = self.clock().now();
-        self.batch = Some(match self.batch.take() {
-            Some(batch) => batch.then(now, goal, begin.frames),
-            None => Batch::new(now, goal, begin),
-        });
+        let timeout = self.arm.queries().timeout_of(M::INFO);
+        self.moving().send(motion, timeout, None)
     }
 
     /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once the command connection is lost, no
     /// longer than until the next status packet: [`Cause::CommandsLost`].
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> End {
-        let mut end = self.wait_unless(timeout, &|| false);
-        self.settle_cause(&mut end);
-        self.report(&end);
-        self.record(&end);
-        end
-    }
-
-    /// The same, and gives up waiting once it is to, with [`Cause::Deadline`]. Its end is yet to be reported.
-    fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> End {
-        let since = self.clock().stopwatch();
-        let Some(batch) = self.batch.take() else {
-            return End::new(Cause::NoMotion, Rest::NotSeen, Report::of_wait(Duration::ZERO));
-        };
-        let mut wait = Wait::new(batch, self.client.link().frame_changes(), self.grace);
-        let (occurrence, rest) = self.watch(&mut wait, timeout, gives_up);
-        let (cause, consequence) = (occurrence.cause, occurrence.consequence());
-        self.rests = rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest);
-        if consequence.latches() {
-            self.latch.set(&occurrence);
-        }
-        if consequence == Consequence::GoesOn {
-            // The motions may go on: they can be waited for again.
-            self.batch = Some(wait.batch);
-        }
-        let mut end = End::new(occurrence, rest, Report::of_wait(since.passed()));
-        end.packets = wait.packets.into();
-        // A connection that is lost is the cause.
-        end.error = wait.failure.filter(|failure| !failure.is_disconnected());
-        end.error = end.error.or_else(|| self.unanswered().filter(|_| cause == Cause::Deadline));
-        end
-    }
-
-    /// Settles the cause where packets stay away: a controller that has gone answers nothing either. Under a guard the
-    /// stop settles it.
-    fn settle_cause(&mut self, end: &mut End) {
-        if end.occurrence.cause != Cause::StatusLost {
-            return;
-        }
-        let Err(error) = self.client.call_within(&GetRobotState::new(), SETTLING) else { return };
-        match error.kind() {
-            jaka_sync::ErrorKind::Disconnected { address, cause, .. } => {
-                end.occurrence = Occurrence::commands_lost(address.clone(), Arc::clone(cause));
-            }
-            _ => end.error = end.error.take().or(Some(error.into())),
-        }
-    }
-
-    /// Records how motions ended, if there were some.
-    fn record(&self, end: &End) {
-        let step = match end.occurrence.cause {
-            Cause::NoMotion => return,
-            Cause::Reached | Cause::AtRest => MotionStep::Done,
-            _ => MotionStep::Failed,
-        };
-        self.client.link().record_motion(step, || end.occurrence.to_string());
-    }
-
-    /// The program is told of the stops that have ended a motion, if they have.
-    fn report(&mut self, end: &End) {
-        if end.occurrence.cause == Cause::Stopped {
-            self.latch.report_stops();
-        }
-    }
-
-    /// The same robot for another thread, which this one outlives: on the same connections, with what keeps motions back.
-    #[cfg(feature = "stream")]
-    pub(crate) fn lent(&mut self) -> Self {
-        Self {
-            client: self.client.lent(),
-            latch: self.latch.clone(),
-            monitor: Arc::clone(&self.monitor),
-            grace: self.grace,
-            silence: self.silence,
-            moves_without_status: self.moves_without_status,
-            batch: self.batch.clone(),
-            checks: self.checks.lent(),
-            frame_changes: self.frame_changes,
-            query: self.query.take(),
-            rests: std::mem::take(&mut self.rests),
-        }
-    }
-
-    /// The clock of its connections.
-    pub(crate) fn clock(&self) -> &Clock {
-        &self.client.link().clock
-    }
-
-    /// True if motions were accepted that have not been waited for.
-    pub(crate) fn has_motions(&self) -> bool {
-        self.batch.is_some()
+        self.moving().wait(timeout)
     }
 
     /// What must be acknowledged before the arm moves again, if something must.
     ///
     /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has reported.
     pub fn unacknowledged(&self) -> Option<Occurrence> {
-        self.latch.unacknowledged()
+        self.arm.state.unacknowledged()
     }
 
     /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
     /// on its way.
     pub fn acknowledge(&mut self) {
-        self.latch.acknowledge();
-        if self.batch.take().is_some() {
-            self.checks.unsettle();
+        self.arm.state.acknowledge();
+        if self.planned.give_up() {
+            self.limits.unsettle();
         }
     }
 
@@ -428,11 +260,47 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "motion_abort")]
     #[doc(alias = "stop")]
     pub fn stop_handle(&self) -> RobotStop {
-        RobotStop {
-            handle: self.client.stop_handle(),
-            stops: Arc::clone(&self.latch.stops),
-            waker: self.monitor.waker(),
-        }
+        self.arm.stop_handle()
+    }
+
+    /// The client, for all other commands.
+    ///
+    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
+    /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
+    #[doc(alias = "get_joint_pos")]
+    #[doc(alias = "get_tcp_pos")]
+    #[doc(alias = "set_digital_output")]
+    pub fn client(&mut self) -> &mut Client {
+        self.limits.forget_plan();
+        self.arm.client()
+    }
+
+    /// The monitor, which can be cloned for other threads.
+    pub fn monitor(&self) -> &Arc<Monitor<S>> {
+        &self.monitor
+    }
+
+    /// The limits, with the frames that the controller was found to have.
+    pub fn limits(&self) -> Option<&Checker> {
+        self.limits.checker()
+    }
+
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent all the same
+    /// ([`LimitPolicy::Warn`]).
+    pub fn limit_warning(&self) -> Option<String> {
+        self.limits.warning()
+    }
+
+    /// The parts that a motion concerns.
+    fn moving(&mut self) -> Moving<'_> {
+        let Self { arm, limits, planned, .. } = self;
+        Moving { arm, limits, planned }
+    }
+
+    /// The parts that a session leads.
+    fn led(&mut self) -> Led<'_> {
+        let has_motions = self.planned.has_motions();
+        Led { arm: &mut self.arm, limits: &mut self.limits, has_motions }
     }
 }
 

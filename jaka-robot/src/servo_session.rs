@@ -39,7 +39,9 @@ pub use self::session::ServoSession;
 pub(crate) use self::session_end::SessionEnd;
 #[cfg(feature = "stream")]
 pub(crate) use self::set_point::SetPoint;
+use crate::arm::Arm;
 use crate::error::OptionName;
+use crate::limits::LimitChecks;
 
 /// How a [`ServoSession`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +56,37 @@ pub struct ServoConfig {
     rates: Rates,
     #[cfg(feature = "realtime")]
     realtime_priority: Option<u8>,
+}
+
+/// Arm that a session leads, and the limits by which its set-points are checked.
+#[derive(Debug)]
+pub(crate) struct Led<'r> {
+    pub(crate) arm: &'r mut Arm,
+    pub(crate) limits: &'r mut LimitChecks,
+    /// True if motions were started that have not been waited for.
+    pub(crate) has_motions: bool,
+}
+
+/// The same for a thread of its own.
+#[derive(Debug)]
+pub(crate) struct LentArm {
+    pub(crate) arm: Arm,
+    limits: LimitChecks,
+    has_motions: bool,
+}
+
+impl Led<'_> {
+    /// The same arm for another thread, which this one outlives.
+    pub(crate) fn lent(self) -> LentArm {
+        LentArm { arm: self.arm.lent(), limits: self.limits.lent(), has_motions: self.has_motions }
+    }
+}
+
+impl LentArm {
+    pub(crate) fn led(&mut self) -> Led<'_> {
+        let Self { arm, limits, has_motions } = self;
+        Led { arm, limits, has_motions: *has_motions }
+    }
 }
 
 /// The longest servo period, in controller cycles.

@@ -1,4 +1,4 @@
-//! Threads with a robot of their own, whose set-points go out while the program does something else.
+//! Threads with an arm of their own, whose set-points go out while the program does something else.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,10 +6,10 @@ use std::{mem, thread};
 
 use jaka_sync::layer::{Clock, Watched};
 
-use crate::servo_session::SessionEnd;
-use crate::{Cause, Error, ErrorKind, MotionStatus, Robot};
+use crate::servo_session::{LentArm, SessionEnd};
+use crate::{Cause, Error, ErrorKind};
 
-/// A thread that has a lent robot. Who waits for it waits in the clock's time.
+/// A thread that has a lent arm. Who waits for it waits in the clock's time.
 #[derive(Debug)]
 pub(crate) struct ServoThread<T> {
     end: Arc<OneShot<T>>,
@@ -22,18 +22,18 @@ pub(crate) type Begun<B> = Sender<Result<B, Error>>;
 
 impl<T: Send + 'static> ServoThread<T> {
     /// Starts the work, and waits until it has begun. It ends with nothing where it does not begin.
-    pub(crate) fn start<S: MotionStatus, B: Send + 'static>(
+    pub(crate) fn start<B: Send + 'static>(
         name: &str,
-        mut robot: Robot<S>,
-        work: impl FnOnce(&mut Robot<S>, &Begun<B>) -> Option<T> + Send + 'static,
+        mut lent: LentArm,
+        work: impl FnOnce(&mut LentArm, &Begun<B>) -> Option<T> + Send + 'static,
     ) -> Result<(Self, B), Error> {
-        let clock = robot.clock().clone();
+        let clock = lent.arm.clock().clone();
         let place = clock.participant();
         let ((begun, given), (end, ended)) = (one_shot(&clock), one_shot(&clock));
         let act = move || {
-            let done = work(&mut robot, &given);
+            let done = work(&mut lent, &given);
             // Who waits has the connection for itself.
-            drop(robot);
+            drop(lent);
             if let Some(done) = done {
                 ended.send(done);
             }

@@ -9,16 +9,16 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::Dynamics;
-use jaka_proto::messages::status::RobotStatus;
 
 pub use self::handle::StreamHandle;
 #[cfg(doc)]
 use crate::ErrorKind;
 use crate::error::OptionName;
-use crate::robot::SetPointGuard;
+use crate::guard::SetPointGuard;
 use crate::servo_session::check_at_least;
+use crate::servo_session::{Led, LentArm};
 use crate::servo_thread::ServoThread;
-use crate::{End, Error, Guard, MotionStatus, Robot, ServoConfig};
+use crate::{End, Error, ServoConfig};
 
 /// How a [`Stream`] runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,57 +110,25 @@ impl StreamConfig {
 /// ```
 #[must_use = "dropping a stream ends it; `land` does so, too, and reports"]
 #[derive(Debug)]
-pub struct Stream<'r, S: MotionStatus = RobotStatus> {
+pub struct Stream<'r> {
     handle: StreamHandle,
     thread: ServoThread<Result<End, Error>>,
-    robot: PhantomData<&'r mut Robot<S>>,
+    robot: PhantomData<&'r mut ()>,
 }
 
-/// Streams need the feature `stream`.
-impl<S: MotionStatus> Robot<S> {
-    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
-    ///
-    /// It begins at rest, where the controller's own answer says that the joints are to be.
-    ///
-    /// # Errors
-    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
-    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
-    /// limits.
-    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_, S>, Error> {
-        self.begin_stream(config, None)
-    }
-
-    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes
-    /// goes out in the next servo period after the packet.
-    ///
-    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
-    ///
-    /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
-    /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
-    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
-    ///
-    /// # Errors
-    /// As [`stream`](Self::stream). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
-    /// period).
-    pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_, S>, Error> {
-        let armed = self.arm_for_set_points(&guard.into())?;
-        self.begin_stream(config, Some(armed))
-    }
-
-    fn begin_stream(&mut self, config: &StreamConfig, guard: Option<SetPointGuard>) -> Result<Stream<'_, S>, Error> {
+impl<'r> Stream<'r> {
+    /// Begins a stream in a thread of its own.
+    pub(crate) fn begin(led: Led<'r>, config: &StreamConfig, guard: Option<SetPointGuard>) -> Result<Self, Error> {
         config.check()?;
         let config = config.clone();
-        let work = move |robot: &mut Robot<S>, begun: &_| cycle::run(robot, &config, guard.as_ref(), begun);
-        let (thread, (targets, generator)) = ServoThread::start("jaka stream", self.lent(), work)?;
+        let work = move |lent: &mut LentArm, begun: &_| cycle::run(lent, &config, guard.as_ref(), begun);
+        let (thread, (targets, generator)) = ServoThread::start("jaka stream", led.lent(), work)?;
         let handle = StreamHandle { targets, desk: Arc::new(generator) };
-        Ok(Stream { handle, thread, robot: PhantomData })
+        Ok(Self { handle, thread, robot: PhantomData })
     }
 }
 
-impl<S: MotionStatus> Stream<'_, S> {
+impl Stream<'_> {
     /// A handle for another thread, which gives targets, too.
     pub fn handle(&self) -> StreamHandle {
         self.handle.clone()
@@ -177,7 +145,7 @@ impl<S: MotionStatus> Stream<'_, S> {
 }
 
 /// What the handle does, the stream does, too.
-impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
+impl std::ops::Deref for Stream<'_> {
     type Target = StreamHandle;
 
     fn deref(&self) -> &StreamHandle {
@@ -185,7 +153,7 @@ impl<S: MotionStatus> std::ops::Deref for Stream<'_, S> {
     }
 }
 
-impl<S: MotionStatus> Drop for Stream<'_, S> {
+impl Drop for Stream<'_> {
     fn drop(&mut self) {
         if self.thread.was_awaited {
             return;

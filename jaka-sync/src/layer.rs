@@ -2,7 +2,7 @@
 //! versioning.**
 //!
 //! A layer sends through a [`Gate`], which keeps commands back at the last moment, posts commands whose replies nobody
-//! waits for in particular, polls for the reply to a question, watches the packets of a [`Monitor`], and attaches the
+//! waits for in particular, polls for the reply to a question, listens to the news of a [`Monitor`], and attaches the
 //! last messages of a connection to its own errors. The traits give access to these parts of the types of this crate.
 //!
 //! A thread that holds a lock of its layer must not use a connection, unless the lock is taken before that of the
@@ -22,11 +22,11 @@ pub use crate::clock::{Clock, Place, Stopwatch};
 pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
 pub use crate::link::{Answers, Gate, Link, SendError, Sent, unexpected};
-pub use crate::monitor::{Waker, describe};
+pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::told;
 pub use crate::stop::WrittenStop;
-pub use crate::sync::{Watched, lock};
-use crate::{Client, Disconnect, Error, ErrorKind, Monitor, Snapshot, StatusProblem, StopHandle};
+pub use crate::sync::{Wakeup, Watched, lock};
+use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};
 
 /// Failure that an [`Error`] tells of, as a closed choice: each kind is one of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,28 +163,14 @@ pub trait MonitorParts<S> {
     /// Age from which a packet is stale: [`Config::stale_after`].
     fn stale_after(&self) -> Duration;
 
-    /// Newest packet, if the connection is there and the packet is fresh.
-    ///
-    /// # Errors
-    /// The reason why there is none.
-    fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem>;
+    /// Address of the connection, with the port.
+    fn address(&self) -> String;
 
-    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something;
-    /// none after `timeout`.
-    ///
-    /// # Errors
-    /// The connection has ended.
-    fn watch<T>(
-        &self,
-        timeout: Duration,
-        find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
-    ) -> Result<Option<T>, Error>;
+    /// Tells the news of the port from now on, before all observers of the program's own, on the monitor's thread.
+    fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static);
 
-    /// Waker of the threads in [`watch`](Self::watch).
-    fn waker(&self) -> Waker;
-
-    /// Observes each packet before all observers of the program's own.
-    fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static);
+    /// Tells what is known now, in this thread: the newest packet, and what has come after it.
+    fn tell_known(&self, tell: impl FnMut(StatusNews<'_, S>));
 }
 
 impl<S: Send + Sync + 'static> MonitorParts<S> for Monitor<S> {
@@ -196,24 +182,16 @@ impl<S: Send + Sync + 'static> MonitorParts<S> for Monitor<S> {
         self.stale_after
     }
 
-    fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
-        Monitor::fresh_packet(self)
+    fn address(&self) -> String {
+        Monitor::address(self)
     }
 
-    fn watch<T>(
-        &self,
-        timeout: Duration,
-        find: impl FnMut(Option<&Arc<Snapshot<S>>>) -> Option<T>,
-    ) -> Result<Option<T>, Error> {
-        Monitor::watch(self, timeout, find)
+    fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static) {
+        Monitor::listen(self, listener);
     }
 
-    fn waker(&self) -> Waker {
-        Monitor::waker(self)
-    }
-
-    fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        Monitor::observe_first(self, call);
+    fn tell_known(&self, tell: impl FnMut(StatusNews<'_, S>)) {
+        Monitor::tell_known(self, tell);
     }
 }
 

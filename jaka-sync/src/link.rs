@@ -51,9 +51,8 @@ use crate::{Config, Disconnect, Error};
 /// # Order of locks
 /// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread waiting. The
 ///    [`Gate`] runs under it: it may take 2, and must not use the connection.
-/// 2. The state of a monitor's board (`Board` in `monitor.rs`), the latch of a robot (`robot/latch.rs`) or the progress of a guard
-///    (`robot/guard/armed.rs`), never two at once. A thread that holds one of these must not take 1. What a guard judges by (`Judging`, in
-///    the same file) is taken before 2, and never together with 1. What it stops by (`Early`, there, too) is taken before 1.
+/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state of an arm, never
+///    two at once. A thread that holds one of these must not take 1.
 /// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which are the state of
 ///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`).
 ///

@@ -9,7 +9,7 @@ mod thread;
 mod interleavings;
 
 use std::any::Any;
-use std::fmt::{self, Display};
+use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -20,6 +20,7 @@ use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
 
 use self::observer::Observers;
+pub use self::observer::StatusNews;
 use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 pub use self::subscription::Subscription;
@@ -164,26 +165,6 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().latest.clone()
     }
 
-    /// The newest packet, if the connection is there and the packet is fresh.
-    pub(crate) fn fresh_packet(&self) -> Result<Arc<Snapshot<S>>, StatusProblem> {
-        let state = self.board.lock();
-        if let Some(cause) = state.ended.clone() {
-            return Err(StatusProblem::Ended { cause });
-        }
-        if state.reconnecting {
-            return Err(StatusProblem::Reconnecting);
-        }
-        if let Some(source) = state.unfit.clone() {
-            return Err(StatusProblem::Unreadable { source });
-        }
-        let latest = state.latest.clone().ok_or_else(|| StatusProblem::Missing { address: state.tap.address() })?;
-        let age = latest.age();
-        if age > self.stale_after {
-            return Err(StatusProblem::Stale { age });
-        }
-        if latest.follows_silence { Err(StatusProblem::Resuming) } else { Ok(latest) }
-    }
-
     /// True if no packet has come for longer than [`Config::stale_after`].
     pub fn is_stale(&self) -> bool {
         self.last_known_packet().is_none_or(|snapshot| snapshot.age() > self.stale_after)
@@ -216,7 +197,7 @@ impl<S: 'static> Monitor<S> {
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
     }
 
-    /// Calls `find` with each newest packet as it comes, and after each [`Waker::wake`], until it has found something; `None` after
+    /// Calls `find` with each newest packet as it comes, until it has found something; `None` after
     /// `timeout`, and the error once the connection has ended.
     pub(crate) fn watch<T>(
         &self,
@@ -246,16 +227,6 @@ impl<S: 'static> Monitor<S> {
                 drop(self.board.wait(state, left));
             }
         }
-    }
-
-    /// What wakes the threads in [`watch`](Self::watch).
-    pub(crate) fn waker(&self) -> Waker
-    where
-        S: Send + Sync,
-    {
-        let board = Arc::clone(&self.board);
-        // With the lock, so that no thread is between checking and waiting.
-        Waker(Arc::new(move || board.tell(board.lock())))
     }
 
     fn wait_for(&self, timeout: Duration, wanted: impl Fn(&Snapshot<S>) -> bool) -> Result<Arc<Snapshot<S>>, Error> {
@@ -302,9 +273,34 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().observers.users.push(Box::new(call));
     }
 
-    /// The same, before all of the user's observers.
-    pub(crate) fn observe_first(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
-        self.board.lock().observers.own.push(Box::new(call));
+    /// Tells the news of the port from now on, before all of the user's observers.
+    pub(crate) fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static) {
+        self.board.lock().observers.listeners.push(Box::new(listener));
+    }
+
+    /// Tells what is known now: the newest packet, and what has come after it.
+    pub(crate) fn tell_known(&self, mut tell: impl FnMut(StatusNews<'_, S>)) {
+        let state = self.board.lock();
+        let (latest, unfit) = (state.latest.clone(), state.unfit.clone());
+        let (is_reconnecting, ended) = (state.reconnecting, state.ended.clone());
+        drop(state);
+        if let Some(packet) = &latest {
+            tell(StatusNews::Packet { packet, is_newest: true });
+        }
+        if let Some(source) = &unfit {
+            tell(StatusNews::Unreadable(source));
+        }
+        if is_reconnecting {
+            tell(StatusNews::Reconnecting);
+        }
+        if let Some(cause) = &ended {
+            tell(StatusNews::Ended(cause));
+        }
+    }
+
+    /// Address of the connection, with the port.
+    pub(crate) fn address(&self) -> String {
+        self.board.lock().tap.address()
     }
 
     /// How regularly packets have come.
@@ -315,23 +311,6 @@ impl<S: 'static> Monitor<S> {
     /// What ended the connection, if something did.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.board.lock().ended.clone()
-    }
-}
-
-/// Wakes the threads that watch a monitor.
-#[derive(Clone)]
-pub struct Waker(Arc<dyn Fn() + Send + Sync>);
-
-impl Waker {
-    /// Has the threads check again.
-    pub fn wake(&self) {
-        (self.0)();
-    }
-}
-
-impl fmt::Debug for Waker {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Waker").finish_non_exhaustive()
     }
 }
 

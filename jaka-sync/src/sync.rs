@@ -21,15 +21,39 @@ use crate::clock::Signal;
 #[derive(Debug)]
 pub struct Watched<T> {
     state: Mutex<T>,
-    changed: Signal,
-    /// How many threads wait. It grows under the lock.
+    changed: Wakeup,
+}
+
+/// Wakes the threads that wait for a change of a state.
+#[derive(Debug)]
+pub struct Wakeup {
+    signal: Signal,
+    /// How many threads wait. It grows under the lock of the state.
     sleepers: AtomicUsize,
+}
+
+impl Wakeup {
+    /// For waits in the time of this clock.
+    pub fn new(clock: &Clock) -> Self {
+        Self { signal: Signal::new(clock), sleepers: AtomicUsize::new(0) }
+    }
+
+    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
+    pub fn wake(&self) {
+        if self.sleepers() > 0 {
+            self.signal.notify_all();
+        }
+    }
+
+    fn sleepers(&self) -> usize {
+        self.sleepers.load(Ordering::Relaxed)
+    }
 }
 
 impl<T> Watched<T> {
     /// State whose waiters wait in the time of this clock.
     pub fn new(clock: &Clock, state: T) -> Self {
-        Self { state: Mutex::new(state), changed: Signal::new(clock), sleepers: AtomicUsize::new(0) }
+        Self { state: Mutex::new(state), changed: Wakeup::new(clock) }
     }
 
     /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
@@ -48,15 +72,26 @@ impl<T> Watched<T> {
 
     /// The clock by which threads wait.
     pub fn clock(&self) -> &Clock {
-        &self.changed.clock
+        &self.changed.signal.clock
     }
 
     /// Waits until it is told of a change, or so long, or less.
     pub fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
-        self.sleepers.fetch_add(1, Ordering::Relaxed);
-        let state = self.changed.wait(&self.state, state, time);
-        self.sleepers.fetch_sub(1, Ordering::Relaxed);
+        self.wait_on(&self.changed, state, time)
+    }
+
+    /// The same, for a wake-up of its own, which others do not wait for.
+    pub fn wait_on<'w>(&'w self, wakeup: &Wakeup, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
+        wakeup.sleepers.fetch_add(1, Ordering::Relaxed);
+        let state = wakeup.signal.wait(&self.state, state, time);
+        wakeup.sleepers.fetch_sub(1, Ordering::Relaxed);
         state
+    }
+
+    /// How many threads wait.
+    #[cfg(test)]
+    pub(crate) fn sleepers(&self) -> usize {
+        self.changed.sleepers()
     }
 
     /// Waits until this finds something in the state; none after so long.
@@ -77,14 +112,7 @@ impl<T> Watched<T> {
 
     /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
     pub fn wake(&self) {
-        if self.sleepers() > 0 {
-            self.changed.notify_all();
-        }
-    }
-
-    /// How many threads wait.
-    pub(crate) fn sleepers(&self) -> usize {
-        self.sleepers.load(Ordering::Relaxed)
+        self.changed.wake();
     }
 }
 

@@ -6,7 +6,7 @@ use jaka_proto::messages::types::JointPosition;
 use super::{FollowConfig, start};
 use crate::Error;
 use crate::error::OptionName;
-use crate::robot::SetPointGuard;
+use crate::guard::SetPointGuard;
 use crate::servo_session::{beyond_limit, generator, not_generated};
 
 /// The way to where a trajectory starts, which is held for two periods there or more, so that the trajectory begins from a standstill at its start exactly.

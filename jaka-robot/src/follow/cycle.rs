@@ -6,19 +6,21 @@ use std::time::Duration;
 use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{ClientParts as _, Clock};
+use jaka_sync::layer::Clock;
 
 use super::approach::Approach;
 use super::orders::Orders;
 use super::{FollowConfig, start};
-use crate::robot::SetPointGuard;
-use crate::servo_session::{LagFit, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
+use crate::arm::Arm;
+use crate::guard::SetPointGuard;
+use crate::limits::LimitChecks;
+use crate::servo_session::{LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession, TrajectoryReport};
+use crate::{Cause, End, Error, ServoSession, TrajectoryReport};
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
-pub(super) fn run<S: MotionStatus>(
-    robot: &mut Robot<S>,
+pub(super) fn run(
+    lent: &mut LentArm,
     (trajectory, config): (&Trajectory, &FollowConfig),
     guard: Option<&SetPointGuard>,
     orders: &Arc<Orders>,
@@ -32,8 +34,10 @@ pub(super) fn run<S: MotionStatus>(
         None
     };
     let mut checked = None;
-    let check = |robot: &mut Robot<S>| start::check(robot, trajectory, config, guard).map(|with| checked = Some(with));
-    let mut session = match ServoSession::enter(robot, &config.servo, check) {
+    let check = |arm: &mut Arm, limits: &mut LimitChecks| {
+        start::check((arm, limits), trajectory, config, guard).map(|with| checked = Some(with))
+    };
+    let mut session = match ServoSession::enter(lent.led(), &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };
@@ -43,13 +47,13 @@ pub(super) fn run<S: MotionStatus>(
     };
     begun.send(Ok(()));
     let (period, most_deg) = (config.servo.period(), config.max_departure_deg);
-    let lag = LagFit::new(session.robot.clock().now(), way.last, period);
+    let lag = LagFit::new(session.arm.clock().now(), way.last, period);
     let mut supervision = Supervision::new((way.last, period), most_deg, config.max_gap, guard, Some(lag));
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);
     if end.error.is_none() && end.cause() != Cause::Reached {
-        robot.client().link().record_motion(MotionStep::Failed, || end.to_string());
+        lent.arm.link().record_motion(MotionStep::Failed, || end.to_string());
     }
     orders.end(SessionEnd::of_trajectory(&end));
     Some(end)
@@ -69,8 +73,8 @@ struct Way<'o> {
 }
 
 impl<'o> Way<'o> {
-    fn new<S: MotionStatus>(
-        session: &ServoSession<'_, S>,
+    fn new(
+        session: &ServoSession<'_>,
         (trajectory, known_by): (&Trajectory, Option<&Checker>),
         (config, guard): (&FollowConfig, Option<&'o SetPointGuard>),
         orders: &'o Orders,
@@ -91,17 +95,12 @@ impl<'o> Way<'o> {
             orders,
             is_overdue: false,
             last: at,
-            clock: session.robot.clock().clone(),
+            clock: session.arm.clock().clone(),
         })
     }
 
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
-    fn ended<S: MotionStatus>(
-        mut self,
-        mut session: ServoSession<'_, S>,
-        ended: Result<(), Error>,
-        supervision: &Supervision<'_>,
-    ) -> End {
+    fn ended(mut self, mut session: ServoSession<'_>, ended: Result<(), Error>, supervision: &Supervision<'_>) -> End {
         let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
             Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
             Err(error) => {
@@ -130,12 +129,12 @@ impl<'o> Way<'o> {
 
     /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own
     /// goes out before. Says whether it has left the curve.
-    fn braked<S: MotionStatus>(&mut self, session: &mut ServoSession<'_, S>, error: Error) -> (Error, bool) {
-        let (mut straight_on, stops) = (session.straight_on(), Arc::clone(&session.robot.latch.stops));
+    fn braked(&mut self, session: &mut ServoSession<'_>, error: Error) -> (Error, bool) {
+        let (mut straight_on, state) = (session.straight_on(), Arc::clone(&session.arm.state));
         let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
         self.slow_down();
         let error = session.end_by(error, &mut |course| {
-            let left = stops.time_to_brake();
+            let left = state.time_to_brake();
             if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
                 ahead = self.look_ahead(straight_on.periods(course), left);
             }

@@ -4,29 +4,31 @@ use jaka_motion::{Checker, Follower, JointPace, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
-use crate::robot::SetPointGuard;
+use crate::arm::Arm;
+use crate::guard::SetPointGuard;
+use crate::limits::LimitChecks;
 use crate::servo_session::{beyond_limit, check_shows_joints, no_limits};
-use crate::{Error, ErrorKind, MotionStatus, Robot};
+use crate::{Error, ErrorKind};
 
 /// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
 const AT_START_DEG: f64 = 0.01;
 
 /// Checks all that can be checked without servo mode; what it was compared with.
-pub(super) fn check<S: MotionStatus>(
-    robot: &mut Robot<S>,
+pub(super) fn check(
+    (arm, limits): (&mut Arm, &mut LimitChecks),
     trajectory: &Trajectory,
     config: &FollowConfig,
     guard: Option<&SetPointGuard>,
 ) -> Result<Checker, Error> {
-    if robot.limits().is_none() {
+    if limits.checker().is_none() {
         return Err(no_limits());
     }
     let timeout = config.servo.enter_timeout;
-    check_shows_joints(robot, timeout)?;
-    let at = robot.client().get_joint_pos()?.joint_position;
-    let pose = robot.tcp_pose(timeout)?;
-    robot.prepare_set_points(at, pose, timeout)?;
-    let checker = robot.limits().ok_or_else(no_limits)?;
+    check_shows_joints(arm, timeout)?;
+    let at = arm.queries().get_joint_pos()?.joint_position;
+    let pose = arm.position.tcp_pose(timeout)?;
+    limits.prepare_set_points(arm, (at, pose), timeout)?;
+    let checker = limits.checker().ok_or_else(no_limits)?;
     check_limits(checker, trajectory, config, guard)?;
     check_start(checker, at, trajectory, config)?;
     guard.map_or(Ok(()), SetPointGuard::check_before_start)?;

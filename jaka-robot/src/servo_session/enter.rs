@@ -9,35 +9,39 @@ use jaka_sync::layer::ClientParts as _;
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
-use super::{MOST_STEPS, ServoConfig, ServoSession};
-use crate::error::Attach as _;
-use crate::{Error, ErrorKind, Explanation, MotionStatus, Report, Rest, Robot};
+use super::{Led, MOST_STEPS, ServoConfig, ServoSession};
+use crate::arm::{Arm, Sending};
+use crate::limits::LimitChecks;
+use crate::{Error, Explanation, Report, Rest};
 
-impl<'r, S: MotionStatus> ServoSession<'r, S> {
+impl<'r> ServoSession<'r> {
     /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
     pub(crate) fn enter(
-        robot: &'r mut Robot<S>,
+        led: Led<'r>,
         config: &ServoConfig,
-        check: impl FnOnce(&mut Robot<S>) -> Result<(), Error>,
+        check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
+        let Led { arm, limits, has_motions } = led;
         check_step_count(config)?;
         config.rates.check_themselves()?;
         #[cfg(feature = "realtime")]
         let priority = config.take_priority()?;
-        robot.rest_for_servo(config.enter_timeout)?;
-        if robot.client().call(&IsInServomove::new())?.in_servo_mode {
-            return Err(robot.not_ready(Explanation::ServoModeOn));
+        rest(arm, has_motions, config.enter_timeout)?;
+        if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
+            return Err(arm.not_ready(Explanation::ServoModeOn));
         }
-        check(robot)?;
+        check(arm, limits)?;
+        limits.forget_plan();
         if let Some(filter) = &config.filter {
-            let gate = robot.gate();
-            let client = robot.client();
+            let gate = arm.gate(Sending::Motion);
+            let client = arm.client();
             client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO))?;
         }
         let mut session = Self {
-            pace: Pace::new(robot.clock(), config.period(), config.busy_wait),
-            since: robot.clock().stopwatch(),
-            robot,
+            pace: Pace::new(arm.clock(), config.period(), config.busy_wait),
+            since: arm.clock().stopwatch(),
+            arm,
+            limits,
             config: config.clone(),
             course: Course::unknown(),
             report: Report::of_set_points(),
@@ -52,7 +56,7 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
         match session.switch_on() {
             Ok(course) => {
                 session.course = course;
-                session.pace = Pace::new(session.robot.clock(), config.period(), config.busy_wait);
+                session.pace = Pace::new(session.arm.clock(), config.period(), config.busy_wait);
                 Ok(session)
             }
             Err(error) => Err(session.end(error)),
@@ -61,8 +65,8 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
 
     /// Servo mode on, and where the arm is in it.
     fn switch_on(&mut self) -> Result<Course, Error> {
-        let gate = self.robot.gate();
-        let (client, timeout) = (self.robot.client(), self.config.enter_timeout);
+        let gate = self.arm.gate(Sending::Motion);
+        let (client, timeout) = (self.arm.client(), self.config.enter_timeout);
         let on =
             client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));
         if let Err(error) = on.map_err(Error::from) {
@@ -71,10 +75,10 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
             return Err(error);
         }
         self.wait_until_entered(timeout)?;
-        let start = self.robot.client().get_joint_pos()?.joint_position;
-        let pose = self.robot.tcp_pose(timeout)?;
-        self.robot.prepare_set_points(start, pose, timeout)?;
-        if let Some(accelerations) = self.robot.joint_accelerations() {
+        let start = self.arm.client().get_joint_pos()?.joint_position;
+        let pose = self.arm.position.tcp_pose(timeout)?;
+        self.limits.prepare_set_points(self.arm, (start, pose), timeout)?;
+        if let Some(accelerations) = self.limits.joint_accelerations() {
             self.config.rates.joint_acceleration = accelerations;
         }
         Ok(Course::at(start, pose))
@@ -82,11 +86,11 @@ impl<'r, S: MotionStatus> ServoSession<'r, S> {
 
     /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.
     fn wait_until_entered(&mut self, timeout: Duration) -> Result<(), Error> {
-        let since = self.robot.clock().stopwatch();
-        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
-        while !self.robot.client().call(&IsInServomove::new())?.in_servo_mode {
+        let since = self.arm.clock().stopwatch();
+        let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);
+        while !self.arm.client().call(&IsInServomove::new())?.in_servo_mode {
             if since.passed() > timeout {
-                return Err(self.robot.not_ready(Explanation::ServoModeNotEntered));
+                return Err(self.arm.not_ready(Explanation::ServoModeNotEntered));
             }
             pace.wait();
         }
@@ -104,30 +108,15 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
     Err(ServoConfig::option("step_count").refuse(count, expected))
 }
 
-impl<S: MotionStatus> Robot<S> {
-    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
-    ///
-    /// # Errors
-    /// As [`ServoSession`] says at "Entering".
-    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_, S>, Error> {
-        ServoSession::enter(self, config, |_| Ok(()))
+/// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
+/// enter it.
+fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
+    arm.link().check_open(SetServoMode::INFO.name)?;
+    arm.state.check_acknowledged()?;
+    if has_motions {
+        return Err(arm.not_ready(Explanation::Moving));
     }
-
-    /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
-    /// enter it.
-    fn rest_for_servo(&mut self, timeout: Duration) -> Result<(), Error> {
-        self.client().link().check_open(SetServoMode::INFO.name)?;
-        self.latch.check()?;
-        if self.has_motions() {
-            return Err(self.not_ready(Explanation::Moving));
-        }
-        self.known_status(timeout)?;
-        // Packets may be old: the controller says whether it moves.
-        if self.comes_to_rest(timeout)? { Ok(()) } else { Err(self.not_ready(Explanation::Moving)) }
-    }
-
-    /// The error for what the robot's state keeps it from doing.
-    pub(crate) fn not_ready(&mut self, explanation: Explanation) -> Error {
-        self.client().link().attach(ErrorKind::NotReady { explanation }.into())
-    }
+    arm.known_status(timeout)?;
+    // Packets may be old: the controller says whether it moves.
+    if arm.position.comes_to_rest(timeout)? { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
 }

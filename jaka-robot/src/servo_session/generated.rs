@@ -13,10 +13,11 @@ use super::departure::Departure;
 use super::lag::LagFit;
 use super::pace::Pace;
 use super::set_point::SetPoint;
+use crate::arm::Arm;
 use crate::cause::shown_joints;
 use crate::error::OptionName;
-use crate::robot::{MeasuredLag, SetPointGuard};
-use crate::{Error, ErrorKind, FollowLag, MotionStatus, NotShown, Robot, Snapshot, Unchecked};
+use crate::guard::{MeasuredLag, SetPointGuard};
+use crate::{Error, ErrorKind, FollowLag, NotShown, Snapshot, Unchecked};
 
 /// What makes set-points, one a cycle.
 pub(crate) trait SetPoints {
@@ -114,20 +115,20 @@ fn not_shown(reason: NotShown) -> Error {
 }
 
 /// Fails where packets do not show the joints, so that it would not be known whether these follow. Where no packets come, something else decides.
-pub(crate) fn check_shows_joints<S: MotionStatus>(robot: &Robot<S>, timeout: Duration) -> Result<(), Error> {
-    let packet = robot.known_status(timeout)?;
+pub(crate) fn check_shows_joints(arm: &Arm, timeout: Duration) -> Result<(), Error> {
+    let packet = arm.known_status(timeout)?;
     packet.map_or(Ok(()), |packet| shown_joints(&packet).map(drop).map_err(not_shown))
 }
 
-impl<S: MotionStatus> ServoSession<'_, S> {
+impl ServoSession<'_> {
     /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
-        Some((self.robot.limits()?, self.last_joints()?))
+        Some((self.limits.checker()?, self.last_joints()?))
     }
 
     /// The first cycle is due now: what was computed after servo mode was entered is not late.
     pub(crate) fn begin_pace(&mut self) {
-        self.pace = Pace::new(self.robot.clock(), self.config.period(), self.config.busy_wait);
+        self.pace = Pace::new(self.arm.clock(), self.config.period(), self.config.busy_wait);
     }
 
     /// Where the joints are to be at the last set-point, where that is known.
@@ -147,9 +148,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             if cycle.as_ref().map_or(true, |late| *late >= self.config.gap()) {
                 set_points.paused();
             }
-            supervision
-                .guard
-                .map_or(Ok(()), |guard| guard.check(self.robot.monitor(), || supervision.measured_lag()))?;
+            supervision.guard.map_or(Ok(()), |guard| guard.check(&self.arm.state, || supervision.measured_lag()))?;
             // Before the end: a motion that has no set-point when one is due does not end as commanded.
             let late = cycle?;
             if set_points.is_done() {
@@ -164,15 +163,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             let joints = set_points.next();
             let sent = self.send_checked(SetPoint::Joints(joints), Some(joints), supervision.max_gap);
             sent.inspect_err(|_| set_points.take_back())?;
-            supervision.sent(|| self.robot.clock().now(), joints);
+            supervision.sent(|| self.arm.clock().now(), joints);
             set_points.sent();
         }
     }
 
     /// The newest packet, unless it has this number.
     fn packet_after(&self, number: u64) -> Option<Arc<Snapshot>> {
-        let packet = self.robot.monitor().last_known_packet().filter(|packet| packet.number != number)?;
-        Some(S::snapshot(&packet))
+        self.arm.state.newest_packet().filter(|packet| packet.number != number)
     }
 }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use jaka_proto::messages::types::JointPosition;
 
 use crate::FollowLag;
-use crate::robot::MeasuredLag;
+use crate::guard::MeasuredLag;
 
 /// Delays from 0 to this are compared, in ms.
 const MOST_MS: usize = 500;

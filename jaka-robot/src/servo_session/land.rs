@@ -4,16 +4,15 @@ use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _};
 
 use super::ServoSession;
 use super::braking::Braking;
 use super::course::Course;
 use super::rates::Rates;
 use super::set_point::{SetPoint, Step};
+use crate::arm::{Sending, Stillness};
 use crate::cause::Occurrence;
-use crate::robot::Stillness;
-use crate::{Cause, Error, ErrorKind, MotionStatus, Rest};
+use crate::{Cause, Error, ErrorKind, Rest};
 
 /// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its set-points is at rest
 /// by then.
@@ -54,7 +53,7 @@ impl StraightOn {
     }
 }
 
-impl<S: MotionStatus> ServoSession<'_, S> {
+impl ServoSession<'_> {
     /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at rest.
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
@@ -64,7 +63,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     pub(crate) fn straight_on(&mut self) -> StraightOn {
-        if self.robot.joint_accelerations().is_some() {
+        if self.limits.joint_accelerations().is_some() {
             // The way on in joints was checked, not that along the line of the poses.
             self.course.go_on_in_joints();
         }
@@ -75,7 +74,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub(super) fn come_to_rest_by(&mut self, braking: BrakingPath<'_>) -> Result<(), Error> {
         let came = if self.course.has_begun() {
             // Set-points that were sent before may be refused yet.
-            let outstanding = u64::try_from(self.robot.client().link().outstanding()).unwrap_or(u64::MAX);
+            let outstanding = u64::try_from(self.arm.link().outstanding()).unwrap_or(u64::MAX);
             let refused = self.report.refused.saturating_add(outstanding);
             self.brake(braking, refused).and_then(|()| self.hold(refused))
         } else {
@@ -83,23 +82,23 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             self.rest = Rest::Packets;
             Ok(())
         };
-        self.robot.latch.stops.expect_set_point(None);
+        self.arm.state.expect_set_point(None);
         came
     }
 
     /// Where the last set-point is so long ago that the arm has none, it stands.
     fn brake(&mut self, braking: BrakingPath<'_>, refused: u64) -> Result<(), Error> {
-        let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.robot.clock().elapsed(cycle.due));
+        let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.arm.clock().elapsed(cycle.due));
         if late >= self.config.gap() {
             self.stand(late);
             return Ok(());
         }
         while let Some(next) = braking(&self.course) {
-            let gate = self.robot.braking_gate();
+            let gate = self.arm.gate(Sending::Braking);
             if !self.send_landing(next, &gate, refused)? {
                 return Ok(());
             }
-            self.robot.latch.stops.expect_set_point(Some(self.config.gap() * 2));
+            self.arm.state.expect_set_point(Some(self.config.gap() * 2));
         }
         Ok(())
     }
@@ -115,23 +114,23 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
-        self.robot.latch.stops.expect_set_point(None);
-        let since = self.robot.clock().stopwatch();
+        self.arm.state.expect_set_point(None);
+        let since = self.arm.clock().stopwatch();
         let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
         loop {
-            if is_held && self.robot.latch.unacknowledged_stop().is_some() {
+            if is_held && self.arm.state.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
-                (stillness, is_held) = (Stillness::new(self.robot.clock().now(), None), false);
+                (stillness, is_held) = (Stillness::new(self.arm.clock().now(), None), false);
             }
-            let packet = self.robot.monitor().last_known_packet();
-            if packet.is_some_and(|packet| stillness.is_seen(&S::snapshot(&packet))) {
+            let packet = self.arm.state.newest_packet();
+            if packet.is_some_and(|packet| stillness.is_seen(&packet)) {
                 self.rest = Rest::Packets;
                 return Ok(());
             }
-            let is_blind = self.robot.monitor().fresh_packet().is_err();
+            let is_blind = self.arm.state.fresh_packet().is_err();
             let patience = if is_blind { BLIND.min(self.config.rest_timeout) } else { self.config.rest_timeout };
             if since.passed() >= patience {
-                let may_be_blind = is_blind && self.robot.moves_without_status;
+                let may_be_blind = is_blind && self.arm.state.moves_without_status();
                 return if may_be_blind {
                     Ok(())
                 } else {
@@ -143,9 +142,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
-        match (self.robot.latch.unacknowledged_stop(), self.course.hold()) {
+        match (self.arm.state.unacknowledged_stop(), self.course.hold()) {
             (None, Some(set_point)) => {
-                let gate = self.robot.holding_gate();
+                let gate = self.arm.gate(Sending::Holding);
                 match self.send_landing(set_point, &gate, refused) {
                     // A stop has come between, or an odd reply, which the next ones make up for.
                     Err(error) if Braking::after(&error) == Braking::Land && !error.is_refused() => Ok(()),
@@ -171,7 +170,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     ) -> Result<bool, Error> {
         // What was computed since takes its time, too.
         let cycle = self.begun.take().unwrap_or_else(|| self.pace.wait());
-        let late = self.robot.clock().elapsed(cycle.due);
+        let late = self.arm.clock().elapsed(cycle.due);
         if late >= self.config.gap() {
             self.stand(late);
             return Ok(false);

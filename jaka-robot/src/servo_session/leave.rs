@@ -7,7 +7,7 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_proto::messages::types::Switch;
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{ClientParts as _, MonitorParts as _, Sent};
+use jaka_sync::layer::{ClientParts as _, Sent};
 
 use super::ServoSession;
 #[cfg(feature = "stream")]
@@ -16,8 +16,7 @@ use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
 use super::session_end::SessionEnd;
-use crate::error::Attach as _;
-use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, MotionStatus, Report};
+use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Report};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -25,7 +24,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// How long the packet may take that shows why a set-point was refused: packets come each 100 ms or sooner.
 const SETTLING: Duration = Duration::from_millis(250);
 
-impl<S: MotionStatus> ServoSession<'_, S> {
+impl ServoSession<'_> {
     /// Brakes the arm, holds it until the status shows it at rest, waits for the last answers, and leaves servo mode.
     ///
     /// # Errors
@@ -76,7 +75,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (first, Err(leaving)) => Err(not_left(first, leaving)),
         };
         let rest = if self.rest.was_seen() { "is at rest" } else { "was not seen at rest" };
-        let link = self.robot.client().link();
+        let link = self.arm.link();
         match &ended {
             Ok(()) => link.record_motion(MotionStep::Done, || format!("the set-points have ended, and the arm {rest}")),
             Err(error) => link.record_motion(MotionStep::Failed, || error.kind().to_string()),
@@ -85,9 +84,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 
     fn last_answers(&mut self) -> Result<(), Error> {
-        let since = self.robot.clock().stopwatch();
-        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
-        while self.robot.client().link().outstanding() > 0 && since.passed() < PATIENCE {
+        let since = self.arm.clock().stopwatch();
+        let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);
+        while self.arm.link().outstanding() > 0 && since.passed() < PATIENCE {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
@@ -117,7 +116,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(SessionEnd::of(&error));
-        self.robot.client().link().record_motion(MotionStep::Failed, || error.kind().to_string());
+        self.arm.link().record_motion(MotionStep::Failed, || error.kind().to_string());
         #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error
@@ -129,13 +128,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if !error.is_refused() {
             return error;
         }
-        if self.robot.unacknowledged().is_none() {
-            let monitor = self.robot.monitor();
-            let seen = monitor.last_known_packet().map_or(0, |packet| packet.number);
+        if self.arm.state.unacknowledged().is_none() {
+            let state = &self.arm.state;
+            let seen = state.newest_packet().map_or(0, |packet| packet.number);
             // If none comes, none shows it.
-            let _ = monitor.watch(SETTLING, |newest| newest.filter(|newest| newest.number > seen).map(drop));
+            let _ = state.watch(SETTLING, |newest| newest.filter(|newest| newest.number > seen).map(drop));
         }
-        self.robot.explained(error, PATIENCE)
+        let error = self.arm.explained(error, PATIENCE);
+        self.limits.explained(error)
     }
 
     /// Leaves servo mode, and asks whether it was left.
@@ -144,26 +144,26 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        self.robot.latch.stops.expect_set_point(None);
+        self.arm.state.expect_set_point(None);
         // Another thread that reads may have received replies meanwhile.
-        let (answers, unanswered) = self.robot.client().link().forget_posted();
+        let (answers, unanswered) = self.arm.link().forget_posted();
         self.count(answers);
         self.report.unanswered += unanswered;
-        let link = self.robot.client().link();
+        let link = self.arm.link();
         let off = SetServoMode::new(Switch::Off);
         let off = link.ask(SetServoMode::INFO, &mut |out| off.write_request(out))?;
         let left = self.wait_until_left(&off, unanswered);
-        self.robot.client().link().forget(&off);
+        self.arm.link().forget(&off);
         left
     }
 
     /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered either, the
     /// connection is reset, so that the system discards those that it has queued.
     fn wait_until_left(&mut self, off: &Sent<'_>, unanswered: u64) -> Result<(), Error> {
-        let since = self.robot.clock().stopwatch();
-        let mut pace = Pace::new(self.robot.clock(), CYCLE, Duration::ZERO);
+        let since = self.arm.clock().stopwatch();
+        let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);
         loop {
-            let client = self.robot.client();
+            let client = self.arm.client();
             let timeout = if unanswered > 0 { PATIENCE } else { client.timeout_of(IsInServomove::INFO) };
             match client.call_within(&IsInServomove::new(), timeout) {
                 Ok(reply) if !reply.in_servo_mode => return Ok(()),
@@ -174,7 +174,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
                     let cause = link.reset(Disconnect::Reset { unanswered });
                     let (address, command) = (link.address(), Some(SetServoMode::INFO.name.to_owned()));
                     let kind = jaka_sync::ErrorKind::Disconnected { address, command, sent: true, cause };
-                    return Err(link.attach(kind.into()));
+                    return Err(self.arm.attach(kind));
                 }
                 Err(error) => return Err(error.into()),
             }
@@ -183,8 +183,8 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// The command was refused, or was acknowledged and not carried out.
     fn still_in_servo_mode(&mut self, off: &Sent<'_>) -> Error {
-        let answer = self.robot.client().link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
-        answer.err().map_or_else(|| self.robot.not_ready(Explanation::ServoModeNotLeft), Error::from)
+        let answer = self.arm.link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
+        answer.err().map_or_else(|| self.arm.not_ready(Explanation::ServoModeNotLeft), Error::from)
     }
 }
 
@@ -193,7 +193,7 @@ fn not_left(first: Option<Error>, leaving: Error) -> Error {
     Error::from(ErrorKind::ServoModeNotLeft { first, leaving }).with_exchanges(exchanges)
 }
 
-impl<S: MotionStatus> Drop for ServoSession<'_, S> {
+impl Drop for ServoSession<'_> {
     fn drop(&mut self) {
         if self.is_open {
             let landed = self.come_to_rest();

@@ -3,12 +3,10 @@
 use std::cell::Cell;
 use std::fmt;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
-use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
 use jaka_sync::layer::{Answers, ClientParts as _, Gate, Stopwatch};
@@ -20,17 +18,18 @@ use super::pace::{Cycle, Pace};
 use super::realtime::RealtimePriority;
 use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
-use crate::error::Attach as _;
-use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
+use crate::arm::{Arm, Sending};
+use crate::limits::LimitChecks;
+use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 
-/// The robot in servo mode, from [`Robot::enter_servo_mode`]: set-points go out once in each servo period, and their replies are
+/// The robot in servo mode, from [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode): set-points go out once in each servo period, and their replies are
 /// counted, not waited for.
 ///
 /// Each call sends one set-point in the next cycle. [`land`](Self::land) brakes the arm, leaves servo mode and reports; dropping the
 /// session does the same without a report, also while a panic unwinds.
 ///
 /// # Entering
-/// [`Robot::enter_servo_mode`] fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
+/// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
 /// been waited for, while servo mode is on already, and where the controller acknowledges servo mode and does not enter
 /// it; with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] where the status is stale,
 /// missing or unreadable, with [`ErrorKind::InvalidOption`] for a [`ServoConfig`] with a value that it does not take,
@@ -81,8 +80,9 @@ use crate::{Error, ErrorKind, MotionStatus, Report, Rest, Robot, Snapshot};
 /// # Ok::<(), jaka_robot::Error>(())
 /// ```
 #[must_use = "dropping a session ends it; `land` does so, too, and reports"]
-pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
-    pub(crate) robot: &'r mut Robot<S>,
+pub struct ServoSession<'r> {
+    pub(crate) arm: &'r mut Arm,
+    pub(crate) limits: &'r mut LimitChecks,
     pub(super) config: ServoConfig,
     pub(super) pace: Pace,
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
@@ -104,7 +104,7 @@ pub struct ServoSession<'r, S: MotionStatus = RobotStatus> {
     pub(super) priority: Option<RealtimePriority>,
 }
 
-impl<S: MotionStatus> ServoSession<'_, S> {
+impl ServoSession<'_> {
     /// The time of the next set-point: the periods of those before it.
     pub fn time(&self) -> Duration {
         self.pace.time()
@@ -173,10 +173,10 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     /// As [`send_joints`](Self::send_joints).
     pub fn run<B>(
         &mut self,
-        mut next: impl FnMut(Duration, Option<&Snapshot<S>>) -> ControlFlow<B, JointPosition>,
+        mut next: impl FnMut(Duration, Option<&Snapshot>) -> ControlFlow<B, JointPosition>,
     ) -> Result<B, Error> {
         loop {
-            let status: Option<Arc<Snapshot<S>>> = self.robot.monitor().last_known_packet();
+            let status = self.arm.state.newest_packet();
             match next(self.time(), status.as_deref()) {
                 ControlFlow::Continue(target) => self.send_joints(target)?,
                 ControlFlow::Break(end) => return Ok(end),
@@ -205,7 +205,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         self.report.late(late, period);
         if late >= period && late < self.config.gap() {
             let text = || format!("a set-point is {late:.1?} late");
-            self.robot.client().link().record_motion(MotionStep::Late, text);
+            self.arm.link().record_motion(MotionStep::Late, text);
         }
     }
 
@@ -213,7 +213,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     pub(super) fn count_gap(&mut self, late: Duration) {
         self.report.gap(late);
         let text = || format!("a set-point is {late:.1?} late: the controller had none when several were due");
-        self.robot.client().link().record_motion(MotionStep::Gap, text);
+        self.arm.link().record_motion(MotionStep::Gap, text);
     }
 
     /// Waits for the next cycle, and returns its lateness. Fails after a gap in the middle of a motion.
@@ -231,7 +231,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
             return Ok(late);
         }
         // A stop may have come meanwhile, and says more.
-        self.robot.gate()().and(Err(ErrorKind::SetPointLate { late }.into()))
+        self.arm.gate(Sending::Motion)().and(Err(ErrorKind::SetPointLate { late }.into()))
     }
 
     /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm
@@ -246,7 +246,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
         let period = self.config.period();
         // Limits say more of a pose: what the joints do.
-        if !(set_point.is_pose() && self.robot.refuses_beyond_limits()) {
+        if !(set_point.is_pose() && self.limits.refuses_beyond_limits()) {
             let step = self.course.step_to(set_point);
             let before = step.as_ref().and_then(|step| self.course.last_step(step));
             match (step, before) {
@@ -258,9 +258,11 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         }
         let (before, joints) = (self.course.last_joints(), self.course.joints_at(set_point));
         match *set_point {
-            SetPoint::Joints(_) | SetPoint::JointOffset(_) => self.robot.check_joints(before, joints, period),
-            SetPoint::Pose(target) => self.robot.check_pose(before, Some(target), period),
-            SetPoint::PoseOffset(_) => self.robot.check_pose(before, None, period),
+            SetPoint::Joints(_) | SetPoint::JointOffset(_) => {
+                self.limits.check_joints(self.arm, before, joints, period)
+            }
+            SetPoint::Pose(target) => self.limits.check_pose(self.arm, before, Some(target), period),
+            SetPoint::PoseOffset(_) => self.limits.check_pose(self.arm, before, None, period),
         }
     }
 
@@ -277,14 +279,14 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        self.robot.latch.check()?;
+        self.arm.state.check_acknowledged()?;
         self.check_unanswered()?;
-        let (gate, begun) = (self.robot.gate(), self.begun);
+        let (gate, begun) = (self.arm.gate(Sending::Motion), self.begun);
         let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };
         let late = self.post(&set_point, &gate, most)?;
         self.course.sent(set_point, joints);
         self.went_out(late, begun);
-        self.robot.latch.stops.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
+        self.arm.state.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
         Ok(())
     }
 
@@ -310,9 +312,9 @@ impl<S: MotionStatus> ServoSession<'_, S> {
         gate: &dyn Fn() -> Result<(), Error>,
         most: Duration,
     ) -> Result<Duration, Error> {
-        let (steps, clock) = (self.config.step_count.into(), self.robot.clock().clone());
+        let (steps, clock) = (self.config.step_count.into(), self.arm.clock().clone());
         let gap = if self.stands_within_a_period() { Duration::MAX } else { self.config.gap() };
-        let (client, begun, lateness) = (self.robot.client(), self.begun, Cell::new(Duration::ZERO));
+        let (client, begun, lateness) = (self.arm.client(), self.begun, Cell::new(Duration::ZERO));
         let gate = || {
             gate()?;
             let late = begun.map_or(Duration::ZERO, |cycle| clock.elapsed(cycle.due));
@@ -336,17 +338,17 @@ impl<S: MotionStatus> ServoSession<'_, S> {
 
     /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
     pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
-        let link = self.robot.client().link();
+        let link = self.arm.link();
         let count = link.outstanding();
         if count < self.config.most_unanswered() {
             return Ok(());
         }
         let oldest = link.oldest_posted().unwrap_or_default();
-        Err(link.attach(ErrorKind::SetPointsUnanswered { count, oldest }.into()))
+        Err(self.arm.attach(ErrorKind::SetPointsUnanswered { count, oldest }))
     }
 
     pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
-        let (answers, checked) = self.robot.client().link().drain(command);
+        let (answers, checked) = self.arm.link().drain(command);
         self.count(answers);
         Ok(checked?)
     }
@@ -366,7 +368,7 @@ impl<S: MotionStatus> ServoSession<'_, S> {
     }
 }
 
-impl<S: MotionStatus> fmt::Debug for ServoSession<'_, S> {
+impl fmt::Debug for ServoSession<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ServoSession").field("config", &self.config).field("time", &self.time()).finish_non_exhaustive()
     }

@@ -7,16 +7,18 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
-use crate::robot::SetPointGuard;
+use crate::arm::Arm;
+use crate::guard::SetPointGuard;
+use crate::limits::LimitChecks;
 use crate::servo_session::{
-    Course, LagFit, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
+    Course, LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
 };
 use crate::servo_thread::{Begun, OnDrop};
-use crate::{Cause, End, Error, MotionStatus, Robot, ServoSession};
+use crate::{Cause, End, Error, ServoSession};
 
 /// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.
-pub(super) fn run<S: MotionStatus>(
-    robot: &mut Robot<S>,
+pub(super) fn run(
+    lent: &mut LentArm,
     config: &StreamConfig,
     guard: Option<&SetPointGuard>,
     begun: &Begun<(Arc<Targets>, Generator)>,
@@ -26,13 +28,13 @@ pub(super) fn run<S: MotionStatus>(
         begun.send(Err(error));
         None
     };
-    let clock = robot.clock().clone();
+    let clock = lent.arm.clock().clone();
     let timeout = config.servo.enter_timeout;
-    let check = |robot: &mut Robot<S>| {
-        check_shows_joints(robot, timeout)?;
+    let check = |arm: &mut Arm, _: &mut LimitChecks| {
+        check_shows_joints(arm, timeout)?;
         guard.map_or(Ok(()), SetPointGuard::check_before_start)
     };
-    let mut session = match ServoSession::enter(robot, &config.servo, check) {
+    let mut session = match ServoSession::enter(lent.led(), &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };
@@ -67,8 +69,8 @@ pub(super) fn run<S: MotionStatus>(
     Some(result)
 }
 
-fn generator_at_start<S: MotionStatus>(
-    session: &ServoSession<'_, S>,
+fn generator_at_start(
+    session: &ServoSession<'_>,
     config: &StreamConfig,
     guard: Option<&SetPointGuard>,
 ) -> Result<Generator, Error> {

@@ -1,49 +1,85 @@
-//! Calls for each packet.
+//! Calls for each packet, and for other news of the port.
 
 use std::fmt;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use crate::Snapshot;
+use jaka_proto::wire::DecodeError;
+
+use crate::{Disconnect, Snapshot};
+
+/// News of a status port, in the order in which they come.
+#[derive(Debug)]
+pub enum StatusNews<'n, S> {
+    /// A packet.
+    Packet {
+        /// The packet.
+        packet: &'n Arc<Snapshot<S>>,
+        /// False where a newer one had come by the time at which it could be told.
+        is_newest: bool,
+    },
+    /// The newest packet cannot be decoded.
+    Unreadable(&'n DecodeError),
+    /// The connection is lost, and is being made again.
+    Reconnecting,
+    /// The connection has ended for good.
+    Ended(&'n Arc<Disconnect>),
+}
+
+impl<S> Clone for StatusNews<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for StatusNews<'_, S> {}
+
+/// Call of another layer for each piece of news.
+pub(super) type Listener<S> = Box<dyn FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send>;
 
 pub(super) type Call<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
 
-/// What is called for each packet.
+/// Listeners and observers.
 pub(super) struct Observers<S> {
-    /// This crate's own, which are short and keep the arm from moving: no user's observer may hold them up.
-    pub(super) own: Vec<Call<S>>,
+    /// Those of another layer, which are short and keep the arm from moving: no user's observer may hold them up.
+    pub(super) listeners: Vec<Listener<S>>,
     pub(super) users: Vec<Call<S>>,
 }
 
 impl<S> Observers<S> {
     pub(super) fn is_empty(&self) -> bool {
-        self.own.is_empty() && self.users.is_empty()
+        self.listeners.is_empty() && self.users.is_empty()
     }
 
-    /// Calls all of them, and forgets those that break; of the users' those that panic, too.
+    /// Tells the listeners, and forgets those that break. Those that panic leave nothing half done.
+    pub(super) fn tell(&mut self, news: StatusNews<'_, S>) {
+        let flow = |listener: &mut Listener<S>| catch_unwind(AssertUnwindSafe(|| listener(news)));
+        self.listeners.retain_mut(|listener| flow(listener).map_or(true, |flow| flow.is_continue()));
+    }
+
+    /// Calls the users' observers, and forgets those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
-        // What a panic leaves half done is the call's own. Those of this crate leave nothing so.
+        // What a panic leaves half done is the observer's own.
         let flow = |call: &mut Call<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
-        self.own.retain_mut(|call| flow(call).map_or(true, |flow| flow.is_continue()));
         self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
     }
 
     /// Takes over the observers of another list.
     pub(super) fn join(&mut self, others: Self) {
-        self.own.extend(others.own);
+        self.listeners.extend(others.listeners);
         self.users.extend(others.users);
     }
 }
 
 impl<S> Default for Observers<S> {
     fn default() -> Self {
-        Self { own: Vec::new(), users: Vec::new() }
+        Self { listeners: Vec::new(), users: Vec::new() }
     }
 }
 
 impl<S> fmt::Debug for Observers<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} observers", self.own.len() + self.users.len())
+        write!(f, "{} observers", self.listeners.len() + self.users.len())
     }
 }

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use super::Board;
+use super::observer::{Observers, StatusNews};
+use super::{Board, State};
 use crate::clock::{Clock, Stopwatch};
 use crate::packets::{Between, Packets, Silence};
 use crate::receive::Chunk;
@@ -148,29 +149,65 @@ impl<S: Decode> Worker<S> {
     }
 
     pub(super) fn post(&mut self, decoded: Result<Arc<Snapshot<S>>, DecodeError>) {
-        let mut to_hand_out = std::mem::take(&mut self.passed);
-        match decoded {
+        let mut came = std::mem::take(&mut self.passed);
+        let unreadable = decoded.as_ref().err().cloned();
+        let newest = decoded.as_ref().map_or(0, |snapshot| snapshot.number);
+        came.extend(decoded.as_ref().ok().map(Arc::clone));
+        let tell = |observers: &mut Observers<S>| {
+            for packet in &came {
+                observers.tell(StatusNews::Packet { packet, is_newest: packet.number == newest });
+            }
+            if let Some(source) = &unreadable {
+                observers.tell(StatusNews::Unreadable(source));
+            }
+        };
+        let spare = self.tell_then(tell, |state| match decoded {
             Ok(snapshot) => {
-                let mut state = self.board.lock();
                 state.counters.packet(snapshot.received);
                 state.counters.counted.unfit += u64::from(!snapshot.unfit.is_empty());
                 state.unfit = None;
                 state.reconnecting = false;
-                self.spare = state.latest.replace(Arc::clone(&snapshot));
-                to_hand_out.push(snapshot);
+                state.latest.replace(snapshot)
             }
             Err(error) => {
-                log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
-                let mut state = self.board.lock();
                 state.counters.counted.unfit += 1;
                 state.unfit = Some(error);
+                None
             }
+        });
+        if let Some(error) = unreadable {
+            log::debug!(target: "jaka_sync::wire", "status packet dropped: {error}");
+        } else {
+            self.spare = spare;
         }
-        for snapshot in to_hand_out.drain(..) {
+        for snapshot in came.drain(..) {
             self.hand_out(&snapshot);
         }
-        self.passed = to_hand_out;
+        self.passed = came;
         self.board.tell(self.board.lock());
+    }
+
+    /// Tells the listeners, and then changes the board: who sees the change there comes after them. One that is added
+    /// meanwhile is told, too.
+    fn tell_then<T>(&self, tell: impl Fn(&mut Observers<S>), change: impl FnOnce(&mut State<S>) -> T) -> T {
+        let mut told = Observers::default();
+        let mut state = self.board.lock();
+        loop {
+            let mut untold = std::mem::take(&mut state.observers);
+            let is_last = untold.listeners.is_empty();
+            if !is_last {
+                // Without the lock, so that they can ask the monitor.
+                drop(state);
+                tell(&mut untold);
+                state = self.board.lock();
+            }
+            told.join(untold);
+            if is_last {
+                break;
+            }
+        }
+        state.observers = told;
+        change(&mut state)
     }
 
     /// To the queues and the observers.
@@ -180,6 +217,9 @@ impl<S: Decode> Worker<S> {
         state.queues.retain(|queue| Arc::strong_count(queue) > 1);
         for queue in &state.queues {
             queue.push(Arc::clone(snapshot));
+        }
+        if state.observers.users.is_empty() {
+            return;
         }
         // Called without the lock, so that they can ask the monitor.
         let mut observers = std::mem::take(&mut state.observers);
@@ -208,16 +248,23 @@ impl<S: Decode> Worker<S> {
                 }
             }
         }
-        self.board.lock().ended = Some(Arc::new(cause));
+        let cause = Arc::new(cause);
+        self.tell_then(
+            |observers| observers.tell(StatusNews::Ended(&cause)),
+            |state| state.ended = Some(Arc::clone(&cause)),
+        );
         None
     }
 
     /// Waits, and says whether the monitor was dropped meanwhile.
     fn pause(&self, delay: Duration) -> bool {
-        let mut state = self.board.lock();
-        state.counters.interrupted();
-        state.reconnecting = true;
-        drop(state);
+        self.tell_then(
+            |observers| observers.tell(StatusNews::Reconnecting),
+            |state| {
+                state.counters.interrupted();
+                state.reconnecting = true;
+            },
+        );
         self.board.wait_for(delay, |state| state.closing.then_some(())).is_some()
     }
 

@@ -230,8 +230,8 @@ fn no_method_of_a_pack_is_hidden_by_one_of_a_client_or_a_robot() {
     let files = [
         include_str!("../../../jaka-sync/src/client.rs"),
         include_str!("../../../jaka-robot/src/robot.rs"),
-        include_str!("../../../jaka-robot/src/robot/explain.rs"),
-        include_str!("../../../jaka-robot/src/robot/power.rs"),
+        include_str!("../../../jaka-robot/src/robot/leading.rs"),
+        include_str!("../../../jaka-robot/src/robot/reading.rs"),
     ];
     let methods = files.iter().flat_map(|file| file.lines()).filter(|line| line.contains("self"));
     let names = methods.filter_map(|line| line.trim().strip_prefix("pub fn ")?.split(['(', '<']).next());

@@ -1,17 +1,14 @@
 //! Threads of set-points that are held up. By simulated clocks they are late only where something takes their time:
-//! here, a type of status packets of the program's own, which such a thread asks what a packet means, and a logger.
+//! here, the clock itself, as a scheduler does, and a logger.
 
 use std::cell::RefCell;
-use std::sync::{Mutex, Once, PoisonError};
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Once};
 use std::time::Duration;
 
-use jaka_proto::wire::{Decode, DecodeError, Reader};
-use jaka_robot::jaka_motion::{Checker, Frames};
+use jaka_robot::jaka_motion::{Checker, Frames, Limits};
 use jaka_robot::status::RobotStatus;
-use jaka_robot::{
-    Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, MotionStatus, Robot, ServoConfig, StreamConfig,
-};
+use jaka_robot::{Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, Robot, ServoConfig, StreamConfig};
 use jaka_sim::SimulatedClock;
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
@@ -25,14 +22,11 @@ use crate::stream;
 const CYCLES: u32 = 4;
 const SERVO_PERIOD: Duration = Duration::from_millis(32);
 
-/// Packets of the test with this number.
-struct Slow<const TEST: usize>(RobotStatus);
-
 /// Where a thread of set-points is held up.
 #[derive(Clone, Copy)]
 enum Place {
-    /// While it asks what a packet means, the last time in the gate of the link.
-    Status,
+    /// Before its set-point, in a cycle that has begun in time.
+    Cycle,
     /// In the logger of the wire.
     Logger,
     /// There, by a panic after the time.
@@ -44,9 +38,6 @@ struct HoldUp {
     clock: SimulatedClock,
     time: Duration,
 }
-
-/// Next hold-up of each test's thread of set-points.
-static HOLD_UPS: [Mutex<Option<HoldUp>>; 10] = [const { Mutex::new(None) }; 10];
 
 thread_local! {
     /// Next hold-up of this thread by the logger.
@@ -71,47 +62,36 @@ impl Log for SlowLogger {
     fn flush(&self) {}
 }
 
-impl<const TEST: usize> Decode for Slow<TEST> {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        RobotStatus::decode(reader).map(Self)
-    }
-}
-
-impl<const TEST: usize> MotionStatus for Slow<TEST> {
-    fn robot_status(&self) -> RobotStatus {
-        if matches!(thread::current().name(), Some("jaka stream" | "jaka follow")) {
-            let hold_up = HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner).take();
-            match hold_up {
-                Some(hold_up @ HoldUp { place: Place::Logger | Place::Panic, .. }) => BY_LOGGER.set(Some(hold_up)),
-                Some(HoldUp { clock, time, .. }) => clock.sleep(time),
-                None => {}
-            }
-        }
-        self.0.clone()
-    }
-}
-
-fn ready<const TEST: usize>() -> (Arm, Robot<Slow<TEST>>) {
+fn ready(limits: Limits) -> (Arm, Robot) {
     let arm = stream::arm().start();
-    let monitor = arm.monitor::<Slow<TEST>>();
-    let robot = Robot::with_monitor(arm.client(), monitor);
-    let robot = robot.with_limits(if matches!(TEST, 0 | 3 | 4 | 9) { stream::limits() } else { follow::limits() });
-    (arm, robot.expect("it is this arm"))
+    let robot = Robot::new(arm.client(), arm.monitor::<RobotStatus>()).with_limits(limits).expect("it is this arm");
+    (arm, robot)
 }
 
 /// Holds the thread of set-points up in its next cycle, which is in time.
-fn hold_up<const TEST: usize>(arm: &Arm, time: Duration) {
-    hold_up_at::<TEST>(Place::Status, arm, time);
+fn hold_up(arm: &Arm, time: Duration) -> Arc<AtomicBool> {
+    hold_up_at(Place::Cycle, arm, time)
 }
 
-fn hold_up_at<const TEST: usize>(place: Place, arm: &Arm, time: Duration) {
+/// The same at this place. It becomes true when that has happened.
+fn hold_up_at(place: Place, arm: &Arm, time: Duration) -> Arc<AtomicBool> {
     static LOGGER: Once = Once::new();
     LOGGER.call_once(|| {
         log::set_logger(&SlowLogger).expect("it is the only one");
         log::set_max_level(LevelFilter::Trace);
     });
-    let hold_up = HoldUp { place, clock: arm.clock().clone(), time };
-    *HOLD_UPS[TEST].lock().unwrap_or_else(PoisonError::into_inner) = Some(hold_up);
+    let was_held_up = Arc::new(AtomicBool::new(false));
+    for thread in ["jaka stream", "jaka follow"] {
+        let (clock, happens) = (arm.clock().clone(), Arc::clone(&was_held_up));
+        arm.clock().hold_up(thread, move || {
+            happens.store(true, Ordering::SeqCst);
+            match place {
+                Place::Cycle => clock.sleep(time),
+                Place::Logger | Place::Panic => BY_LOGGER.set(Some(HoldUp { place, clock, time })),
+            }
+        });
+    }
+    was_held_up
 }
 
 fn servo() -> ServoConfig {
@@ -129,10 +109,10 @@ fn assert_held(set_points: &[[f64; 6]]) {
 
 #[test]
 fn a_stream_at_speed_without_a_set_point_for_three_periods_ends_and_is_held() {
-    let (arm, mut robot) = ready::<0>();
+    let (arm, mut robot) = ready(stream::limits());
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
     stream::speed_up(&stream, arm.clock());
-    hold_up::<0>(&arm, SERVO_PERIOD * 3);
+    hold_up(&arm, SERVO_PERIOD * 3);
     let handle = stream.handle();
     assert!(stream.wait_for_rest(LONG).is_err(), "it ends");
     let error = stream.land().expect_err("it has ended");
@@ -145,13 +125,13 @@ fn a_stream_at_speed_without_a_set_point_for_three_periods_ends_and_is_held() {
 #[test]
 fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill() {
     for (held_up, goes_on) in [(SERVO_PERIOD * 3, true), (SERVO_PERIOD * 4, false)] {
-        let (arm, mut robot) = ready::<4>();
+        let (arm, mut robot) = ready(stream::limits());
         let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
         // An acceleration of 72 deg/s² times a period of 32 ms is 2.3 deg/s.
         let turn = || stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 2.0], Duration::from_millis(500));
         turn().expect("within its speed");
         arm.clock().sleep(Duration::from_millis(300));
-        hold_up::<4>(&arm, held_up);
+        hold_up(&arm, held_up);
         arm.clock().sleep(held_up + SERVO_PERIOD * 2);
         // It may have ended.
         let _ = turn();
@@ -174,7 +154,7 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
 /// It is compared with standstill like one that is given after a gap.
 #[test]
 fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is_not_sent() {
-    let (arm, mut robot) = ready::<9>();
+    let (arm, mut robot) = ready(stream::limits());
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
     arm.clock().sleep(SERVO_PERIOD * 2);
     let turn = [0.0, 0.0, 0.0, 0.0, 0.0, 20.0];
@@ -190,7 +170,7 @@ fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is
     }
     assert!(is_slow(last_step()), "{}", last_step());
     let sent = positions(&arm, CYCLES).0.len();
-    hold_up::<9>(&arm, SERVO_PERIOD * 3);
+    hold_up(&arm, SERVO_PERIOD * 3);
     assert!(stream.wait_for_rest(LONG).is_err(), "it ends");
     let error = stream.land().expect_err("it has ended");
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 3), "{error:?}");
@@ -199,17 +179,17 @@ fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is
 }
 
 /// A run whose thread is held up on its way, with what a proxy has seen of its set-points.
-fn run_held_up<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSeen) {
+fn run_held_up(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSeen) {
     let arm = stream::arm().start();
     let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
     let client = Client::connect_with(&arm.config(), proxy.address()).expect("it listens");
-    let mut robot = Robot::with_monitor(client, arm.monitor::<Slow<TEST>>());
+    let mut robot = Robot::new(client, arm.monitor::<RobotStatus>());
     robot = robot.with_limits(follow::limits()).expect("it is this arm");
     let trajectory =
         follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
     follow::wait_for(&arm, &run, 0.5);
-    hold_up_at::<TEST>(place, &arm, time);
+    hold_up_at(place, &arm, time);
     let handle = run.handle();
     let end = run.wait();
     assert_eq!((handle.progress().time, handle.progress().rate.to_bits()), (followed(&end).reached, 0.0_f64.to_bits()));
@@ -221,7 +201,7 @@ fn run_held_up<const TEST: usize>(place: Place, time: Duration) -> (Vec<[f64; 6]
 #[test]
 fn a_set_point_that_is_too_late_is_an_underrun() {
     let late_by = Duration::from_millis(118);
-    let (set_points, end, _) = run_held_up::<1>(Place::Status, late_by);
+    let (set_points, end, _) = run_held_up(Place::Cycle, late_by);
     assert_eq!(
         (end.cause(), followed(&end).has_left_curve, end.rest.was_seen()),
         (Cause::SetPointLate, false, true),
@@ -237,7 +217,7 @@ fn a_set_point_that_is_too_late_is_an_underrun() {
 #[test]
 fn a_run_whose_set_point_is_late_by_less_goes_on() {
     let late_by = (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1));
-    let (set_points, end, seen) = run_held_up::<2>(Place::Status, late_by);
+    let (set_points, end, seen) = run_held_up(Place::Cycle, late_by);
     assert_eq!((end.cause(), followed(&end).has_left_curve, end.report.gaps), (Cause::Reached, false, 0), "{end:?}");
     // The report has the lateness on the wire, and the next one is no sooner for it.
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(SERVO_PERIOD + late_by)), "{seen:?}");
@@ -249,18 +229,18 @@ fn a_run_whose_set_point_is_late_by_less_goes_on() {
 #[test]
 fn a_logger_makes_no_set_point_late_but_the_next_one() {
     let held_up = SERVO_PERIOD * 3;
-    let (_, end, seen) = run_held_up::<5>(Place::Logger, held_up);
+    let (_, end, seen) = run_held_up(Place::Logger, held_up);
     assert_eq!((end.cause(), end.report.gaps, end.report.late_cycles), (Cause::Reached, 0, 1), "{end:?}");
     assert_eq!((seen.shortest, seen.longest), (Some(SERVO_PERIOD), Some(held_up)), "{seen:?}");
 }
 
 #[test]
 fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
-    let (arm, mut robot) = ready::<6>();
+    let (arm, mut robot) = ready(follow::limits());
     let run = run(&mut robot);
     follow::wait_for(&arm, &run, 0.5);
     run.handle().stop().expect("it runs");
-    hold_up_at::<6>(Place::Logger, &arm, SERVO_PERIOD * 5);
+    hold_up_at(Place::Logger, &arm, SERVO_PERIOD * 5);
     let end = run.wait();
     let error = end.error.as_ref().unwrap_or_else(|| panic!("it had no set-points at speed: {end:?}"));
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 4), "{error:?}");
@@ -268,7 +248,7 @@ fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
 }
 
 /// A run of the trajectory there and back.
-fn run<const TEST: usize>(robot: &mut Robot<Slow<TEST>>) -> FollowRun<'_, Slow<TEST>> {
+fn run(robot: &mut Robot) -> FollowRun<'_> {
     let checker = Checker::new(follow::limits(), Frames::new());
     let trajectory = follow::trajectory(&to_and_fro(), &checker).expect("within the limits");
     robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start")
@@ -278,7 +258,7 @@ fn run<const TEST: usize>(robot: &mut Robot<Slow<TEST>>) -> FollowRun<'_, Slow<T
 #[test]
 fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent() {
     for time in [(SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1)), SERVO_PERIOD * 3] {
-        let (arm, mut robot) = ready::<7>();
+        let (arm, mut robot) = ready(follow::limits());
         let stop = robot.stop_handle();
         let run = run(&mut robot);
         follow::wait_for(&arm, &run, 0.5);
@@ -290,7 +270,7 @@ fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent(
         };
         let look = || {
             arm.clock().sleep(SERVO_PERIOD * 2);
-            hold_up::<7>(&arm, time);
+            hold_up(&arm, time);
             arm.clock().sleep(SERVO_PERIOD * 2);
             assert!(run.progress().rate > 0.0, "it is still braked");
             assert_is_of_the_last(run.progress().time);
@@ -309,11 +289,11 @@ fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent(
 
 #[test]
 fn no_trajectory_time_passes_after_a_panic() {
-    let (arm, mut robot) = ready::<8>();
+    let (arm, mut robot) = ready(follow::limits());
     let run = run(&mut robot);
     follow::wait_for(&arm, &run, 0.5);
     assert!(run.progress().rate > 0.0);
-    hold_up_at::<8>(Place::Panic, &arm, Duration::ZERO);
+    hold_up_at(Place::Panic, &arm, Duration::ZERO);
     let handle = run.handle();
     let end = run.wait();
     assert_eq!((end.cause(), handle.has_ended()), (Cause::Failed, true), "{end:?}");
@@ -324,15 +304,15 @@ fn no_trajectory_time_passes_after_a_panic() {
 /// Its braking set-points go on, and the stop that waits for them does not overtake them.
 #[test]
 fn a_stop_waits_for_a_stream_whose_braking_is_held_up() {
-    let (arm, mut robot) = ready::<3>();
+    let (arm, mut robot) = ready(stream::limits());
     let stop = robot.stop_handle();
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
     stream::speed_up(&stream, arm.clock());
-    let held_up = || {
+    let stops = || stop.stop().expect("the controller takes it");
+    let was_held_up = beside(arm.clock(), stops, || {
         arm.clock().sleep(SERVO_PERIOD * 2);
-        hold_up::<3>(&arm, (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1)));
-    };
-    beside(arm.clock(), held_up, || stop.stop().expect("the controller takes it"));
+        hold_up(&arm, (SERVO_PERIOD * 3).saturating_sub(Duration::from_millis(1)))
+    });
     let error = stream.land().expect_err("it was stopped");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
     let (set_points, after) = positions(&arm, CYCLES);
@@ -340,6 +320,5 @@ fn a_stop_waits_for_a_stream_whose_braking_is_held_up() {
     let stands = [set_points[set_points.len() - 1]; 3];
     assert_eq!(stream::jump(stream::START, &[&set_points[..], &stands].concat()), None);
     assert_eq!(after[0], "stop_program");
-    let is_held_up = HOLD_UPS[3].lock().unwrap_or_else(PoisonError::into_inner).is_none();
-    assert!(is_held_up, "its thread was not held up");
+    assert!(was_held_up.load(Ordering::SeqCst), "its thread was not held up");
 }

@@ -1,0 +1,191 @@
+//! The arm at the other end of a connection: what is sent to it, what is asked of it, and what is known of it.
+
+mod explain;
+mod guards;
+mod position;
+mod state;
+mod status;
+mod stillness;
+mod stop_handle;
+mod stops;
+mod trouble;
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::{ClientParts as _, Clock, Link, told};
+
+pub(crate) use self::guards::{PacketObserver, Progress};
+pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
+pub(crate) use self::state::{ArmState, Sending};
+pub(crate) use self::status::unknown;
+pub(crate) use self::stillness::Stillness;
+pub use self::stop_handle::RobotStop;
+pub(crate) use self::stop_handle::{Sent, Written};
+pub(crate) use self::trouble::{News, code, news};
+use crate::error::Attach as _;
+use crate::{Client, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Snapshot};
+
+/// Monitor of an arm, whatever it keeps of packets.
+pub(crate) trait StatusSource: Send + Sync {
+    fn statistics(&self) -> MonitorStatistics;
+
+    /// Fails where the connection has ended.
+    fn check_open(&self) -> Result<(), jaka_sync::Error>;
+
+    /// Waits for the next packet: as [`Monitor::next_packet`].
+    fn next_packet(&self) -> Result<(), jaka_sync::Error>;
+
+    /// Waits for a packet: as [`Monitor::wait_until`].
+    fn wait_until(&self, wanted: &dyn Fn(&RobotStatus) -> bool, timeout: Duration) -> Result<(), jaka_sync::Error>;
+}
+
+impl<S: MotionStatus> StatusSource for Monitor<S> {
+    fn statistics(&self) -> MonitorStatistics {
+        Self::statistics(self)
+    }
+
+    fn check_open(&self) -> Result<(), jaka_sync::Error> {
+        self.newest_packet().map(drop)
+    }
+
+    fn next_packet(&self) -> Result<(), jaka_sync::Error> {
+        Self::next_packet(self).map(drop)
+    }
+
+    fn wait_until(&self, wanted: &dyn Fn(&RobotStatus) -> bool, timeout: Duration) -> Result<(), jaka_sync::Error> {
+        Self::wait_until(self, |status| told(status).is_ok_and(|status| wanted(&status)), timeout).map(drop)
+    }
+}
+
+/// Status port of an arm: its monitor, and what it has told.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StatusPort<'m> {
+    pub(crate) source: &'m dyn StatusSource,
+    pub(crate) state: &'m ArmState,
+}
+
+impl fmt::Debug for dyn StatusSource + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("StatusSource").field(&self.statistics()).finish()
+    }
+}
+
+/// Arm at the other end of a connection.
+#[derive(Debug)]
+pub(crate) struct Arm {
+    client: Client,
+    source: Arc<dyn StatusSource>,
+    pub(crate) state: Arc<ArmState>,
+    pub(crate) position: Position,
+}
+
+impl Arm {
+    /// Arm of two connections to the same controller. `needs_status` is false where motions go out while the status is not
+    /// known.
+    pub(crate) fn new<S: MotionStatus>(client: Client, monitor: &Arc<Monitor<S>>, needs_status: bool) -> Self {
+        let state = ArmState::new(monitor, &client.link().clock, needs_status);
+        let position = Position::new(client.link(), client.reply_timeout());
+        let source: Arc<dyn StatusSource> = Arc::<Monitor<S>>::clone(monitor);
+        Self { client, source, state, position }
+    }
+
+    /// The same arm for another thread, which this one outlives.
+    pub(crate) fn lent(&mut self) -> Self {
+        let (source, state) = (Arc::clone(&self.source), Arc::clone(&self.state));
+        Self { client: self.client.lent(), source, state, position: self.position.lent() }
+    }
+
+    /// Client of the arm, for a command after which it may not be where it was.
+    pub(crate) fn client(&mut self) -> &mut Client {
+        self.position.is_at_rest(false);
+        &mut self.client
+    }
+
+    /// Client of the arm, for a query.
+    pub(crate) fn queries(&mut self) -> &mut Client {
+        &mut self.client
+    }
+
+    /// Both ports.
+    pub(crate) fn ports(&mut self) -> (&mut Client, StatusPort<'_>) {
+        (&mut self.client, StatusPort { source: &*self.source, state: &self.state })
+    }
+
+    /// Command connection.
+    pub(crate) fn link(&self) -> &Arc<Link> {
+        self.client.link()
+    }
+
+    /// Clock of the connections.
+    pub(crate) fn clock(&self) -> &Clock {
+        &self.client.link().clock
+    }
+
+    /// Error with the last messages of the command connection.
+    pub(crate) fn attach(&self, kind: impl Into<Error>) -> Error {
+        self.link().attach(kind.into())
+    }
+
+    /// Error for what the state of the arm keeps it from doing.
+    pub(crate) fn not_ready(&self, explanation: Explanation) -> Error {
+        self.attach(ErrorKind::NotReady { explanation })
+    }
+
+    /// Gate that lets this pass while it may be sent.
+    pub(crate) fn gate(&self, what: Sending) -> impl Fn() -> Result<(), Error> + use<> {
+        let state = Arc::clone(&self.state);
+        move || state.may_send(what)
+    }
+
+    /// Newest packet for what is not done without it; none where the program has allowed that. If none has come lately,
+    /// waits a little for one.
+    pub(crate) fn known_status(&self, timeout: Duration) -> Result<Option<Arc<Snapshot>>, Error> {
+        match self.state.status_within(timeout) {
+            Ok(packet) => Ok(Some(packet)),
+            Err(_) if self.state.moves_without_status() => Ok(None),
+            Err(problem) => Err(self.attach(unknown(problem))),
+        }
+    }
+
+    /// Statistics of the status packets.
+    pub(crate) fn statistics(&self) -> MonitorStatistics {
+        self.source.statistics()
+    }
+
+    /// Fails where the status connection has ended.
+    pub(crate) fn check_status_open(&self) -> Result<(), Error> {
+        Ok(self.source.check_open()?)
+    }
+
+    /// Waits for a packet: as [`Monitor::wait_until`].
+    pub(crate) fn wait_for_status(
+        &self,
+        wanted: impl Fn(&RobotStatus) -> bool,
+        timeout: Duration,
+    ) -> Result<(), Error> {
+        Ok(self.source.wait_until(&wanted, timeout)?)
+    }
+
+    /// Handle that stops the arm from another thread.
+    pub(crate) fn stop_handle(&self) -> RobotStop {
+        RobotStop::new(self.client.stop_handle(), &self.state)
+    }
+
+    /// The same error, with the reason for a refusal if the state of the arm shows it.
+    pub(crate) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
+        let found = error.refusal().and_then(|refusal| explain::explain(self, refusal, timeout));
+        if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
+            *explanation = found;
+        }
+        error
+    }
+
+    /// Explanation of an error of the client, if it is a refusal and the state of the arm shows its reason.
+    pub(crate) fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
+        let timeout = self.client.reply_timeout();
+        explain::explain(self, error.refusal()?, timeout)
+    }
+}

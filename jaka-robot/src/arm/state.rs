@@ -1,0 +1,346 @@
+//! State of an arm: what is known of it, and whether something may be sent to it.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, Weak};
+use std::time::Duration;
+
+use jaka_sync::layer::{Clock, MonitorParts as _, StatusNews, Wakeup, Watched};
+
+use super::guards::{Guards, PacketObserver, Progress};
+use super::status::{Status, check_stops, unknown};
+use super::stops::Stops;
+use super::trouble;
+use crate::{Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem};
+
+/// What is to be sent to an arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sending {
+    /// What moves it: a motion, a set-point, the way into servo mode.
+    Motion,
+    /// A set-point that brakes it.
+    Braking,
+    /// A set-point that holds it where it is.
+    Holding,
+}
+
+/// State of the arm of one command connection. Monitors can be shared by several.
+///
+/// # Order of locks
+/// 1. What a guard judges by, and then what it stops by: both in `guard/armed.rs`. A program's own questions run under the
+///    first.
+/// 2. The state of the command connection, in jaka-sync's `Link`. Gates run under it.
+/// 3. The state of an arm, here. Nothing is locked under it: no I/O, no code of a program, no log, no conversion and no drop
+///    of a packet. The board of a monitor, in jaka-sync, is never locked together with it.
+#[derive(Debug)]
+pub(crate) struct ArmState {
+    known: Watched<Known>,
+    /// For stops that wait until a session has braked: packets do not wake them.
+    braked: Wakeup,
+    stale_after: Duration,
+}
+
+/// What is known of an arm.
+#[derive(Debug)]
+pub(crate) struct Known {
+    status: Status,
+    /// What must be acknowledged: a stop that a packet has shown, a lost status, a packet that tells nothing because its own
+    /// type has panicked.
+    latched: Option<Occurrence>,
+    /// Stops of the robot's handles.
+    pub(crate) stops: Stops,
+    guards: Guards,
+    /// False where the program has allowed motion without status.
+    needs_status: bool,
+    /// Number of the times at which waiting threads were told to check again.
+    wakes: u64,
+}
+
+impl ArmState {
+    /// State that follows a monitor, for as long as it lives.
+    pub(crate) fn new<S: MotionStatus>(monitor: &Monitor<S>, clock: &Clock, needs_status: bool) -> Arc<Self> {
+        let known = Known {
+            status: Status::new(monitor.address(), monitor.stale_after()),
+            latched: None,
+            stops: Stops::default(),
+            guards: Guards::default(),
+            needs_status,
+            wakes: 0,
+        };
+        let (known, braked) = (Watched::new(clock, known), Wakeup::new(clock));
+        let state = Arc::new(Self { known, braked, stale_after: monitor.stale_after() });
+        let weak = Arc::downgrade(&state);
+        monitor.listen(move |news| take_into::<S>(&weak, news));
+        // What came before keeps nothing back by itself, and is known already where packets have come meanwhile.
+        monitor.tell_known(|news| match news {
+            StatusNews::Packet { packet, .. } => state.begin_with(S::snapshot(packet)),
+            news => state.take(news),
+        });
+        state
+    }
+
+    fn begin_with(&self, packet: Arc<Snapshot>) {
+        let mut known = self.lock();
+        if known.status.newest().is_none() {
+            known.status.take(packet);
+        }
+    }
+
+    /// Takes news of the status port.
+    fn take<S: MotionStatus>(&self, news: StatusNews<'_, S>) {
+        match news {
+            StatusNews::Packet { packet, is_newest } => self.take_packet(&S::snapshot(packet), is_newest),
+            StatusNews::Unreadable(source) => self.lock().status.is_unreadable(source.clone()),
+            StatusNews::Reconnecting => self.lock().status.is_reconnecting(),
+            StatusNews::Ended(cause) => self.lock().status.has_ended(Arc::clone(cause)),
+        }
+        self.wake();
+    }
+
+    fn take_packet(&self, packet: &Arc<Snapshot>, is_newest: bool) {
+        // A packet that tells nothing may have shown a stop.
+        let panicked = packet.panicked().cloned().map(|source| Occurrence::status_lost(None, Some(source)));
+        let found = trouble::stop(&packet.status).map(|stop| stop.cause().into()).or(panicked);
+        let mut known = self.lock();
+        if let Some(found) = found {
+            known.latch(found);
+        }
+        let before = if is_newest { known.status.take(Arc::clone(packet)) } else { None };
+        let armed = known.guards.armed();
+        drop(known);
+        drop(before);
+        for guard in armed {
+            guard.observe(packet);
+        }
+    }
+
+    /// What is known. Nothing is locked, and nothing else is done, while this is held.
+    pub(crate) fn lock(&self) -> impl std::ops::DerefMut<Target = Known> + '_ {
+        self.known.lock()
+    }
+
+    /// Has the threads in [`watch`](Self::watch) check again.
+    pub(crate) fn wake(&self) {
+        self.lock().wakes += 1;
+        self.known.wake();
+    }
+
+    /// Clock of the arm's connections.
+    pub(crate) fn clock(&self) -> &Clock {
+        self.known.clock()
+    }
+
+    /// Age from which a packet is stale.
+    pub(crate) fn stale_after(&self) -> Duration {
+        self.stale_after
+    }
+
+    /// Fails where this may not be sent now. As a gate it blocks nothing and uses no connection.
+    ///
+    /// A stop that has begun by the time of the write is on the wire before it, or will be sent after it.
+    pub(crate) fn may_send(&self, what: Sending) -> Result<(), Error> {
+        let known = self.lock();
+        match what {
+            Sending::Motion => {
+                if known.needs_status {
+                    check_stops(known.status.fresh_status().map_err(unknown)?)?;
+                }
+                known.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+            }
+            // Also where the status is no longer known.
+            Sending::Braking | Sending::Holding => {
+                known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
+                match known.unacknowledged_stop() {
+                    None => Ok(()),
+                    // Before a stop of the program's own goes out.
+                    Some(Occurrence { cause: Cause::Stopped, .. })
+                        if what == Sending::Braking && !known.stops.has_sent() =>
+                    {
+                        Ok(())
+                    }
+                    Some(occurrence) => Err(not_acknowledged(occurrence)),
+                }
+            }
+        }
+    }
+
+    /// Fails while something must be acknowledged.
+    pub(crate) fn check_acknowledged(&self) -> Result<(), Error> {
+        self.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+    }
+
+    /// What must be acknowledged, if something must.
+    pub(crate) fn unacknowledged(&self) -> Option<Occurrence> {
+        self.lock().unacknowledged()
+    }
+
+    /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
+    pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
+        self.lock().unacknowledged_stop()
+    }
+
+    /// Keeps motions back from now on. What did before stays, but a stop that a packet shows takes the place of a lost
+    /// status.
+    pub(crate) fn latch(&self, occurrence: &Occurrence) {
+        let occurrence = occurrence.clone();
+        self.lock().latch(occurrence);
+    }
+
+    /// Acknowledges. A stop that is on its way still keeps motions back.
+    pub(crate) fn acknowledge(&self) {
+        let mut known = self.lock();
+        let before = known.latched.take();
+        known.stops.acknowledge();
+        drop(known);
+        drop(before);
+    }
+
+    /// Allows motion while the status is not known.
+    pub(crate) fn allow_motion_without_status(&self) {
+        self.lock().needs_status = false;
+    }
+
+    /// True if the program has allowed motion without status.
+    pub(crate) fn moves_without_status(&self) -> bool {
+        !self.lock().needs_status
+    }
+
+    /// Newest packet, which may be old.
+    pub(crate) fn newest_packet(&self) -> Option<Arc<Snapshot>> {
+        self.lock().status.newest().cloned()
+    }
+
+    /// Newest packet, if the connection is there and the packet is fresh.
+    pub(crate) fn fresh_packet(&self) -> Result<Arc<Snapshot>, StatusProblem> {
+        self.lock().status.fresh_packet().cloned()
+    }
+
+    /// The same, if the packet shows whether the arm is stopped.
+    pub(crate) fn fresh_status(&self) -> Result<Arc<Snapshot>, StatusProblem> {
+        self.lock().status.fresh_status().cloned()
+    }
+
+    /// The same. If none has come lately, waits a little for one.
+    pub(crate) fn status_within(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
+        let now = self.fresh_status();
+        if !matches!(now, Err(StatusProblem::Missing { .. } | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {
+            return now;
+        }
+        // Its result is what `fresh_status` says next.
+        let _ = self.watch(self.stale_after.min(timeout), |_| self.fresh_packet().ok());
+        self.fresh_status()
+    }
+
+    /// Calls `find` with each newest packet as it comes, and after each [`wake`](Self::wake), until it has found something;
+    /// none after `timeout`, and the cause once the status port has ended.
+    pub(crate) fn watch<T>(
+        &self,
+        timeout: Duration,
+        mut find: impl FnMut(Option<&Arc<Snapshot>>) -> Option<T>,
+    ) -> Result<Option<T>, Arc<Disconnect>> {
+        let since = self.clock().stopwatch();
+        let mut seen = 0;
+        loop {
+            let known = self.lock();
+            let (newest, wakes) = (known.status.newest().cloned(), known.wakes);
+            let ended = known.status.ended().cloned();
+            drop(known);
+            let newest = newest.filter(|packet| packet.number > seen);
+            seen = newest.as_ref().map_or(seen, |packet| packet.number);
+            if let Some(found) = find(newest.as_ref()) {
+                return Ok(Some(found));
+            }
+            drop(newest);
+            if let Some(cause) = ended {
+                return Err(cause);
+            }
+            let left = since.left_of(timeout);
+            if left.is_zero() {
+                return Ok(None);
+            }
+            let known = self.known.lock();
+            if known.wakes == wakes {
+                drop(self.known.wait(known, left));
+            }
+        }
+    }
+
+    /// Progress of an armed guard.
+    pub(crate) fn progress<R>(&self, guard: u64, act: impl FnOnce(&mut Progress) -> R) -> R {
+        act(self.lock().guards.progress(guard))
+    }
+
+    /// Number of a guard that is to be armed.
+    pub(crate) fn guard_number(&self) -> u64 {
+        self.lock().guards.number()
+    }
+
+    /// Arms a guard, which sees each packet that comes from now on.
+    pub(crate) fn arm_guard(&self, number: u64, guard: Weak<dyn PacketObserver>) {
+        self.lock().guards.add(number, guard);
+    }
+
+    /// Disarms a guard.
+    pub(crate) fn disarm(&self, guard: u64) {
+        let disarmed = self.lock().guards.remove(guard);
+        drop(disarmed);
+    }
+
+    /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
+    pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
+        let due = within.map(|within| self.clock().now() + within);
+        if self.lock().stops.expect_set_point(due) {
+            self.braked.wake();
+        }
+    }
+
+    /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
+    pub(super) fn wait_until_braked(&self) {
+        let mut known = self.known.lock();
+        while let Some(until) = known.stops.waits_until() {
+            let left = self.clock().left(until);
+            if left.is_zero() {
+                break;
+            }
+            known = self.known.wait_on(&self.braked, known, left);
+        }
+        known.stops.no_longer_waits();
+    }
+
+    /// Time that a stop waits yet for a servo session to brake; none where none waits.
+    pub(crate) fn time_to_brake(&self) -> Option<Duration> {
+        let latest = self.lock().stops.goes_out_at()?;
+        Some(self.clock().left(latest))
+    }
+}
+
+/// Takes news into a state that may not be there any more.
+fn take_into<S: MotionStatus>(state: &Weak<ArmState>, news: StatusNews<'_, S>) -> ControlFlow<()> {
+    let Some(state) = state.upgrade() else { return ControlFlow::Break(()) };
+    state.take(news);
+    ControlFlow::Continue(())
+}
+
+impl Known {
+    fn latch(&mut self, found: Occurrence) {
+        if self.latched.as_ref().is_none_or(|first| is_lost(first) && !is_lost(&found)) {
+            self.latched = Some(found);
+        }
+    }
+
+    fn unacknowledged(&self) -> Option<Occurrence> {
+        self.latched.clone().or_else(|| self.stops.pending())
+    }
+
+    fn unacknowledged_stop(&self) -> Option<Occurrence> {
+        let shown = self.latched.clone().filter(|occurrence| !is_lost(occurrence));
+        shown.or_else(|| self.stops.pending())
+    }
+}
+
+fn is_lost(occurrence: &Occurrence) -> bool {
+    occurrence.cause == Cause::StatusLost
+}
+
+fn not_acknowledged(occurrence: Occurrence) -> Error {
+    ErrorKind::NotAcknowledged { occurrence }.into()
+}

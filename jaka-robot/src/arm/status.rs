@@ -1,0 +1,92 @@
+//! What a status port has told of an arm.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::wire::DecodeError;
+
+use super::trouble;
+use crate::{Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
+
+/// Newest packet, in the built-in type, and what has come of the port since.
+#[derive(Debug)]
+pub(super) struct Status {
+    newest: Option<Arc<Snapshot>>,
+    /// Reason why the newest packet could not be decoded, until one can.
+    unreadable: Option<DecodeError>,
+    is_reconnecting: bool,
+    ended: Option<Arc<Disconnect>>,
+    address: String,
+    stale_after: Duration,
+}
+
+impl Status {
+    /// Of a port at this address, whose packets are stale after this time.
+    pub(super) fn new(address: String, stale_after: Duration) -> Self {
+        Self { newest: None, unreadable: None, is_reconnecting: false, ended: None, address, stale_after }
+    }
+
+    /// Takes a packet, and returns the one before, which is dropped without a lock.
+    pub(super) fn take(&mut self, packet: Arc<Snapshot>) -> Option<Arc<Snapshot>> {
+        (self.unreadable, self.is_reconnecting) = (None, false);
+        self.newest.replace(packet)
+    }
+
+    pub(super) fn is_unreadable(&mut self, source: DecodeError) {
+        self.unreadable = Some(source);
+    }
+
+    pub(super) fn is_reconnecting(&mut self) {
+        self.is_reconnecting = true;
+    }
+
+    pub(super) fn has_ended(&mut self, cause: Arc<Disconnect>) {
+        self.ended = Some(cause);
+    }
+
+    /// Newest packet, which may be old.
+    pub(super) fn newest(&self) -> Option<&Arc<Snapshot>> {
+        self.newest.as_ref()
+    }
+
+    /// Cause of the end of the port, if it has ended.
+    pub(super) fn ended(&self) -> Option<&Arc<Disconnect>> {
+        self.ended.as_ref()
+    }
+
+    /// Newest packet, if the connection is there and the packet is fresh. Its age is that of this moment.
+    pub(super) fn fresh_packet(&self) -> Result<&Arc<Snapshot>, StatusProblem> {
+        if let Some(cause) = &self.ended {
+            return Err(StatusProblem::Ended { cause: Arc::clone(cause) });
+        }
+        if self.is_reconnecting {
+            return Err(StatusProblem::Reconnecting);
+        }
+        if let Some(source) = &self.unreadable {
+            return Err(StatusProblem::Unreadable { source: source.clone() });
+        }
+        let newest = self.newest.as_ref().ok_or_else(|| StatusProblem::Missing { address: self.address.clone() })?;
+        let age = newest.age();
+        if age > self.stale_after {
+            return Err(StatusProblem::Stale { age });
+        }
+        if newest.follows_silence { Err(StatusProblem::Resuming) } else { Ok(newest) }
+    }
+
+    /// The same, if the packet shows whether the arm is stopped.
+    pub(super) fn fresh_status(&self) -> Result<&Arc<Snapshot>, StatusProblem> {
+        let newest = self.fresh_packet()?;
+        newest.unreadable().map_or(Ok(newest), |source| Err(StatusProblem::Unreadable { source }))
+    }
+}
+
+/// Fails where a packet shows a stop, also where what earlier packets showed has been acknowledged.
+pub(super) fn check_stops(newest: &Snapshot) -> Result<(), Error> {
+    let stop = trouble::stop(&newest.status);
+    stop.map_or(Ok(()), |stop| Err(ErrorKind::NotReady { explanation: stop.explanation() }.into()))
+}
+
+/// Error for what is not done while the status is not known.
+pub(crate) fn unknown(problem: StatusProblem) -> Error {
+    ErrorKind::StatusUnknown { problem }.into()
+}

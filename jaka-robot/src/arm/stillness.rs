@@ -1,0 +1,47 @@
+//! Rest as status packets show it.
+
+use std::time::{Duration, Instant};
+
+use jaka_proto::messages::types::JointPosition;
+
+use crate::Snapshot;
+use crate::place::Place;
+
+/// How far apart two packets must be that show rest where it is not known at which joint positions.
+const APART: Duration = Duration::from_millis(100);
+
+/// Stillness of an arm that is held by its last set-point, by status packets.
+#[derive(Debug)]
+pub(crate) struct Stillness {
+    /// Packets from before do not count.
+    since: Instant,
+    /// Where it is held, if that is known.
+    held: Option<JointPosition>,
+    /// The first packet of those that agree, when it came, and its number.
+    first: Option<(JointPosition, Instant, u64)>,
+}
+
+impl Stillness {
+    pub(crate) fn new(since: Instant, held: Option<JointPosition>) -> Self {
+        Self { since, held, first: None }
+    }
+
+    /// Takes a packet: true if another one before it shows the same joint positions, and these are where the arm is held.
+    pub(crate) fn is_seen(&mut self, packet: &Snapshot) -> bool {
+        let Some(joints) = packet.status.joint_actual_position.filter(|_| packet.received > self.since) else {
+            return false;
+        };
+        let here = Place::Joints(joints);
+        let is_there = self.held.is_none_or(|held| Place::Joints(held).is_at(&here));
+        match self.first {
+            Some((first, came, number)) if is_there && Place::Joints(first).is_still(&here) => {
+                let apart = packet.received.saturating_duration_since(came);
+                number != packet.number && (self.held.is_some() || apart >= APART)
+            }
+            _ => {
+                self.first = is_there.then_some((joints, packet.received, packet.number));
+                false
+            }
+        }
+    }
+}

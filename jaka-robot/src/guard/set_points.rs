@@ -1,0 +1,158 @@
+//! A guard of set-points, which is asked in each cycle.
+
+use std::time::Duration;
+
+use jaka_motion::{Checker, Follower, Generator};
+use jaka_proto::Command;
+use jaka_proto::messages::servo::ServoJ;
+
+use super::{Armed, ForceLimit, Guard, packet_period};
+use crate::arm::{Arm, ArmState, unknown};
+use crate::{Error, ErrorKind, GuardTrip, LagBeyondReaction, NotGuarded, StatusProblem, TripReason};
+
+/// A guard of set-points, which is asked in each cycle, and never waited for.
+#[derive(Debug)]
+pub(crate) struct SetPointGuard {
+    armed: Armed,
+    force: Option<Force>,
+}
+
+/// Lag of an arm behind its set-points, as far as it is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct MeasuredLag {
+    pub(crate) delay: Duration,
+    /// True for the longest delay that is measured: the lag may be longer.
+    pub(crate) is_lower_bound: bool,
+}
+
+/// The limits of force in a guard.
+#[derive(Debug)]
+struct Force {
+    /// Limit of each condition of the guard, in their order; none for a condition of another kind.
+    limits: Vec<Option<ForceLimit>>,
+    /// The longest time between two of the last packets.
+    period: Duration,
+}
+
+/// For how much of the overtravel set-points of a stream may brake: what the tool does at its highest speed in this time, in seconds. Ours.
+const BRAKING_S: f64 = 0.1;
+
+impl SetPointGuard {
+    /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
+    pub(crate) fn new(arm: &Arm, guard: &Guard) -> Result<Self, Error> {
+        guard.check()?;
+        arm.state.check_acknowledged()?;
+        let patience = arm.state.stale_after();
+        let no_status = |problem| arm.attach(unknown(problem));
+        arm.state.status_within(patience).map_err(no_status)?;
+        let force = if guard.force_limits().next().is_none() {
+            None
+        } else {
+            let limits = guard.force_limit_of_each().map(Option::<&_>::copied).collect();
+            let period =
+                packet_period(arm, Duration::MAX).ok_or_else(|| arm.attach(not_guarded(NotGuarded::PeriodUnknown)))?;
+            Some(Force { limits, period })
+        };
+        let armed = Armed::new(guard, &arm.state, patience).map_err(no_status)?;
+        match armed.trip() {
+            None => Ok(Self { armed, force }),
+            Some(GuardTrip { reason: TripReason::NotShown(reason), .. }) => {
+                Err(arm.attach(ErrorKind::NotShown { what: guard.to_string(), reason }))
+            }
+            Some(trip) => Err(arm.attach(trip.before_start())),
+        }
+    }
+
+    /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has allowed; under a limit of force also once
+    /// packets have stayed away for too long for it.
+    ///
+    /// `lag` is that of the arm behind its set-points, which a trip tells where it is too long.
+    pub(crate) fn check(&self, state: &ArmState, lag: impl FnOnce() -> Option<MeasuredLag>) -> Result<(), Error> {
+        self.check_tripped(lag)?;
+        let age = state.fresh_status().map_err(unknown)?.age();
+        let fresh_for = self.force.as_ref().map_or(Duration::MAX, |force| super::longest_silence(force.period));
+        if age > fresh_for { Err(unknown(StatusProblem::Stale { age })) } else { Ok(()) }
+    }
+
+    /// Fails once the guard has tripped.
+    pub(crate) fn check_tripped(&self, lag: impl FnOnce() -> Option<MeasuredLag>) -> Result<(), Error> {
+        match (self.armed.trip(), self.armed.broken()) {
+            (Some(trip), _) => {
+                let lag = self.lag_beyond_reaction(trip.condition, lag);
+                Err(GuardTrip { lag, ..trip }.into())
+            }
+            (None, Some(problem)) => Err(unknown(problem)),
+            (None, None) => Ok(()),
+        }
+    }
+
+    /// Lag of the arm, where a limit of force has tripped that allows for a shorter reaction, or perhaps for a shorter
+    /// one.
+    fn lag_beyond_reaction(
+        &self,
+        condition: usize,
+        lag: impl FnOnce() -> Option<MeasuredLag>,
+    ) -> Option<LagBeyondReaction> {
+        let reaction = self.force.as_ref()?.limits.get(condition)?.as_ref()?.reaction;
+        let MeasuredLag { delay, is_lower_bound } = lag()?;
+        (delay > reaction || is_lower_bound).then_some(LagBeyondReaction { lag: delay, is_lower_bound, reaction })
+    }
+
+    /// Fails once the guard has tripped, before anything that moves the arm was sent.
+    pub(crate) fn check_before_start(&self) -> Result<(), Error> {
+        match self.armed.trip() {
+            Some(trip) => Err(trip.before_start().into()),
+            None => self.check_tripped(|| None),
+        }
+    }
+
+    /// True if the arm is to be braked as soon as it can be.
+    pub(crate) fn has_force_limits(&self) -> bool {
+        self.force.is_some()
+    }
+
+    /// Fails where the tool goes on for too long after a contact somewhere on a trajectory.
+    pub(crate) fn check_trajectory(&self, follower: &Follower, checker: &Checker) -> Result<(), Error> {
+        let Some(force) = &self.force else { return Ok(()) };
+        force.unbraked_s(follower.period_s()).try_for_each(|(limit, unbraked_s)| {
+            let Some(worst) = follower.worst_overtravel(checker, unbraked_s, limit.overtravel_mm) else {
+                return Ok(());
+            };
+            let way_points = follower.trajectory().way_points();
+            let after = way_points.partition_point(|way_point| way_point.time_s <= worst.time_s);
+            Err(not_guarded(limit.too_fast_along(after, &worst, force.period)))
+        })
+    }
+
+    /// A generator so slow that the tool goes on for no longer than is allowed after a contact: at its highest speed while nothing is known of it, and then on its way to
+    /// rest.
+    pub(crate) fn slowed(&self, generator: Generator) -> Result<Generator, Error> {
+        let Some(force) = &self.force else { return Ok(generator) };
+        let all = || force.unbraked_s(generator.period_s());
+        let speed =
+            all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
+        let within = all().map(|(limit, time_s)| limit.overtravel_mm - speed * time_s).fold(f64::INFINITY, f64::min);
+        let least = all().map(|(limit, _)| limit.overtravel_mm).fold(f64::INFINITY, f64::min);
+        let too_short = |error| ForceLimit::option("overtravel").refuse(least, format!("more ({error})"));
+        generator.with_tool_stop(speed, within).map_err(too_short)
+    }
+
+    /// For how many periods of so many seconds an arm must rest until a contact before is known.
+    pub(crate) fn periods_unknown(&self, cycle_s: f64) -> u32 {
+        let longest = self.force.iter().flat_map(|force| force.unbraked_s(cycle_s));
+        let longest_s = longest.map(|(_, time_s)| time_s).fold(0.0, f64::max);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
+        let periods = (longest_s / cycle_s).ceil() as u32;
+        periods
+    }
+}
+
+impl Force {
+    fn unbraked_s(&self, cycle_s: f64) -> impl Iterator<Item = (&ForceLimit, f64)> {
+        self.limits.iter().flatten().map(move |limit| (limit, limit.unbraked_s(self.period, cycle_s)))
+    }
+}
+
+fn not_guarded(reason: NotGuarded) -> Error {
+    ErrorKind::NotGuarded { command: ServoJ::INFO.name.to_owned(), reason }.into()
+}

@@ -1,0 +1,280 @@
+//! Limits: what is checked before a motion or a set-point is sent.
+
+mod motion;
+
+use std::time::Duration;
+
+use jaka_motion::{Beyond, Checker, Frames, Limits, Model, Tolerance};
+use jaka_proto::Command;
+use jaka_proto::messages::kinematics::KineForward;
+use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
+use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_sync::layer::ClientParts as _;
+
+pub(crate) use self::motion::Beginning;
+use crate::arm::Arm;
+use crate::{Error, ErrorKind, Explanation, Unchecked};
+
+/// What happens to a motion or a set-point that is beyond a limit, or that cannot be checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum LimitPolicy {
+    /// It is not sent, and the call fails.
+    #[default]
+    Refuse,
+    /// It is sent, and a warning is logged: see [`Robot::limit_warning`](crate::Robot::limit_warning).
+    Warn,
+}
+
+/// The limits of a robot, if it has any, and what is known for checking them.
+#[derive(Debug, Default)]
+pub(crate) struct LimitChecks(Option<Box<Limited>>);
+
+#[derive(Debug)]
+struct Limited {
+    checker: Checker,
+    policy: LimitPolicy,
+    warning: Option<Error>,
+    /// Where the last motion that was accepted ends, by its check.
+    planned: Option<JointPosition>,
+    /// How many stops had gone out by then: after another one the arm ends elsewhere.
+    stops: u64,
+    /// Motions were given up that the arm may not have begun yet.
+    is_unsettled: bool,
+    /// How often this program had changed frames when the frames of the checker were compared with the controller's.
+    frame_changes: u64,
+}
+
+/// How far the controller's pose may be from the model's at the same joint positions. The poses of a real arm are within 0.42 mm and
+/// 0.00001 deg; beyond that, a frame was changed.
+const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
+
+impl LimitChecks {
+    /// Checks against these limits, with the tool and the frames that the controller is found to have.
+    pub(crate) fn new(arm: &mut Arm, limits: Limits, policy: LimitPolicy) -> Result<Self, Error> {
+        let (frames, frame_changes) = fitted_frames(arm, limits.model(), None)?;
+        let checker = Checker::new(limits, frames);
+        let (warning, planned, stops, is_unsettled) = (None, None, 0, false);
+        Ok(Self(Some(Box::new(Limited { checker, policy, warning, planned, stops, is_unsettled, frame_changes }))))
+    }
+
+    /// The same for another thread.
+    pub(crate) fn lent(&self) -> Self {
+        let lent = |limited: &Limited| {
+            let checker = limited.checker.clone();
+            let (planned, warning) = (None, None);
+            Box::new(Limited { checker, warning, planned, ..*limited })
+        };
+        Self(self.0.as_deref().map(lent))
+    }
+
+    /// Where the arm is when it has done the last motion is no longer known.
+    pub(crate) fn forget_plan(&mut self) {
+        if let Some(limited) = &mut self.0 {
+            limited.planned = None;
+        }
+    }
+
+    /// Motions are given up that the arm may not have begun yet.
+    pub(crate) fn unsettle(&mut self) {
+        if let Some(limited) = &mut self.0 {
+            limited.is_unsettled = true;
+        }
+    }
+
+    /// Sets what happens to what is beyond a limit.
+    pub(crate) fn set_policy(&mut self, policy: LimitPolicy) {
+        if let Some(limited) = &mut self.0 {
+            limited.policy = policy;
+        }
+    }
+
+    /// The limits, with the frames that the controller was found to have.
+    pub(crate) fn checker(&self) -> Option<&Checker> {
+        self.0.as_ref().map(|limited| &limited.checker)
+    }
+
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent
+    /// all the same.
+    pub(crate) fn warning(&self) -> Option<String> {
+        self.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
+    }
+
+    /// The last motion that was accepted ends there.
+    pub(crate) fn plan(&mut self, arm: &Arm, end: Option<JointPosition>) {
+        let stops = arm.link().stop_count();
+        if let Some(limited) = &mut self.0 {
+            (limited.planned, limited.stops, limited.is_unsettled) = (end, stops, false);
+        }
+    }
+
+    /// Before servo mode is used: the checker's frames are the controller's.
+    pub(crate) fn prepare_set_points(
+        &mut self,
+        arm: &mut Arm,
+        (start, pose): (JointPosition, Option<Pose>),
+        timeout: Duration,
+    ) -> Result<(), Error> {
+        let Some(limited) = &mut self.0 else { return Ok(()) };
+        limited.warning = None;
+        let name = SetServoMode::INFO.name;
+        let framed = match pose {
+            Some(pose) => limited.follow_frames(arm, (start, pose), name, timeout),
+            None => Err(not_checked(arm, name, Unchecked::Start)),
+        };
+        framed.or_else(|error| limited.judged(error))
+    }
+
+    /// The greatest accelerations of the joints, in deg/s², if the robot has limits.
+    pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
+        self.checker().map(|checker| *checker.limits().joint_accelerations())
+    }
+
+    /// True if the robot has limits, and sends nothing that is beyond them.
+    pub(crate) fn refuses_beyond_limits(&self) -> bool {
+        self.0.as_ref().is_some_and(|limited| limited.policy == LimitPolicy::Refuse)
+    }
+
+    /// Checks a set-point of the joints, after the last two.
+    pub(crate) fn check_joints(
+        &mut self,
+        arm: &Arm,
+        before: Option<[JointPosition; 2]>,
+        target: Option<JointPosition>,
+        period: Duration,
+    ) -> Result<Option<JointPosition>, Error> {
+        let Some(checker) = self.checker() else { return Ok(target) };
+        let error = match (before, target) {
+            (Some(before), Some(joints)) => match checker.check_set_point(before, joints, period.as_secs_f64()) {
+                Ok(()) => return Ok(target),
+                Err(beyond) => beyond_limit(arm, ServoJ::INFO.name, beyond),
+            },
+            _ => not_checked(arm, ServoJ::INFO.name, Unchecked::Start),
+        };
+        self.judged(error).map(|()| target)
+    }
+
+    /// Checks a set-point of the tool centre point, and returns its joint positions where they are known.
+    pub(crate) fn check_pose(
+        &mut self,
+        arm: &Arm,
+        before: Option<[JointPosition; 2]>,
+        target: Option<Pose>,
+        period: Duration,
+    ) -> Result<Option<JointPosition>, Error> {
+        let Some(checker) = self.checker() else { return Ok(None) };
+        let (error, joints) = match (before, target) {
+            (Some(before), Some(pose)) => match checker.check_pose_set_point(before, pose, period.as_secs_f64()) {
+                Ok(joints) => return Ok(Some(joints)),
+                Err(beyond) => {
+                    let flange = checker.frames().flange(pose);
+                    let joints = checker.limits().model().inverse(flange, before[1]).ok();
+                    (beyond_limit(arm, ServoP::INFO.name, beyond), joints)
+                }
+            },
+            (None, _) => (not_checked(arm, ServoP::INFO.name, Unchecked::Start), None),
+            (_, None) => (not_checked(arm, ServoP::INFO.name, Unchecked::Target), None),
+        };
+        self.judged(error).map(|()| joints)
+    }
+
+    /// The same error. A refusal without an explanation of a motion that was sent although it is beyond a limit has that one.
+    pub(crate) fn explained(&self, mut error: Error) -> Error {
+        if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
+            *explanation = explanation.take().or_else(|| self.explanation());
+        }
+        error
+    }
+
+    fn explanation(&self) -> Option<Explanation> {
+        match self.0.as_ref()?.warning.as_ref()?.kind() {
+            ErrorKind::BeyondLimit { beyond, .. } => Some(Explanation::BeyondLimit(Box::new(beyond.clone()))),
+            _ => None,
+        }
+    }
+
+    fn judged(&mut self, error: Error) -> Result<(), Error> {
+        match &mut self.0 {
+            Some(limited) => limited.judged(error),
+            None => Err(error),
+        }
+    }
+}
+
+impl Limited {
+    /// Makes the checker's frames those of the controller, which has this pose at these joint positions.
+    fn follow_frames(
+        &mut self,
+        arm: &mut Arm,
+        (joints, pose): (JointPosition, Pose),
+        command: &str,
+        timeout: Duration,
+    ) -> Result<(), Error> {
+        if self.is_framed(arm, joints, pose) {
+            return Ok(());
+        }
+        let (frames, frame_changes) = fitted_frames(arm, self.checker.limits().model(), Some(timeout))?;
+        self.checker = self.checker.clone().with_frames(frames);
+        self.frame_changes = frame_changes;
+        if self.is_framed(arm, joints, pose) { Ok(()) } else { Err(not_checked(arm, command, Unchecked::Frames)) }
+    }
+
+    fn is_framed(&self, arm: &Arm, joints: JointPosition, pose: Pose) -> bool {
+        self.agrees(joints, pose) && self.frame_changes == arm.link().frame_changes()
+    }
+
+    /// What to do about a check that failed: no error where it is sent all the same.
+    fn judged(&mut self, error: Error) -> Result<(), Error> {
+        let is_limit = matches!(error.kind(), ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. });
+        if !is_limit || self.policy != LimitPolicy::Warn {
+            return Err(error);
+        }
+        if self.warning.is_none() {
+            log::warn!(target: "jaka_robot", "{}", warning(&error));
+            self.warning = Some(error);
+        }
+        Ok(())
+    }
+
+    /// Whether the controller's pose is the model's, in the frames that are known.
+    fn agrees(&self, joints: JointPosition, pose: Pose) -> bool {
+        let ours = self.checker.frames().pose(self.checker.limits().model().forward(joints));
+        ours.distance_mm(&pose) <= AGREES.position_mm && ours.angle_deg(&pose) <= AGREES.angle_deg
+    }
+}
+
+/// What was sent all the same, and why it should not have been.
+fn warning(error: &Error) -> String {
+    match error.kind() {
+        ErrorKind::BeyondLimit { command, beyond } => {
+            format!("`{command}` was sent although it is beyond a limit: {beyond}")
+        }
+        ErrorKind::NotChecked { command, reason } => {
+            format!("`{command}` was sent without a check against limits: {reason}")
+        }
+        _ => error.to_string(),
+    }
+}
+
+/// The controller's frames, and how often this program had changed any before they were asked for.
+fn fitted_frames(arm: &mut Arm, model: &Model, timeout: Option<Duration>) -> Result<(Frames, u64), Error> {
+    let since = arm.clock().stopwatch();
+    let frame_changes = arm.link().frame_changes();
+    let mut pairs = Vec::new();
+    for joints in model.positions_to_compare() {
+        let usual = arm.queries().timeout_of(KineForward::INFO);
+        let left = timeout.map_or(usual, |timeout| since.left_of(timeout).min(usual));
+        pairs.push((joints, arm.queries().call_within(&KineForward::new(joints), left)?.pose));
+    }
+    let fit = model.fit(&pairs, Tolerance::default());
+    let frames = fit.map_err(|source| arm.attach(ErrorKind::ModelMismatch { source }))?.frames;
+    Ok((frames, frame_changes))
+}
+
+fn not_checked(arm: &Arm, command: &str, reason: Unchecked) -> Error {
+    arm.attach(ErrorKind::NotChecked { command: command.to_owned(), reason })
+}
+
+fn beyond_limit(arm: &Arm, command: &str, beyond: Beyond) -> Error {
+    arm.attach(ErrorKind::BeyondLimit { command: command.to_owned(), beyond })
+}

@@ -1,0 +1,69 @@
+//! Places of an arm, and how near two of them are.
+
+use jaka_proto::messages::types::{JointPosition, Pose};
+
+/// How close a joint is to its target when it is there, in degrees.
+const CLOSE_DEG: f64 = 0.1;
+
+/// How close the tool centre point is to its target when it is there, in millimetres.
+const CLOSE_MM: f64 = 0.5;
+
+/// How little may change between two replies of an arm at rest: noise of the encoders, as far as it is known.
+const STILL_DEG: f64 = 0.002;
+const STILL_MM: f64 = 0.02;
+
+/// What rounding may add to a position: replies have six decimals.
+const ROUNDING_DEG: f64 = 1e-5;
+const ROUNDING_MM: f64 = 2e-6;
+
+/// A position of the arm, as one of the two queries gives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Place {
+    Joints(JointPosition),
+    Pose(Pose),
+}
+
+/// Which query gives a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Joints,
+    Pose,
+}
+
+impl Place {
+    /// True if the arm is here when it is at `other`.
+    pub(crate) fn is_at(&self, other: &Self) -> bool {
+        self.is_within(other, CLOSE_DEG, CLOSE_MM)
+    }
+
+    /// True if both are the same except for noise. An arm that moves by less during the grace time cannot be distinguished from one at
+    /// rest.
+    pub(crate) fn is_still(&self, other: &Self) -> bool {
+        self.is_within(other, STILL_DEG, STILL_MM)
+    }
+
+    /// True if both are the same. An arm that brakes is elsewhere until it rests, if only by micrometres.
+    pub(crate) fn is_exactly(&self, other: &Self) -> bool {
+        self.is_within(other, ROUNDING_DEG, ROUNDING_MM)
+    }
+
+    fn is_within(&self, other: &Self, degrees: f64, millimetres: f64) -> bool {
+        match (self, other) {
+            (Self::Joints(one), Self::Joints(other)) => one.max_distance(other) <= degrees,
+            (Self::Pose(one), Self::Pose(other)) => {
+                one.distance_mm(other) <= millimetres && one.angle_deg(other) <= degrees
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Place {
+    /// Query that gives such a place.
+    pub(crate) fn quantity(&self) -> Quantity {
+        match self {
+            Self::Joints(_) => Quantity::Joints,
+            Self::Pose(_) => Quantity::Pose,
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Motions that are sent one by one, and waited for.
+
+mod batch;
+mod goal;
+mod guard_thread;
+mod guarded;
+mod rule;
+mod wait;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::messages::power::GetRobotState;
+use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::ClientParts as _;
+
+use self::batch::{Batch, Begin, Frames};
+use self::goal::Goal;
+pub(crate) use self::guarded::GuardedRun;
+use self::rule::EndRule;
+pub(crate) use self::rule::Grace;
+use self::wait::EndWait;
+use crate::arm::{Arm, SETTLING, Sending};
+use crate::cause::{Consequence, Occurrence};
+use crate::guard::Armed;
+use crate::limits::{Beginning, LimitChecks};
+use crate::{Cause, End, Error, Motion, Report, Rest};
+
+/// Motions that have been started, and how their end is waited for.
+#[derive(Debug)]
+pub(crate) struct Planned {
+    /// Motions that were accepted and have not been waited for.
+    batch: Option<Batch>,
+    pub(crate) grace: Grace,
+    /// How long no status packet may come during a wait.
+    pub(crate) silence: Duration,
+    /// How often frames had been changed when the last motion was sent.
+    frame_changes: u64,
+}
+
+impl Planned {
+    pub(crate) fn new(grace: Grace, silence: Duration) -> Self {
+        Self { batch: None, grace, silence, frame_changes: 0 }
+    }
+
+    /// True if motions were accepted that have not been waited for.
+    pub(crate) fn has_motions(&self) -> bool {
+        self.batch.is_some()
+    }
+
+    /// Gives the motions up: true if there were some.
+    pub(crate) fn give_up(&mut self) -> bool {
+        self.batch.take().is_some()
+    }
+
+    fn accepted(&mut self, arm: &Arm, goal: Goal, begin: Begin) {
+        // Packets that came before the reply may be older than the motion.
+        let now = arm.clock().now();
+        self.batch = Some(match self.batch.take() {
+            Some(batch) => batch.then(now, goal, begin.frames),
+            None => Batch::new(now, goal, begin),
+        });
+    }
+}
+
+/// The parts of a robot that a motion concerns.
+#[derive(Debug)]
+pub(crate) struct Moving<'a> {
+    pub(crate) arm: &'a mut Arm,
+    pub(crate) limits: &'a mut LimitChecks,
+    pub(crate) planned: &'a mut Planned,
+}
+
+impl Moving<'_> {
+    /// Sends a motion, under a guard if there is one, which lets it out or not.
+    pub(crate) fn send<M: Motion>(
+        &mut self,
+        motion: &M,
+        timeout: Duration,
+        guard: Option<&Armed>,
+    ) -> Result<(), Error> {
+        let since = self.arm.clock().stopwatch();
+        self.arm.link().check_open(M::INFO.name)?;
+        self.arm.state.check_acknowledged()?;
+        let begin = self.begin(motion, timeout)?;
+        let left = || since.left_of(timeout);
+        let beginning = if self.planned.has_motions() { Beginning::InQueue } else { Beginning::AtRest(begin.start) };
+        let times = (self.planned.grace.time, left());
+        let end = self.limits.check_motion(self.arm, motion, beginning, times)?;
+        let gate = self.arm.gate(Sending::Motion);
+        let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
+        let sent = self.arm.client().call_through(Some(&guarded), motion, left());
+        self.planned.frame_changes = begin.frames.changes;
+        match sent {
+            Ok(()) => {
+                let goal = Goal::new(motion.target(), motion.tolerance(), begin.start);
+                self.planned.accepted(self.arm, goal, begin);
+                self.limits.plan(self.arm, end);
+            }
+            Err(error) => {
+                let error = Error::from(error);
+                // It can still be waited for.
+                if error.may_have_run() {
+                    self.planned.accepted(self.arm, Goal::Unknown, begin);
+                    self.limits.forget_plan();
+                }
+                let explained = self.arm.explained(error, left());
+                return Err(self.limits.explained(explained));
+            }
+        }
+        Ok(())
+    }
+
+    /// What is known of the arm before a motion.
+    fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
+        let since = self.arm.clock().stopwatch();
+        let Some(newest) = self.arm.known_status(timeout)? else {
+            return Ok(Begin::default());
+        };
+        let changes = self.arm.link().frame_changes();
+        let frames = Frames::new(&newest.status, changes, self.planned.frame_changes);
+        let mut begin = Begin::new(&newest.status, frames);
+        let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
+        if let Some(quantity) = motion.target().start_quantity().filter(|_| is_first_at_rest) {
+            begin.start = self.arm.position.place_at_rest(quantity, since.left_of(timeout))?;
+        }
+        Ok(begin)
+    }
+
+    /// Waits for the end of all motions that were started.
+    pub(crate) fn wait(&mut self, timeout: Duration) -> End {
+        let mut end = self.wait_unless(timeout, &|| false);
+        self.settle_cause(&mut end);
+        self.report(&end);
+        self.record(&end);
+        end
+    }
+
+    /// The same, and gives up waiting once it is to, with [`Cause::Deadline`]. Its end is yet to be reported.
+    fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> End {
+        let since = self.arm.clock().stopwatch();
+        let Some(batch) = self.planned.batch.take() else {
+            return End::new(Cause::NoMotion, Rest::NotSeen, Report::of_wait(Duration::ZERO));
+        };
+        let mut rule = EndRule::new(batch, self.arm.link().frame_changes(), self.planned.grace);
+        let mut wait = EndWait { arm: self.arm, rule: &mut rule, silence: self.planned.silence };
+        let (occurrence, rest) = wait.end(timeout, gives_up);
+        let (cause, consequence) = (occurrence.cause, occurrence.consequence());
+        self.arm.position.is_at_rest(rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest));
+        if consequence.latches() {
+            self.arm.state.latch(&occurrence);
+        }
+        if consequence == Consequence::GoesOn {
+            // The motions may go on: they can be waited for again.
+            self.planned.batch = Some(rule.batch);
+        }
+        let mut end = End::new(occurrence, rest, Report::of_wait(since.passed()));
+        end.packets = rule.packets.into();
+        // A connection that is lost is the cause.
+        end.error = rule.failure.filter(|failure| !failure.is_disconnected());
+        end.error = end.error.or_else(|| self.arm.position.unanswered().filter(|_| cause == Cause::Deadline));
+        end
+    }
+
+    /// Settles the cause where packets stay away: a controller that has gone answers nothing either. Under a guard the
+    /// stop settles it.
+    fn settle_cause(&mut self, end: &mut End) {
+        if end.occurrence.cause != Cause::StatusLost {
+            return;
+        }
+        let Err(error) = self.arm.queries().call_within(&GetRobotState::new(), SETTLING) else { return };
+        match error.kind() {
+            jaka_sync::ErrorKind::Disconnected { address, cause, .. } => {
+                end.occurrence = Occurrence::commands_lost(address.clone(), Arc::clone(cause));
+            }
+            _ => end.error = end.error.take().or(Some(error.into())),
+        }
+    }
+
+    /// Records how motions ended, if there were some.
+    fn record(&self, end: &End) {
+        let step = match end.occurrence.cause {
+            Cause::NoMotion => return,
+            Cause::Reached | Cause::AtRest => MotionStep::Done,
+            _ => MotionStep::Failed,
+        };
+        self.arm.link().record_motion(step, || end.occurrence.to_string());
+    }
+
+    /// The program is told of the stops that have ended a motion, if they have.
+    fn report(&mut self, end: &End) {
+        if end.occurrence.cause == Cause::Stopped {
+            self.arm.state.lock().stops.report_taken();
+        }
+    }
+}

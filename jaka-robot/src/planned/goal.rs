@@ -1,0 +1,95 @@
+//! Goals of batches, and whether the arm is there.
+
+use crate::Target;
+use crate::place::{Place, Quantity};
+
+/// Where a batch of motions ends, once it has been accepted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Goal {
+    /// Here, or this many millimetres before, where the controller may blend into a motion that follows.
+    At(Place, f64),
+    Unknown,
+}
+
+/// How near the arm's place is to the goal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Nearness {
+    There,
+    /// Within the tolerance of a motion that may blend into the next one.
+    Within,
+    Elsewhere,
+    Unknown,
+}
+
+impl Goal {
+    /// The goal of a motion to `target` that begins at `start`, if that is known.
+    pub(super) fn new(target: Target, tolerance: f64, start: Option<Place>) -> Self {
+        target.from(start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
+    }
+
+    /// What to ask for, to see whether the arm is there.
+    pub(super) fn quantity(&self) -> Quantity {
+        match self {
+            Self::At(Place::Pose(_), _) => Quantity::Pose,
+            _ => Quantity::Joints,
+        }
+    }
+
+    pub(super) fn nearness(&self, place: &Place) -> Nearness {
+        match self {
+            Self::Unknown => Nearness::Unknown,
+            Self::At(goal, _) if goal.is_at(place) => Nearness::There,
+            Self::At(Place::Pose(goal), tolerance) => match place {
+                Place::Pose(pose) if goal.distance_mm(pose) <= *tolerance => Nearness::Within,
+                _ => Nearness::Elsewhere,
+            },
+            Self::At(..) => Nearness::Elsewhere,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_proto::messages::types::{JointPosition, Pose};
+
+    use super::*;
+
+    fn pose(x: f64, rz: f64) -> Pose {
+        Pose { x, y: 0.0, z: 0.0, rx: 0.0, ry: 0.0, rz }
+    }
+
+    #[test]
+    fn there_is_a_tenth_of_a_degree_and_half_a_millimetre() {
+        let at = |x, rz| Goal::At(Place::Pose(pose(0.0, 180.0)), 3.0).nearness(&Place::Pose(pose(x, rz)));
+        assert_eq!(at(0.5, 180.0), Nearness::There);
+        // The same orientation, written otherwise.
+        assert_eq!(at(0.0, -180.0), Nearness::There);
+        assert_eq!(at(0.0, 179.95), Nearness::There);
+        assert_eq!(at(0.51, 180.0), Nearness::Within);
+        assert_eq!(at(3.1, 180.0), Nearness::Elsewhere);
+        let joints = |angle| Place::Joints(JointPosition([angle, 0.0, 0.0, 0.0, 0.0, 0.0]));
+        let goal = Goal::At(joints(10.0), 0.0);
+        assert_eq!(goal.nearness(&joints(10.09)), Nearness::There);
+        assert_eq!(goal.nearness(&joints(9.8)), Nearness::Elsewhere);
+        assert_eq!(goal.nearness(&joints(f64::NAN)), Nearness::Elsewhere);
+        assert_eq!(Goal::Unknown.nearness(&joints(0.0)), Nearness::Unknown);
+    }
+
+    #[test]
+    fn an_arm_that_brakes_is_not_exactly_at_its_goal() {
+        let goal = Place::Pose(pose(0.0, 180.0));
+        assert!(goal.is_exactly(&Place::Pose(pose(0.000_000_5, 180.0))));
+        assert!(!goal.is_exactly(&Place::Pose(pose(0.01, 180.0))) && goal.is_still(&Place::Pose(pose(0.01, 180.0))));
+    }
+
+    #[test]
+    fn a_goal_follows_from_a_start_of_its_own_kind_alone() {
+        let joints = Place::Joints(JointPosition([1.0; 6]));
+        let by = Target::JointOffset(JointPosition([2.0; 6]));
+        assert_eq!(Goal::new(by, 0.0, Some(joints)), Goal::At(Place::Joints(JointPosition([3.0; 6])), 0.0));
+        assert_eq!(Goal::new(by, 0.0, None), Goal::Unknown);
+        assert_eq!(Goal::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(joints)), Goal::Unknown);
+        let along = Goal::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(Place::Pose(pose(1.0, 90.0))));
+        assert_eq!(along, Goal::At(Place::Pose(pose(2.0, 90.0)), 0.0));
+    }
+}

@@ -1,0 +1,136 @@
+//! A thread that stops a motion under a guard.
+
+#[cfg(test)]
+mod tests;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use jaka_sync::layer::StatusLoss;
+
+use crate::arm::{Arm, ArmState, Sent};
+use crate::cause::Occurrence;
+use crate::guard::{Armed, Watched, watch};
+use crate::{Error, GuardTrip, RobotStop, StatusProblem};
+
+/// Stops the arm where the guard trips, or the status is no longer known.
+#[derive(Debug)]
+pub(super) struct GuardThread {
+    state: Arc<ArmState>,
+    pub(super) stop: RobotStop,
+    pub(super) armed: Armed,
+    /// With an older packet the arm is stopped.
+    fresh_for: Duration,
+    /// Nobody waits for the motion any more.
+    is_relieved: AtomicBool,
+    /// The stop was not accepted.
+    has_failed: AtomicBool,
+}
+
+impl GuardThread {
+    pub(super) fn new(arm: &Arm, armed: Armed, fresh_for: Duration) -> Self {
+        let (state, stop) = (Arc::clone(&arm.state), arm.stop_handle());
+        armed.stop_by(stop.clone());
+        let (is_relieved, has_failed) = (AtomicBool::default(), AtomicBool::default());
+        Self { state, stop, armed, fresh_for, is_relieved, has_failed }
+    }
+
+    /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
+    pub(super) fn run(&self) -> Option<Stopped> {
+        let _on_watch = OnWatch(self);
+        let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
+        let (why, blind) = match watch(&self.state, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
+            Watched::Tripped(trip) => (Why::Trip(trip), None),
+            Watched::Blind(problem) => (Why::Blind(problem.clone()), Some(problem)),
+            Watched::Over(_) => return None,
+        };
+        if !self.armed.shut(blind) || is_relieved() {
+            return None;
+        }
+        let stopped = self.written(Some(&why)).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
+        self.took(&stopped.stop.accepted);
+        Some(stopped)
+    }
+
+    /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the guard had tripped, if it has, whatever
+    /// was seen since.
+    pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
+        let written = self.armed.take_written()?;
+        let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
+        Some(Stopped { why, stop: self.stop.finish(&written) })
+    }
+
+    /// A stop that was not accepted ends the wait.
+    fn took(&self, accepted: &Result<(), Error>) {
+        if accepted.is_err() {
+            self.has_failed.store(true, Ordering::SeqCst);
+            self.state.wake();
+        }
+    }
+
+    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or that the motion was stopped.
+    fn stop_in_panic(&self) {
+        if thread::panicking() && self.armed.abandon() {
+            // A logger that panics again would end the process here.
+            if let Ok(accepted) = catch_unwind(AssertUnwindSafe(|| self.stop.stop())) {
+                self.took(&accepted);
+            }
+        }
+    }
+
+    pub(super) fn has_failed(&self) -> bool {
+        self.has_failed.load(Ordering::SeqCst)
+    }
+}
+
+/// A stop because of a guard.
+#[derive(Debug)]
+pub(super) struct Stopped {
+    /// None where only the end of the wait called for it.
+    pub(super) why: Option<Why>,
+    pub(super) stop: Sent,
+}
+
+#[derive(Debug, Clone)]
+pub(super) enum Why {
+    Trip(GuardTrip),
+    Blind(StatusProblem),
+}
+
+impl Stopped {
+    pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
+        Self { why, stop: stop.stop_and_tell() }
+    }
+}
+
+/// Relieves the thread when it is dropped; where that is by a panic, the arm is stopped.
+pub(super) struct Relieved<'s>(pub(super) &'s GuardThread);
+
+impl Drop for Relieved<'_> {
+    fn drop(&mut self) {
+        self.0.is_relieved.store(true, Ordering::SeqCst);
+        self.0.state.wake();
+        self.0.stop_in_panic();
+    }
+}
+
+/// On the guard's own thread: a packet's type may panic.
+struct OnWatch<'s>(&'s GuardThread);
+
+impl Drop for OnWatch<'_> {
+    fn drop(&mut self) {
+        self.0.stop_in_panic();
+    }
+}
+
+/// How a motion ends whose status is not known any more.
+pub(super) fn lost(problem: &StatusProblem) -> Occurrence {
+    match StatusLoss::of(problem) {
+        StatusLoss::Ended(cause) => Occurrence::status_lost(Some(Arc::clone(cause)), None),
+        StatusLoss::Unreadable(source) => Occurrence::status_lost(None, Some(source.clone())),
+        StatusLoss::Silence => Occurrence::status_lost(None, None),
+    }
+}

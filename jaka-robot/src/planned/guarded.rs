@@ -1,0 +1,167 @@
+//! Motions under a guard.
+
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use jaka_proto::CommandInfo;
+use jaka_sync::layer::Watched;
+
+use super::Moving;
+use super::guard_thread::{GuardThread, Relieved, Stopped, Why, lost};
+use crate::arm::{Sent, unknown};
+use crate::cause::Occurrence;
+use crate::guard::{Armed, Guard, longest_silence, packet_period};
+use crate::{End, Error, ErrorKind, GuardTrip, Motion, NotGuarded, Path, Report, Rest, TripReason};
+
+/// How long an arm that was stopped is waited for until it rests.
+const REST: Duration = Duration::from_secs(2);
+
+/// Run of one motion under a guard.
+#[derive(Debug)]
+pub(crate) struct GuardedRun<'a> {
+    pub(crate) moving: Moving<'a>,
+    pub(crate) guard: &'a Guard,
+}
+
+impl GuardedRun<'_> {
+    /// Sends a motion, and waits until it has ended or the guard has tripped, upon which the arm is stopped.
+    pub(crate) fn run<M: Motion>(mut self, motion: &M, timeout: Duration) -> Result<End, Error> {
+        let arm = &self.moving.arm;
+        let since = arm.clock().stopwatch();
+        self.guard.check()?;
+        arm.link().check_open(M::INFO.name)?;
+        arm.state.check_acknowledged()?;
+        let left = || since.left_of(timeout);
+        let fresh_for = self.check_speed(M::INFO, motion.path(), left())?;
+        let armed = Armed::new(self.guard, &arm.state, left()).map_err(|problem| arm.attach(unknown(problem)))?;
+        if let Some(trip) = armed.trip() {
+            return self.not_begun(trip, since.passed());
+        }
+        let guarding = GuardThread::new(arm, armed, fresh_for);
+        let is_over = Watched::new(arm.clock(), false);
+        let (result, stopped) = thread::scope(|scope| {
+            let relieved = Relieved(&guarding);
+            let (thread, place) =
+                (thread::Builder::new().name("jaka guard".to_owned()), self.moving.arm.clock().participant());
+            let keep = || {
+                let _end = Ends(&is_over);
+                guarding.run()
+            };
+            let spawned = thread.spawn_scoped(scope, move || place.run(keep));
+            let watching = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
+            let sent = self.moving.send(motion, left(), Some(&guarding.armed));
+            let result = sent.map(|()| self.moving.wait_unless(left(), &|| guarding.has_failed()));
+            drop(relieved);
+            // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
+            // A join knows nothing of a simulated clock.
+            is_over.wait_for(Duration::MAX, |is_over| is_over.then_some(()));
+            let stopped = watching.join().unwrap_or_default();
+            Ok::<_, Error>((result, stopped.or_else(|| guarding.written(None))))
+        })?;
+        match (result, guarding.armed.trip()) {
+            (Ok(end), _) => {
+                let end = self.end_of_guarded(&guarding, end, stopped);
+                self.moving.record(&end);
+                Ok(end)
+            }
+            (Err(error), Some(trip)) if matches!(error.kind(), ErrorKind::GuardTripped { .. }) => {
+                self.not_begun(trip, since.passed())
+            }
+            (Err(error), _) => Err(self.error_of_guarded(&guarding, error, stopped)),
+        }
+    }
+
+    /// Fails if the guard has a limit of force by which the motion could not be stopped in time; and says how old the newest packet may become.
+    fn check_speed(&self, info: &'static CommandInfo, path: Path, timeout: Duration) -> Result<Duration, Error> {
+        let (arm, guard) = (&self.moving.arm, self.guard);
+        if guard.force_limits().next().is_none() {
+            return Ok(Duration::MAX);
+        }
+        let refused = |reason: NotGuarded| arm.attach(ErrorKind::NotGuarded { command: info.name.to_owned(), reason });
+        let (Path::Line { speed, acceleration } | Path::Arc { speed, acceleration, .. }) = path else {
+            return Err(refused(NotGuarded::SpeedUnknown));
+        };
+        // A status that is not known is told by the guard.
+        let is_in_position =
+            arm.state.status_within(timeout).map_or(true, |newest| newest.status.in_position == Some(true));
+        if self.moving.planned.has_motions() || !is_in_position {
+            return Err(refused(NotGuarded::Moving));
+        }
+        let period = packet_period(arm, timeout).ok_or_else(|| refused(NotGuarded::PeriodUnknown))?;
+        guard.force_limits().try_for_each(|limit| limit.check_speed(speed, acceleration, period)).map_err(refused)?;
+        Ok(longest_silence(period))
+    }
+
+    /// The end where the guard has tripped before the motion went out.
+    fn not_begun(&self, trip: GuardTrip, waited: Duration) -> Result<End, Error> {
+        if let TripReason::NotShown(reason) = trip.reason {
+            return Err(self.moving.arm.attach(ErrorKind::NotShown { what: self.guard.to_string(), reason }));
+        }
+        let packets = vec![Arc::clone(&trip.packet)];
+        let occurrence = Occurrence::trip(trip.before_start());
+        Ok(End { packets, ..End::new(occurrence, Rest::NotSeen, Report::of_wait(waited)) })
+    }
+
+    /// How the motion ended, by the wait for it and by what the thread of the guard did; and a stop where the arm may still move.
+    fn end_of_guarded(&mut self, guarding: &GuardThread, mut end: End, stopped: Option<Stopped>) -> End {
+        let may_move = end.occurrence.consequence().may_move();
+        let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&guarding.stop, None))) else {
+            self.moving.report(&end);
+            return end;
+        };
+        let is_accepted = self.take(&stopped.stop);
+        // What packets show against the arm itself counts before that.
+        match stopped.why.filter(|_| !end.occurrence.cause.is_of_status()) {
+            Some(Why::Trip(trip)) => {
+                let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
+                let rest = if is_accepted { self.moving.arm.position.comes_to_rest(REST) } else { Ok(false) };
+                let is_at_rest = matches!(rest, Ok(true));
+                self.moving.arm.position.is_at_rest(is_at_rest);
+                end.occurrence = Occurrence::trip(GuardTrip { reaction, is_at_rest, ..trip });
+                end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
+                end.error = rest.err();
+            }
+            Some(Why::Blind(problem)) => {
+                end.occurrence = lost(&problem);
+                self.moving.arm.state.latch(&end.occurrence);
+            }
+            None => {}
+        }
+        end.stop = Some(stopped.stop.accepted);
+        end
+    }
+
+    /// The error of a motion whose reply did not come: it may run, and nobody judges the guard any longer.
+    fn error_of_guarded(&mut self, guarding: &GuardThread, first: Error, stopped: Option<Stopped>) -> Error {
+        let may_run = guarding.armed.has_begun() && first.may_have_run();
+        let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&guarding.stop, None))) else {
+            return first;
+        };
+        self.take(&stopped.stop);
+        match stopped.stop.accepted {
+            Err(stopping) if may_run => self.moving.arm.attach(ErrorKind::NotStopped { first, stopping }),
+            _ => first,
+        }
+    }
+
+    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is not waited for any more then.
+    fn take(&mut self, stop: &Sent) -> bool {
+        if stop.accepted.is_ok() {
+            self.moving.arm.state.lock().stops.report(stop.number);
+            self.moving.planned.give_up();
+            self.moving.limits.unsettle();
+        }
+        stop.accepted.is_ok()
+    }
+}
+
+/// Says, when it is dropped, that a thread is at its end.
+struct Ends<'w>(&'w Watched<bool>);
+
+impl Drop for Ends<'_> {
+    fn drop(&mut self) {
+        *self.0.lock() = true;
+        self.0.wake();
+    }
+}

@@ -1,0 +1,169 @@
+//! Powering and enabling the arm, and the way back.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::Command;
+use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
+use jaka_sync::layer::{ClientParts as _, Stopwatch, describe};
+
+use crate::arm::{Arm, ArmState, unknown};
+use crate::{Error, ErrorKind, Explanation, StatusProblem};
+
+/// How often the state is asked for.
+const QUERY_PERIOD: Duration = Duration::from_millis(100);
+
+/// How the time until the next query passes: it may end with an error.
+type Pause = fn(&Arm, Duration) -> Result<(), Error>;
+
+/// Step of [`Robot::power_up_with`](crate::Robot::power_up_with) or [`Robot::power_down_with`](crate::Robot::power_down_with), as the controller's own answers show it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct PowerStep {
+    /// `cmdName` of the step's command.
+    pub command: &'static str,
+    /// Time from sending the command until the controller answered that the step is done (`get_robot_state`, 4.12);
+    /// `None` just before the command is sent.
+    pub took: Option<Duration>,
+}
+
+/// Called for each step.
+type Observer<'o> = &'o mut dyn FnMut(PowerStep);
+
+/// The steps of a call, how long all of them may take, and the stop after which no other is sent.
+struct Steps<'o> {
+    observer: Observer<'o>,
+    since: Stopwatch,
+    timeout: Duration,
+    /// The number of the latest stop of the program's own that does not count.
+    stop: u64,
+    accepted: Vec<String>,
+    /// Those that are yet to be sent.
+    rest: Vec<&'static str>,
+}
+
+impl<'o> Steps<'o> {
+    fn new(arm: &Arm, timeout: Duration, stop: u64, observer: Observer<'o>) -> Self {
+        Self { observer, since: arm.clock().stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
+    }
+
+    fn left(&self) -> Duration {
+        self.since.left_of(self.timeout)
+    }
+
+    /// Tells the program and its log of a step.
+    fn tell(&mut self, step: PowerStep) {
+        match step.took {
+            None => log::info!(target: "jaka_robot", "{} is sent next", step.command),
+            Some(took) => log::info!(target: "jaka_robot", "{} is done, after {took:.1?}", step.command),
+        }
+        (self.observer)(step);
+    }
+
+    /// Fails once a stop has begun that counts. As a gate it lets no step out after that.
+    fn check_stops(&self, state: &ArmState) -> Result<(), Error> {
+        if state.lock().stops.begun() == self.stop {
+            return Ok(());
+        }
+        let not_sent = self.rest.iter().map(|&name| name.to_owned()).collect();
+        Err(ErrorKind::Stopped { accepted: self.accepted.clone(), not_sent }.into())
+    }
+}
+
+/// Powers and enables the arm: see [`Robot::power_up_with`](crate::Robot::power_up_with).
+pub(crate) fn up(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Result<(), Error> {
+    let reported = arm.state.lock().stops.reported();
+    let mut steps = Steps::new(arm, timeout, reported, observer);
+    arm.wait_for_status(|_| true, timeout)?;
+    check_emergency_stop(arm, Duration::ZERO)?;
+    let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
+    steps.rest.extend((!state.powered_on).then_some(PowerOn::INFO.name));
+    steps.rest.extend((!state.enabled).then_some(EnableRobot::INFO.name));
+    if !state.powered_on {
+        switch(arm, &PowerOn::new(), |state| state.powered_on, &mut steps, check_emergency_stop)?;
+    }
+    if !state.enabled {
+        switch(arm, &EnableRobot::new(), |state| state.enabled, &mut steps, check_emergency_stop)?;
+    }
+    arm.wait_for_status(|status| status.powered_on != Some(false) && status.enabled != Some(false), steps.left())?;
+    steps.check_stops(&arm.state)
+}
+
+/// Disables the arm and switches its power off: see [`Robot::power_down_with`](crate::Robot::power_down_with).
+pub(crate) fn down(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Result<(), Error> {
+    let begun = arm.state.lock().stops.begun();
+    let mut steps = Steps::new(arm, timeout, begun, observer);
+    let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
+    steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
+    steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
+    if state.enabled {
+        switch(arm, &DisableRobot::new(), |state| !state.enabled, &mut steps, pause)?;
+    }
+    if state.powered_on {
+        switch(arm, &PowerOff::new(), |state| !state.powered_on, &mut steps, pause)?;
+    }
+    arm.wait_for_status(|status| status.powered_on != Some(true) && status.enabled != Some(true), steps.left())?;
+    steps.check_stops(&arm.state)
+}
+
+/// Sends the next step, and waits until the controller says that it has done it.
+fn switch<C: Command>(
+    arm: &mut Arm,
+    command: &C,
+    is_done: impl Fn(&GetRobotStateReply) -> bool,
+    steps: &mut Steps<'_>,
+    pause: Pause,
+) -> Result<(), Error> {
+    let since = arm.statistics().packets;
+    let state = Arc::clone(&arm.state);
+    if steps.left().is_zero() {
+        return Err(not_in_time(arm, steps.timeout, since));
+    }
+    steps.check_stops(&state)?;
+    let sent = arm.clock().stopwatch();
+    steps.tell(PowerStep { command: C::INFO.name, took: None });
+    let gate = || steps.check_stops(&state);
+    let accepted = arm.client().call_through(Some(&gate), command, steps.left());
+    accepted.map_err(|error| arm.explained(error.into(), steps.left()))?;
+    steps.accepted.push(steps.rest.remove(0).to_owned());
+    while !is_done(&arm.queries().call_within(&GetRobotState::new(), steps.left())?) {
+        pause(arm, QUERY_PERIOD.min(steps.left()))?;
+        steps.check_stops(&state)?;
+        if steps.left().is_zero() {
+            return Err(not_in_time(arm, steps.timeout, since));
+        }
+    }
+    steps.tell(PowerStep { command: C::INFO.name, took: Some(sent.passed()) });
+    Ok(())
+}
+
+/// Fails as soon as a packet says that the emergency stop is pressed, or shows it in a form that cannot be read; looks for
+/// such a packet for at most `time`.
+fn check_emergency_stop(arm: &Arm, time: Duration) -> Result<(), Error> {
+    let found = arm.state.watch(time, |newest| {
+        let packet = newest?;
+        let unreadable = packet.unfit.iter().find(|error| error.is_in("emergency_stop"));
+        match (packet.status.emergency_stop, unreadable) {
+            (Some(true), _) => Some(Err(Explanation::EmergencyStop)),
+            (_, Some(source)) => Some(Ok(StatusProblem::Unreadable { source: source.clone() })),
+            (_, None) => None,
+        }
+    });
+    match found {
+        Ok(Some(Err(explanation))) => Err(arm.not_ready(explanation)),
+        Ok(Some(Ok(problem))) => Err(arm.attach(unknown(problem))),
+        Ok(None) => Ok(()),
+        Err(_) => arm.check_status_open(),
+    }
+}
+
+/// Lets time pass, unless the monitor has ended.
+fn pause(arm: &Arm, time: Duration) -> Result<(), Error> {
+    arm.state.watch(time, |_| None::<()>).map(drop).or_else(|_| arm.check_status_open())
+}
+
+fn not_in_time(arm: &Arm, after: Duration, packets_before: u64) -> Error {
+    let packets = arm.statistics().packets.saturating_sub(packets_before);
+    let says = arm.state.newest_packet().and_then(|last| describe(&last));
+    arm.attach(jaka_sync::ErrorKind::StateTimeout { after, packets, says })
+}

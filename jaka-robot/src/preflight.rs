@@ -1,0 +1,125 @@
+//! What keeps a robot from being used, and what somebody should look at first: read, and never changed.
+
+mod arm;
+mod commands;
+mod finding;
+mod packets;
+mod ports;
+mod round_trip;
+mod settings;
+
+use std::fmt::{self, Display};
+
+use jaka_motion::Limits;
+use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::MonitorParts as _;
+use jaka_sync::{Client, Config, Error, Monitor};
+
+use self::arm::Expected;
+use self::commands::Commands;
+pub use self::finding::{CheckItem, Finding, Verdict};
+use self::packets::Count;
+use crate::arm::{ArmState, StatusPort};
+
+/// What was found on a robot before it is used: see [`Robot::preflight`](crate::Robot::preflight) and [`read_at`](Self::read_at).
+///
+/// Displayed as a table, with what to look at [at the pendant](Self::AT_THE_PENDANT) and what the verdicts do not mean.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[must_use = "a check changes nothing: what it found is all that it does"]
+pub struct Preflight {
+    findings: Vec<Finding>,
+}
+
+impl Preflight {
+    /// What no query tells, and what it decides. Look at it at the pendant.
+    pub const AT_THE_PENDANT: &[(&str, &str)] = &[
+        ("remote control", "whether the controller takes motions from this program"),
+        ("mounting", "how the arm is mounted: poses and kinematics follow it"),
+        ("network exception", "what the arm does when the connection is lost (4.75)"),
+        ("soft limits", "the joint ranges, speeds and zones that the controller itself keeps"),
+    ];
+
+    /// What the verdicts do not mean.
+    pub const NOTE: &str = "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the \
+                            cell, the people in it, the tool, and where the arm will move.";
+
+    /// Connects to a controller's two ports, and does what [`Robot::preflight`](crate::Robot::preflight) does: for a new robot, since a port that cannot be
+    /// connected to is a finding.
+    ///
+    /// The command port serves one client: another program that is connected there may be disconnected.
+    pub fn read_at(config: &Config, commands_address: impl Display, status_address: impl Display) -> Self {
+        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &Expected::default())
+    }
+
+    /// The same for an arm that should be the model of these limits, and within them.
+    pub fn read_with_limits(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+        limits: &Limits,
+    ) -> Self {
+        let expected = Expected(Some(limits.clone()));
+        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &expected)
+    }
+
+    fn connect(config: &Config, commands_address: &str, status_address: &str, expected: &Expected) -> Self {
+        let monitor = Monitor::<RobotStatus>::connect_with(config, status_address);
+        let mut client = Client::connect_with(config, commands_address);
+        let state = monitor.as_ref().map(|monitor| ArmState::new(monitor, monitor.clock(), true));
+        let status = monitor
+            .as_ref()
+            .and_then(|source| Ok(StatusPort { source, state: state.as_ref().map_err(|&error| error)? }));
+        Self::read(client.as_mut().map_err(|error| &*error), status, expected)
+    }
+
+    /// One finding for each [`CheckItem`], in its order.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// The worst of all verdicts.
+    pub fn verdict(&self) -> Verdict {
+        self.findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::NotChecked)
+    }
+
+    /// Reads an arm that is connected, and should be that of these limits.
+    pub(crate) fn of(client: &mut Client, status: StatusPort<'_>, limits: Option<&Limits>) -> Self {
+        Self::read(Ok(client), Ok(status), &Expected(limits.cloned()))
+    }
+
+    fn read(client: Result<&mut Client, &Error>, status: Result<StatusPort<'_>, &Error>, expected: &Expected) -> Self {
+        let mut findings = Vec::new();
+        let count = Count::begin(status);
+        let mut commands = Commands::open(client, &mut findings);
+        findings.push(round_trip::measure(&mut commands).at(CheckItem::RoundTrip));
+        arm::read(expected, &mut commands, &mut findings);
+        let packet = count.and_then(|count| count.end(&mut findings)).unwrap_or_else(|port| {
+            findings.push(port.at(CheckItem::StatusPort));
+            findings
+                .extend([CheckItem::StatusPackets, CheckItem::StatusRate].map(|item| packets::no_packet().at(item)));
+            None
+        });
+        let packet: Option<&RobotStatus> = packet.as_ref().map(|packet| &packet.status);
+        settings::read(&mut commands, packet, &mut findings);
+        packets::read(packet, &mut findings);
+        findings.sort_by_key(Finding::item);
+        Self { findings }
+    }
+}
+
+/// A table of the findings, and below it what no query tells, how many findings there are, and what they do not mean.
+impl Display for Preflight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for finding in &self.findings {
+            writeln!(f, "{finding}")?;
+        }
+        writeln!(f, "\nLook at the pendant for what no query tells:")?;
+        for (what, decides) in Self::AT_THE_PENDANT {
+            writeln!(f, "{what:17}  {decides}")?;
+        }
+        let count = |verdict| self.findings.iter().filter(|finding| finding.verdict() == verdict).count();
+        let (wrong, look) = (count(Verdict::Wrong), count(Verdict::Look));
+        writeln!(f, "\n{wrong} wrong, {look} to look at, {} not checked.", count(Verdict::NotChecked))?;
+        f.write_str(Self::NOTE)
+    }
+}

@@ -1,0 +1,216 @@
+//! What status packets tell, and how they come.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::Stopwatch;
+use jaka_sync::{Error, MonitorStatistics, Severity, Snapshot, StatusProblem};
+
+use super::finding::{CheckItem, Finding, Judgement};
+use super::ports;
+use crate::arm::StatusPort;
+
+/// How long packets are counted.
+const WINDOW: Duration = Duration::from_secs(1);
+/// Packets in a second: they come each 30 ms on firmware 1.5.14, and each 50 or 100 ms elsewhere (field notes). A few may be late.
+const FEWEST: f64 = 8.0;
+
+const SLOW: &str = "check the network, and how often the controller sends (`get_port10000_delay_ms` on newer firmware)";
+
+const SILENT: &str = "check the network and the controller, and wait until packets come again";
+
+/// Packets being counted.
+#[derive(Debug)]
+pub(super) struct Count<'m> {
+    status: StatusPort<'m>,
+    since: Stopwatch,
+    before: MonitorStatistics,
+}
+
+impl<'m> Count<'m> {
+    /// Waits for the first packet.
+    pub(super) fn begin(status: Result<StatusPort<'m>, &Error>) -> Result<Self, Judgement> {
+        let status = status.map_err(|error| ports::of_status(error, 0))?;
+        let StatusPort { source, state } = status;
+        if state.fresh_packet().is_err() {
+            source.next_packet().map_err(|error| ports::of_status(&error, source.statistics().dropped_bytes))?;
+        }
+        Ok(Self { status, since: state.clock().stopwatch(), before: source.statistics() })
+    }
+
+    /// Counts to the end, and returns the newest packet, which is none that a network may have held back.
+    pub(super) fn end(self, findings: &mut Vec<Finding>) -> Result<Option<Arc<Snapshot>>, Judgement> {
+        let StatusPort { source, state } = self.status;
+        let ended = state.watch(self.since.left_of(WINDOW), |_| None::<()>);
+        let (elapsed, after) = (self.since.passed(), source.statistics());
+        if ended.is_err() {
+            source.check_open().map_err(|error| ports::of_status(&error, 0))?;
+        }
+        // A later packet tells the present.
+        let may_be_old = || matches!(state.fresh_packet(), Err(StatusProblem::Resuming));
+        let _ = state.watch(state.stale_after(), |_| (!may_be_old()).then_some(()));
+        let newest = match state.fresh_packet() {
+            Ok(newest) => Some(newest),
+            Err(StatusProblem::Stale { age }) => {
+                return Err(Judgement::wrong(format!("the last status packet came {age:.1?} ago"), SILENT));
+            }
+            Err(StatusProblem::Resuming) => {
+                return Err(Judgement::wrong("status packets come again after a silence, and may be old", SILENT));
+            }
+            Err(_) => state.newest_packet(),
+        };
+        let newest = newest.ok_or_else(no_packet)?;
+        findings.extend([
+            Judgement::nothing("packets come").at(CheckItem::StatusPort),
+            rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
+            form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)).at(CheckItem::StatusPackets),
+        ]);
+        Ok(Some(newest))
+    }
+}
+
+/// What the packet itself tells; what no query of the document does.
+pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
+    findings.extend([
+        shown(packet, |packet| packet.emergency_stop, emergency_stop).at(CheckItem::EmergencyStop),
+        shown(packet, |packet| packet.error_code.as_deref().map(|_| packet), event).at(CheckItem::Event),
+        shown(packet, |packet| packet.rapid_rate, rapid_rate).at(CheckItem::RapidRate),
+        shown(packet, |packet| packet.on_soft_limit, soft_limit).at(CheckItem::SoftLimit),
+    ]);
+}
+
+/// That the packet does not show it, if there is one.
+pub(super) fn not_shown(packet: Option<&RobotStatus>) -> Judgement {
+    match packet {
+        Some(_) => Judgement::not_checked("status packets do not show it"),
+        None => no_packet(),
+    }
+}
+
+pub(super) fn no_packet() -> Judgement {
+    Judgement::not_checked("there is no status packet")
+}
+
+fn shown<'p, T>(
+    packet: Option<&'p RobotStatus>,
+    field: impl FnOnce(&'p RobotStatus) -> Option<T>,
+    judge: impl FnOnce(T) -> Judgement,
+) -> Judgement {
+    packet.and_then(field).map_or_else(|| not_shown(packet), judge)
+}
+
+fn emergency_stop(is_pressed: bool) -> Judgement {
+    if is_pressed {
+        let advice = "release it when nobody is at the arm, and enable the arm";
+        return Judgement::wrong("the emergency stop is pressed", advice);
+    }
+    Judgement::nothing("not pressed")
+}
+
+/// An event is not always an error, and may be over.
+fn event(packet: &RobotStatus) -> Judgement {
+    let message = packet.error_message.as_deref().filter(|message| !message.is_empty());
+    let with_message = |event: String| message.map_or(event.clone(), |message| format!("{event}, {message:?}"));
+    match packet.event() {
+        Ok(None) => Judgement::nothing("none"),
+        Err(error) => Judgement::look(with_message(error.to_string()), "look at the pendant"),
+        Ok(Some(event)) => {
+            let seen = with_message(event.to_string());
+            match event.severity() {
+                Severity::Information => Judgement::nothing(seen),
+                Severity::Error => {
+                    Judgement::wrong(seen, "remove its cause: the pendant and the vendor's table of events explain it")
+                }
+                _ => Judgement::look(seen, "look it up in the vendor's table of events, or at the pendant"),
+            }
+        }
+    }
+}
+
+fn rapid_rate(rate: f64) -> Judgement {
+    let seen = format!("{rate} of 1");
+    if rate == 0.0 {
+        return Judgement::wrong(seen, "no motion moves the arm: set it with `set_rapid_rate`");
+    }
+    if (rate - 1.0).abs() < f64::EPSILON {
+        return Judgement::nothing(seen);
+    }
+    Judgement::look(seen, "motions have another speed than they ask for: set it with `set_rapid_rate`")
+}
+
+fn soft_limit(flag: i64) -> Judgement {
+    if flag == 0 {
+        return Judgement::nothing("not hit");
+    }
+    let advice = "look which joint it is, and jog it back";
+    Judgement::look(format!("hit (`on_soft_limit` is {flag})"), advice)
+}
+
+/// All packets, also those that came so close together that they were never the newest.
+fn arrived(statistics: &MonitorStatistics) -> u64 {
+    statistics.packets.saturating_add(statistics.skipped)
+}
+
+fn rate(packets: u64, elapsed: Duration) -> Judgement {
+    #[expect(clippy::cast_precision_loss, reason = "there are not so many packets in a second")]
+    let rate = packets as f64 / elapsed.as_secs_f64();
+    let seen = format!("{rate:.0} packets in a second");
+    if rate >= FEWEST {
+        return Judgement::nothing(seen);
+    }
+    Judgement::look(format!("{seen}; 10 to 33 are usual"), SLOW)
+}
+
+/// What of the packet is missing or cannot be read, and what came between packets.
+fn form(newest: &Snapshot, dropped: u64) -> Judgement {
+    const PROBE: &str = "`jaka probe` compares the packet with the spec";
+    let mut seen: Vec<_> = newest.unfit.iter().map(|unfit| format!("cannot be read: {unfit}")).collect();
+    let missing: Vec<_> = missing(newest);
+    if !missing.is_empty() {
+        seen.push(format!("missing: {}", missing.join(", ")));
+    }
+    if dropped > 0 {
+        seen.push(format!("{dropped} bytes came that are not a packet"));
+    }
+    let seen = seen.join("; ");
+    if newest.unreadable().is_some() {
+        let advice = format!("a `Robot` refuses motions while it cannot tell whether the arm is stopped: {PROBE}");
+        return Judgement::wrong(seen, &advice);
+    }
+    if seen.is_empty() { Judgement::nothing("whole") } else { Judgement::look(seen, PROBE) }
+}
+
+/// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in another form.
+fn missing(newest: &Snapshot) -> Vec<&'static str> {
+    let status = &newest.status;
+    let fields = [
+        ("error_code", status.error_code.is_some()),
+        ("joint_actual_position", status.joint_actual_position.is_some()),
+        ("actual_position", status.actual_position.is_some()),
+        ("enabled", status.enabled.is_some()),
+        ("rapid_rate", status.rapid_rate.is_some()),
+        ("current_tool_id", status.current_tool_id.is_some()),
+        ("current_user_frame_id", status.current_user_frame_id.is_some()),
+        ("on_soft_limit", status.on_soft_limit.is_some()),
+        ("emergency_stop", status.emergency_stop.is_some()),
+        ("powered_on", status.powered_on.is_some()),
+        ("in_position", status.in_position.is_some()),
+        ("protective_stop", status.protective_stop.is_some()),
+    ];
+    let missing = fields.into_iter().filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
+    missing.map(|(field, _)| field).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::finding::Verdict;
+    use super::*;
+
+    #[test]
+    fn ten_packets_in_a_second_are_usual_though_some_are_late() {
+        let verdict = |packets, ms| rate(packets, Duration::from_millis(ms)).verdict;
+        assert_eq!([verdict(33, 1000), verdict(8, 1000), verdict(17, 2100)], [Verdict::NothingFound; 3]);
+        assert_eq!([verdict(0, 1000), verdict(7, 1000), verdict(8, 1100)], [Verdict::Look; 3]);
+    }
+}
