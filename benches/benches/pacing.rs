@@ -12,7 +12,7 @@ use jaka_benches::system::child::{Addresses, Server};
 use jaka_benches::system::figures::median;
 use jaka_benches::system::report::{self, Target};
 use jaka_benches::system::{options, process};
-use jaka_robot::{Client, Config, Monitor, Report, Robot, ServoConfig};
+use jaka_robot::{RobotConfig, Client, Config, Monitor, Report, Robot, ServoConfig};
 
 const PERIOD: Duration = Duration::from_millis(8);
 
@@ -88,7 +88,8 @@ impl Way {
 
     fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
         let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
-        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor).allow_motion_without_status();
+        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor);
+        robot.configure(&RobotConfig::new().allow_motion_without_status())?;
         let mut session =
             robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());

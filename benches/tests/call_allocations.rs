@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use allocation_counter::measure;
 use jaka_benches::system::canned;
+use jaka_tests::Configured as _;
 use jaka_robot::servo::ServoJ;
-use jaka_robot::{Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::{RobotConfig, Client, Config, Monitor, Robot, ServoConfig};
 
 /// Where a server with printed answers takes commands.
 fn commands() -> SocketAddr {
@@ -53,8 +54,8 @@ fn a_pipeline_allocates_nothing_once_its_window_has_been_full() {
 #[test]
 fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), status()).expect("the server listens");
-    let mut robot =
-        Robot::new(Client::connect(commands()).expect("the server listens"), monitor).allow_motion_without_status();
+    let mut robot = Robot::new(Client::connect(commands()).expect("the server listens"), monitor);
+    robot.configure(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits");
     // Room for answers that a busy machine lets wait.
     let mut pipeline = robot.client().pipeline(100);
     (0..100).try_for_each(|_| pipeline.send(&set_point())).expect("it answers");

@@ -5,7 +5,7 @@ use std::time::Duration;
 use clap::Args;
 use jaka_motion::{Limits, Trajectory};
 use jaka_robot::proto::Command;
-use jaka_robot::{End, Error, FollowConfig, Motion, Robot};
+use jaka_robot::{End, Error, FollowConfig, Motion, Robot, RobotConfig};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
@@ -105,7 +105,8 @@ impl Act {
         limits: Limits,
         config: &FollowConfig,
     ) -> Result<End, Failure> {
-        let mut robot = self.target.robot()?.with_limits(limits)?;
+        let mut robot = self.target.robot()?;
+        robot.configure(&RobotConfig::new().limits(limits))?;
         let stop = robot.stop_handle();
         self.under_way.set(Stage::Moving(stop.clone()));
         let ended = robot.start_follow(trajectory, config).map(|run| {
@@ -126,7 +127,7 @@ impl Act {
         let mut robot = self.target.robot()?;
         queue.check(&robot, M::INFO.name, self.patience(QUEUE_PATIENCE))?;
         if let Some(limits) = limits {
-            robot = robot.with_limits(limits)?;
+            robot.configure(&RobotConfig::new().limits(limits))?;
         }
         let patience = self.patience(motion::PATIENCE);
         let end = motion::end(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way)?;

@@ -8,9 +8,9 @@ use jaka_robot::jaka_motion::{Limits, Model, Trajectory, Via};
 use jaka_robot::motion::JointMove;
 use jaka_robot::proto::wire::Writer;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Cause, FollowConfig, ServoConfig, ServoSession};
+use jaka_robot::{Cause, FollowConfig, RobotConfig, ServoConfig, ServoSession};
 use jaka_sim::Port;
-use jaka_tests::{Arm, LONG, recorded};
+use jaka_tests::{Arm, Configured as _, LONG, recorded};
 use serde_json::{Value, json};
 
 use crate::program::{Run, jaka, scratch};
@@ -267,7 +267,7 @@ fn ends_of_trajectories_and_of_landings_are_told() {
         let mut robot = arm.robot();
         robot.power_up(LONG).expect("it has power");
         let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-        let mut robot = robot.with_limits(limits).expect("it is this arm");
+        let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
         let start = arm.state().joint_position;
         let there = JointPosition([start[0] + 40.0, start[1], start[2], start[3], start[4], start[5]]);
         let way = Trajectory::through([Via::Joints(start), Via::Joints(there)]).joint_speeds([20.0; 6]);

@@ -11,7 +11,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, Model, Trajectory, Via};
-use jaka_robot::{FollowConfig, ServoConfig};
+use jaka_robot::{FollowConfig, RobotConfig, ServoConfig};
 
 fn main() -> ExitCode {
     common::end(run())
@@ -23,7 +23,8 @@ fn run() -> Result<(), Box<dyn Error>> {
         "The arm will be powered; joints 5 and 6 will turn by up to 10 deg and back for some 9 s. Clear the area.",
     )?;
     let arm = Model::named("Zu 5").ok_or("a published arm")?;
-    let mut robot = target.robot()?.with_limits(Limits::of(arm))?;
+    let mut robot = target.robot()?;
+    robot.configure(&RobotConfig::new().limits(Limits::of(arm)))?;
     robot.power_up(Duration::from_secs(60))?;
 
     let start = robot.client().get_joint_pos()?.joint_position;

@@ -10,6 +10,7 @@ use std::error::Error;
 use std::process::ExitCode;
 use std::time::Duration;
 
+use jaka_robot::RobotConfig;
 use jaka_robot::jaka_motion::Limits;
 use jaka_robot::motion::{JointMove, MoveL};
 
@@ -21,7 +22,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask("The arm will be powered and joint 6 will turn by 5 deg. Clear the area.")?;
     let limits = Limits::from_toml(include_str!("limits.toml"), "limits.toml")?;
-    let mut robot = target.robot()?.with_limits(limits)?;
+    let mut robot = target.robot()?;
+    robot.configure(&RobotConfig::new().limits(limits))?;
     robot.power_up(Duration::from_secs(60))?;
 
     let turn = |by: f64, speed: f64| JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, by], speed).acceleration(60.0);

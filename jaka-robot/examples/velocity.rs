@@ -12,7 +12,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, Model, TcpVelocity, VelocityFrame};
-use jaka_robot::{ServoConfig, StreamConfig};
+use jaka_robot::{RobotConfig, ServoConfig, StreamConfig};
 
 fn main() -> ExitCode {
     common::end(run())
@@ -22,7 +22,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let target = common::target()?;
     target.ask("The arm will be powered, and its tool will move up and down by some 20 mm. Clear the area.")?;
     let arm = Model::named("Zu 5").ok_or("a published arm")?;
-    let mut robot = target.robot()?.with_limits(Limits::of(arm))?;
+    let mut robot = target.robot()?;
+    robot.configure(&RobotConfig::new().limits(Limits::of(arm)))?;
     robot.power_up(Duration::from_secs(60))?;
 
     // A set-point each 32 ms: an ordinary system holds a thread up for three of them far less often than for 24 ms.

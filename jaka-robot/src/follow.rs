@@ -43,10 +43,11 @@ use crate::{End, Error};
 /// use std::time::Duration;
 ///
 /// use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
-/// use jaka_robot::{FollowConfig, Robot};
+/// use jaka_robot::{FollowConfig, Robot, RobotConfig};
 ///
 /// let arm = Model::named("Zu 5").expect("a published arm");
-/// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm))?;
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// robot.configure(&RobotConfig::new().limits(Limits::of(arm)))?;
 /// let points = [
 ///     TimedPoint::new(0.0, [0.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
 ///     TimedPoint::new(4.0, [10.0, 60.0, -80.0, 190.0, -90.0, 20.0]),

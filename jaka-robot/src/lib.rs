@@ -46,7 +46,7 @@ pub use preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use report::Report;
 #[cfg(feature = "stream")]
 pub use report::{FollowLag, TrajectoryReport};
-pub use robot::Robot;
+pub use robot::{Robot, RobotConfig};
 pub use servo_session::{ServoConfig, ServoSession};
 #[cfg(feature = "stream")]
 pub use stream::{Stream, StreamConfig, StreamHandle};

@@ -82,13 +82,6 @@ impl LimitChecks {
         }
     }
 
-    /// Sets what happens to what is beyond a limit.
-    pub(crate) fn set_policy(&mut self, policy: LimitPolicy) {
-        if let Some(limited) = &mut self.0 {
-            limited.policy = policy;
-        }
-    }
-
     /// The limits, with the frames that the controller was found to have.
     pub(crate) fn checker(&self) -> Option<&Checker> {
         self.0.as_ref().map(|limited| &limited.checker)

@@ -1,5 +1,6 @@
 //! A robot: a client and a monitor together.
 
+mod config;
 mod leading;
 mod reading;
 
@@ -7,19 +8,19 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_motion::{Checker, Limits};
+use jaka_motion::Checker;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_sync::layer::{ClientParts as _, names_a_port};
 
+pub use self::config::RobotConfig;
 #[cfg(doc)]
 use crate::Cause;
 use crate::arm::Arm;
 use crate::limits::LimitChecks;
-use crate::planned::{Grace, Moving, Planned};
+use crate::planned::{Moving, Planned};
 use crate::servo_session::Led;
 use crate::{
-    Call, Client, Command, Config, End, Error, ErrorKind, LimitPolicy, Monitor, Motion, MotionStatus, Occurrence,
-    RobotStop,
+    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, RobotStop,
 };
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
@@ -119,85 +120,24 @@ impl<S: MotionStatus> Robot<S> {
     /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
-        let arm = Arm::new(client, &monitor, true);
-        let grace = Grace { time: Duration::from_millis(400), packets: 3 };
-        let planned = Planned::new(grace, Duration::from_secs(2));
+        let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
+        let (arm, planned) = (Arm::new(client, &monitor, needs_status), Planned::new(grace, silence));
         Self { monitor, arm, limits: LimitChecks::default(), planned }
     }
 
-    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller is not enough to
-    /// say that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm that stops before its
-    /// target. 0.4 s and three packets by default.
-    ///
-    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one without length,
-    /// or, if its target is known and the arm is not there, as stopped.
-    pub fn with_start_grace(mut self, time: Duration, packets: u32) -> Self {
-        self.planned.grace = Grace { time, packets: packets.max(1) };
-        self
-    }
-
-    /// Sets how long no status packet may come while a motion is waited for. 2 s by default.
-    pub fn with_status_silence(mut self, time: Duration) -> Self {
-        self.planned.silence = time;
-        self
-    }
-
-    /// Allows motions and set-points while the status is stale, missing or unreadable.
-    ///
-    /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other means.
-    pub fn allow_motion_without_status(self) -> Self {
-        self.arm.state.allow_motion_without_status();
-        self
-    }
-
-    /// The same robot with limits, which each motion and each set-point is checked against before it is sent.
-    ///
-    /// A motion that is beyond a limit anywhere on its way is refused with [`ErrorKind::BeyondLimit`], one whose way is not known with
-    /// [`ErrorKind::NotChecked`]; nothing is sent then. [`Checker`] tells what is checked, and how finely. Checked are
-    /// [`run`](Self::run), [`start`](Self::start) and servo sessions, not what is sent through [`client`](Self::client), such as a jog.
-    ///
-    /// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not say.
-    /// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this program does not
-    /// know it yet, the arm goes to the target of the next motion from elsewhere: [`wait`](Self::wait) for the end of a motion to know.
-    ///
-    /// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know nothing of
-    /// collisions, not even of the arm with itself, and do not see motions of other clients.
-    ///
-    /// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from which its
-    /// tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where both answers do not
-    /// fit together a frame has changed, and the poses are asked for again.
-    ///
-    /// ```no_run
-    /// use jaka_robot::Robot;
-    /// use jaka_robot::jaka_motion::{Limits, Model};
-    /// use jaka_robot::motion::JointMove;
-    ///
-    /// let arm = Model::named("Zu 5").expect("a published arm");
-    /// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm).with_tcp_speed(250.0)?)?;
-    /// let error = robot.start(&JointMove::absolute([0.0, 0.0, 181.0, 0.0, 0.0, 0.0], 20.0).acceleration(50.0)).unwrap_err();
-    /// assert_eq!(error.to_string(), "`joint_move` was not sent: joint 3 would be at 181 deg; limit 175 (Zu 5)");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// Applies options. Those that are not set in `config` are the defaults.
     ///
     /// # Errors
-    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`](crate::Client::call).
-    pub fn with_limits(mut self, limits: Limits) -> Result<Self, Error> {
-        self.limits = LimitChecks::new(&mut self.arm, limits, LimitPolicy::default())?;
-        Ok(self)
-    }
-
-    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. Without limits this does nothing.
-    ///
-    /// A controller that has come to compute other poses than the limits' model is an error all the same ([`ErrorKind::ModelMismatch`]).
-    pub fn with_limit_policy(mut self, policy: LimitPolicy) -> Self {
-        self.limits.set_policy(policy);
-        self
-    }
-
-    /// The same robot without limits.
-    pub fn without_limits(mut self) -> Self {
-        self.limits = LimitChecks::default();
-        self
+    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`];
+    /// nothing has changed then.
+    pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
+        self.limits = match &config.limits {
+            Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
+            None => LimitChecks::default(),
+        };
+        (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
+        self.arm.state.set_needs_status(config.needs_status);
+        Ok(())
     }
 
     /// Sends a motion and waits for its end.

@@ -95,10 +95,11 @@ impl StreamConfig {
 /// ```no_run
 /// use std::time::Duration;
 /// use jaka_robot::jaka_motion::{Limits, Model};
-/// use jaka_robot::{Robot, StreamConfig};
+/// use jaka_robot::{Robot, RobotConfig, StreamConfig};
 ///
 /// let arm = Model::named("Zu 5").expect("a published arm");
-/// let mut robot = Robot::connect("10.5.5.100")?.with_limits(Limits::of(arm))?;
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// robot.configure(&RobotConfig::new().limits(Limits::of(arm)))?;
 /// let stream = robot.stream(&StreamConfig::new())?;
 /// let start = stream.joints();
 /// stream.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;

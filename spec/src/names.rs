@@ -40,13 +40,13 @@ pub(crate) const RESERVED_TYPES: &[&str] = &[
 /// Names of methods that a client, a robot or every value has, which hide those of a pack.
 pub(crate) const RESERVED_METHODS: &[&str] = &[
     "acknowledge",
-    "allow_motion_without_status",
     "call",
     "call_raw",
     "call_text",
     "call_within",
     "check_firmware",
     "client",
+    "configure",
     "disconnect_cause",
     "enter_servo_mode",
     "explain",
@@ -79,11 +79,6 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "wait",
     "wait_for_analog",
     "wait_for_input",
-    "with_limit_policy",
-    "with_limits",
-    "with_start_grace",
-    "with_status_silence",
-    "without_limits",
 ];
 
 /// Names of Rust's own crates and types, which the module of a pack would hide from the user's code.

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use jaka_robot::{MotionStatus, Robot, RobotConfig};
 use jaka_spec::Spec;
 use serde_json::{Number, Value};
 
@@ -26,6 +27,21 @@ pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
 pub use skipped::{left_out, skipped};
+
+/// Robots with options, in one expression.
+pub trait Configured: Sized {
+    /// The same robot with these options.
+    ///
+    /// # Errors
+    /// As [`Robot::configure`].
+    fn configured(self, config: &RobotConfig) -> Result<Self, jaka_robot::Error>;
+}
+
+impl<S: MotionStatus> Configured for Robot<S> {
+    fn configured(mut self, config: &RobotConfig) -> Result<Self, jaka_robot::Error> {
+        self.configure(config).map(|()| self)
+    }
+}
 
 /// Kind of the error of the connection, if a call of it failed.
 pub fn failure(error: &jaka_robot::Error) -> Option<&jaka_sync::ErrorKind> {

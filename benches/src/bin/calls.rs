@@ -5,7 +5,7 @@ use std::error::Error;
 use std::time::Duration;
 
 use jaka_robot::servo::ServoJ;
-use jaka_robot::{Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::{RobotConfig, Client, Config, Monitor, Robot, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
@@ -42,7 +42,8 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), status)?;
-    let mut robot = Robot::new(Client::connect(commands)?, monitor).allow_motion_without_status();
+    let mut robot = Robot::new(Client::connect(commands)?, monitor);
+    robot.configure(&RobotConfig::new().allow_motion_without_status())?;
     // It spins, so that it is not asleep when the cycle is due; and the arm is not held at the end, so that all set-points are counted.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
     let config = config.rest_timeout(Duration::ZERO);

@@ -194,9 +194,9 @@ impl ArmState {
         drop(before);
     }
 
-    /// Allows motion while the status is not known.
-    pub(crate) fn allow_motion_without_status(&self) {
-        self.lock().needs_status = false;
+    /// Sets whether motions need a known status.
+    pub(crate) fn set_needs_status(&self, needs_status: bool) {
+        self.lock().needs_status = needs_status;
     }
 
     /// True if the program has allowed motion without status.

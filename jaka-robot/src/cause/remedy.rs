@@ -51,7 +51,7 @@ jaka_proto::worded! {
         /// Give an absolute target.
         GiveAbsoluteTarget => "give an absolute target",
         /// Give the robot limits.
-        GiveLimits => "give the robot limits with `Robot::with_limits`",
+        GiveLimits => "give the robot limits with `RobotConfig::limits`",
         /// Give the limit of force a longer reaction.
         LengthenReaction => "give the limit a reaction that is longer than the lag (`ForceLimit::reaction`)",
         /// Allow the user, or the program, real-time priorities.

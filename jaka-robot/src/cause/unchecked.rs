@@ -19,7 +19,7 @@ jaka_proto::worded! {
         Frames => "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves",
         /// A motion before it has not been waited for, and a frame was changed since. Wait for its end.
         FramesInQueue => "a frame was changed after a motion that has not ended",
-        /// The robot has no limits, by which streams and trajectories know the arm: see [`Robot::with_limits`](crate::Robot::with_limits).
+        /// The robot has no limits, by which streams and trajectories know the arm: see [`RobotConfig::limits`](crate::RobotConfig::limits).
         NoLimits =>
             "the robot has none, by which streams and trajectories know the arm",
     }

@@ -109,7 +109,7 @@ jaka_proto::worded! {
             stopping: Error,
         } => (Sequence::new(first, stopping).line(STOP_NOT_ACCEPTED)),
         /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
-        /// program that must do without it, [`Robot::allow_motion_without_status`](crate::Robot::allow_motion_without_status).
+        /// program that must do without it, [`RobotConfig::allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status).
         StatusUnknown {
             /// Why it is not known.
             problem: StatusProblem,

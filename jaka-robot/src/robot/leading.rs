@@ -48,7 +48,7 @@ impl<S: MotionStatus> Robot<S> {
     /// As [`run`](Self::run); where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`] says if
     /// the controller has not accepted that. Nothing was sent after [`ErrorKind::NotShown`] (packets do not show what
     /// the guard needs), [`ErrorKind::NotGuarded`] (a [`ForceLimit`](crate::ForceLimit) permits less speed),
-    /// [`ErrorKind::StatusUnknown`], also with [`allow_motion_without_status`](Self::allow_motion_without_status),
+    /// [`ErrorKind::StatusUnknown`], also with [`allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status),
     /// [`ErrorKind::InvalidOption`] (a condition has a value that it does not take), and [`ErrorKind::Thread`].
     pub fn run_until<M: Motion>(
         &mut self,

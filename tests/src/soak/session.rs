@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_robot::{Client, Config, Error, Monitor, Reconnect, Recorder, Robot, StatusSampling};
+use jaka_robot::{Client, Config, Error, Monitor, Reconnect, Recorder, Robot, RobotConfig, StatusSampling};
 
 use super::account::Connection;
 use super::arm::Place;
@@ -55,8 +55,9 @@ impl Session {
         observe(&monitor, &place.rate, &place.findings);
         let client = Client::connect_with(&config, place.ports.commands)?;
         // So short that a motion that is stopped is soon known to be.
-        let robot = Robot::new(client, monitor).with_start_grace(Duration::from_millis(60), 3);
-        let mut robot = robot.with_status_silence(Duration::from_millis(400));
+        let waits = RobotConfig::new().start_grace(Duration::from_millis(60), 3);
+        let mut robot = Robot::new(client, monitor);
+        robot.configure(&waits.status_silence(Duration::from_millis(400)))?;
         let time = &place.ports.time;
         // One that ends the robot's waits, and one of which the robot does not know.
         let (stop, unknown_stop) = (robot.stop_handle(), robot.client().stop_handle());

@@ -9,9 +9,9 @@ use jaka_robot::jaka_motion::{Limits, Model};
 use jaka_robot::motion::JointMove;
 use jaka_robot::servo::ServoJ;
 use jaka_robot::types::Switch;
-use jaka_robot::{Client, Config, Robot, ServoConfig};
+use jaka_robot::{Client, Config, Robot, RobotConfig, ServoConfig};
 use jaka_sim::Fault;
-use jaka_tests::{Arm, LONG, ReservedPort};
+use jaka_tests::{Arm, Configured as _, LONG, ReservedPort};
 
 const PAGE: &str = include_str!("../../../docs/troubleshooting.md");
 /// Where the simulated arm is.
@@ -87,7 +87,7 @@ fn beyond_limits() -> Vec<String> {
     let (never, refused) = (robot.run(&to(3, 400.0), LONG), robot.run(&to(3, 200.0), LONG));
     drop(robot);
     let limits = Limits::of(Model::named("Zu 5").expect("it is published"));
-    let mut limited = controller.robot().with_limits(limits).expect("it is a Zu 5");
+    let mut limited = controller.robot().configured(&RobotConfig::new().limits(limits)).expect("it is a Zu 5");
     vec![refusal(never), refusal(refused), refusal(limited.run(&to(3, 181.2), LONG))]
 }
 

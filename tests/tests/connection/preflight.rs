@@ -4,11 +4,11 @@
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, Model, Region};
-use jaka_robot::{CheckItem, Preflight, Robot, Verdict};
+use jaka_robot::{CheckItem, Preflight, Robot, RobotConfig, Verdict};
 use jaka_sim::{Fault, Firmware, Port, StatusFault};
 use jaka_spec::Effect;
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, spec};
+use jaka_tests::{Arm, Configured as _, spec};
 use serde_json::Value;
 
 fn healthy(firmware: Firmware) -> Arm {
@@ -81,7 +81,8 @@ fn a_robot_with_limits_is_compared_with_these() {
     let high = Region::half_space("gantry", [0.0, 0.0, 2500.0], [0.0, 0.0, 1.0]).expect("it has a direction");
     let limits =
         Limits::of(Model::named("Zu 5").expect("a published arm")).with_region(high).expect("it is the only one");
-    let preflight = connect(&controller).with_limits(limits).expect("the model agrees").preflight();
+    let preflight =
+        connect(&controller).configured(&RobotConfig::new().limits(limits)).expect("the model agrees").preflight();
     let limits = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Limits).expect("it has one");
     assert_eq!(limits.verdict(), Verdict::Look);
     assert!(limits.seen().contains("beyond `gantry` (Zu 5)"), "{limits}");

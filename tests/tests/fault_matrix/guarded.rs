@@ -8,10 +8,11 @@ use std::time::Duration;
 use jaka_robot::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
-    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Numbering, Robot, ServoConfig, StreamConfig,
-    TripReason,
+    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Numbering, Robot, RobotConfig, ServoConfig,
+    StreamConfig, TripReason,
 };
 use jaka_sim::{Direction, Port, StatusFault};
+use jaka_tests::Configured as _;
 use jaka_tests::simulated::{beside, clock_of};
 
 use crate::cell::Kind;
@@ -53,7 +54,7 @@ fn guarded(trouble: &Trouble, way: Way) {
     robot.monitor().next_packet().expect("packets come");
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
     let limits = limits.with_joint_accelerations([MOST; 6]).expect("above 0");
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     match way {
         Way::Motion => arm.judge_motion(&arm.motion(&mut robot)),
         Way::Trajectory => arm.trajectory(&mut robot),

@@ -5,9 +5,10 @@
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, Model};
-use jaka_robot::{Error, ErrorKind, Robot, ServoConfig, StreamConfig};
+use jaka_robot::{Error, ErrorKind, Robot, RobotConfig, ServoConfig, StreamConfig};
 use jaka_sim::{Controller, StatusFault};
 use jaka_tests::Arm;
+use jaka_tests::Configured as _;
 use jaka_tests::simulated::beside;
 use serde_json::Value;
 
@@ -61,7 +62,7 @@ fn session(trouble: &Trouble, arm: &Arm, robot: &mut Robot) -> Result<(), Error>
 fn stream(trouble: &Trouble, arm: &Arm, robot: Robot) -> Result<(), Error> {
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
     let limits = limits.with_joint_accelerations([MOST; 6]).expect("above 0");
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LIMIT / 30);
     let stream = robot.stream(&StreamConfig::new().servo(servo).max_gap(LIMIT)).expect("nothing is wrong yet");
     let since = arm.clock().elapsed();

@@ -5,8 +5,9 @@ use std::time::Duration;
 use jaka_robot::kinematics::GetJointPos;
 use jaka_robot::motion::JointMove;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Cause as Ended, Command, End, Error, ErrorKind, Evidence, Robot};
+use jaka_robot::{Cause as Ended, Command, End, Error, ErrorKind, Evidence, Robot, RobotConfig};
 use jaka_sim::Port;
+use jaka_tests::Configured as _;
 
 use crate::cell::{Cell, LIMIT, Next, PATIENCE, PERIOD, Seen};
 use crate::link::LinkTrouble;
@@ -71,7 +72,7 @@ pub(crate) fn run_end(cell: &Cell<'_>) -> Seen {
         assert_latched(cell, &mut robot);
     }
     // The next motion has all the time that it needs.
-    let next = next(cell, &mut robot.with_status_silence(LIMIT));
+    let next = next(cell, &mut robot.configured(&RobotConfig::new().status_silence(LIMIT)).expect("it has no limits"));
     Seen { first, stop: None, next }
 }
 

@@ -6,7 +6,8 @@ use jaka_proto::wire::Writer;
 use jaka_robot::motion::JointMove;
 use jaka_robot::servo::{ServoJ, SetServoMode};
 use jaka_robot::types::Switch;
-use jaka_robot::{Command, Monitor, Robot};
+use jaka_robot::{Command, Monitor, Robot, RobotConfig};
+use jaka_tests::Configured as _;
 
 use crate::cell::{Cell, LIMIT, PERIOD, STALE};
 use crate::outcome::Outcome;
@@ -30,7 +31,9 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
         _ => Duration::ZERO,
     };
     let silence = if cell.expected.first == Outcome::StatusLost { STALE } else { LIMIT };
-    Robot::new(cell.client(), monitor).with_start_grace(grace, 4).with_status_silence(silence)
+    Robot::new(cell.client(), monitor)
+        .configured(&RobotConfig::new().start_grace(grace, 4).status_silence(silence))
+        .expect("it has no limits")
 }
 
 /// Waits until the robot has noticed that its status is not known, where that is expected.

@@ -16,11 +16,11 @@ use jaka_robot::program::StopProgram;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{
     Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, MotionStatus, NotShown, Numbering, Occurrence, Robot,
-    TcpBox, TripReason,
+    RobotConfig, TcpBox, TripReason,
 };
 use jaka_sim::{Contact, Fault, Port, StatusFault};
 use jaka_tests::simulated::{beside, until};
-use jaka_tests::{Arm, ArmBuilder, HandFed, LONG};
+use jaka_tests::{Arm, ArmBuilder, Configured as _, HandFed, LONG};
 
 const IO: Numbering = Numbering::FromOne;
 
@@ -75,8 +75,12 @@ fn names(arm: &Arm) -> Vec<String> {
 
 /// A robot with the limits of its arm.
 fn limited(robot: Robot) -> Robot {
-    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    robot.with_limits(limits).expect("it is this arm")
+    robot.configured(&arm_limits()).expect("it is this arm")
+}
+
+/// Options with the limits of the arm.
+fn arm_limits() -> RobotConfig {
+    RobotConfig::new().limits(Limits::of(Model::named("Zu 5").expect("a published arm")))
 }
 
 /// Number of requests of a command.
@@ -163,7 +167,7 @@ fn a_guard_that_packets_do_not_show_is_an_error_before_the_start() {
 #[test]
 fn without_a_known_status_nothing_is_sent_under_a_guard_whatever_is_allowed() {
     let (controller, robot) = HandFed::new(Duration::from_millis(50));
-    let mut robot = robot.allow_motion_without_status();
+    let mut robot = robot.configured(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits");
     let error = robot.run_until(&motion(), Guard::when("never", |_| false), LONG).expect_err("no packet has come");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     drop(robot);

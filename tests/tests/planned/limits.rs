@@ -10,8 +10,8 @@ use jaka_robot::force::StartTorqSensorPayloadIdentify;
 use jaka_robot::frames::SetToolOffsets;
 use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_robot::types::Pose;
-use jaka_robot::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, ServoConfig, Unchecked};
-use jaka_tests::{Arm, LONG};
+use jaka_robot::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, RobotConfig, ServoConfig, Unchecked};
+use jaka_tests::{Arm, Configured as _, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
 
@@ -22,7 +22,7 @@ fn model() -> &'static Model {
 /// A tool at the flange's end, and the arm at rest away from singularities; with its robot.
 fn with_limits(limits: Limits) -> (Arm, Robot) {
     let arm = with_tool();
-    let robot = arm.robot().with_limits(limits).expect("it is this arm");
+    let robot = arm.robot().configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     (arm, robot)
 }
 
@@ -172,7 +172,8 @@ fn limits_follow_the_frames_that_are_selected() {
 #[test]
 fn a_warning_is_kept_and_explains_the_controllers_refusal() {
     let (arm, robot) = with_limits(limits());
-    let mut robot = robot.with_limit_policy(LimitPolicy::Warn);
+    let mut robot =
+        robot.configured(&RobotConfig::new().limits(limits()).limit_policy(LimitPolicy::Warn)).expect("it is this arm");
     let fast = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 100.0).acceleration(200.0);
     robot.run(&fast, LONG).expect("it is sent").reached().expect("it ends there");
     let warning = robot.limit_warning().unwrap_or_default();
@@ -193,7 +194,8 @@ fn a_warning_is_kept_and_explains_the_controllers_refusal() {
 fn limits_of_another_arm_are_refused() {
     let arm = with_tool();
     let other = Limits::of(Model::named("Zu 7").expect("a published arm"));
-    let error = arm.robot().with_limits(other).expect_err("the controller computes other poses");
+    let error =
+        arm.robot().configured(&RobotConfig::new().limits(other)).expect_err("the controller computes other poses");
     assert!(matches!(error.kind(), ErrorKind::ModelMismatch { .. }), "{error:?}");
 }
 
@@ -250,7 +252,7 @@ fn poses_of_a_session_are_checked_and_offsets_of_a_pose_are_not_sent() {
 #[test]
 fn without_limits_nothing_is_checked() {
     let (arm, robot) = with_limits(limits());
-    let mut robot = robot.without_limits();
+    let mut robot = robot.configured(&RobotConfig::new()).expect("it has no limits any more");
     let before = arm.requests().len();
     let end =
         robot.run(&JointMove::absolute([10.0, 100.0, 80.0, 90.0, -90.0, 5.0], 30.0), LONG).expect("it is accepted");

@@ -9,10 +9,10 @@ use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, LineMode, MoveC, MoveL};
 use jaka_robot::types::Pose;
-use jaka_robot::{Cause, End, Error, ErrorKind, Monitor, Robot, ServoConfig};
+use jaka_robot::{Cause, End, Error, ErrorKind, Monitor, Robot, RobotConfig, ServoConfig};
 use jaka_sim::{Fault, Habit, Port};
 use jaka_tests::simulated::{beside, until};
-use jaka_tests::{Arm, ArmBuilder, LONG};
+use jaka_tests::{Arm, ArmBuilder, Configured as _, LONG};
 
 const PERIOD: Duration = Duration::from_millis(20);
 
@@ -28,7 +28,7 @@ fn lenient() -> ArmBuilder {
 /// An arm and a robot that bears any silence.
 fn patient(arm: ArmBuilder) -> (Arm, Robot) {
     let (arm, robot) = arm.with_robot();
-    (arm, robot.with_status_silence(LONG))
+    (arm, robot.configured(&RobotConfig::new().status_silence(LONG)).expect("it has no limits"))
 }
 
 fn ready() -> (Arm, Robot) {
@@ -282,7 +282,7 @@ fn no_motion_is_sent_on_the_first_packet_of_a_backlog() {
         lenient().status_period(ms(10)).config(|config| config.stale_after(ms(1000)).reply_timeout(ms(3000))).start();
     let mut gone_out = 0;
     for _ in 0..2 {
-        let mut robot = arm.robot().with_status_silence(LONG);
+        let mut robot = arm.robot().configured(&RobotConfig::new().status_silence(LONG)).expect("it has no limits");
         let before = sent(&arm, "joint_move");
         let clock = arm.clock();
         arm.link(Port::Status).to_client().hold();

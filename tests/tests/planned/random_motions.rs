@@ -11,10 +11,12 @@ use std::time::Duration;
 use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_robot::types::{JointPosition, MoveMode, Pose};
-use jaka_robot::{Cause, Command, Error, ErrorKind, Robot, RobotStop, ServoConfig, ServoSession, StopHandle};
+use jaka_robot::{
+    Cause, Command, Error, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig, ServoSession, StopHandle,
+};
 use jaka_sim::{Delays, Habit, Port, State};
 use jaka_tests::simulated::{beside, until};
-use jaka_tests::{Arm, failure};
+use jaka_tests::{Arm, Configured as _, failure};
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -90,7 +92,7 @@ impl Tally {
 }
 
 fn connect(arm: &Arm) -> Robot {
-    arm.robot().with_start_grace(Duration::from_millis(300), 3)
+    arm.robot().configured(&RobotConfig::new().start_grace(Duration::from_millis(300), 3)).expect("it has no limits")
 }
 
 impl Rig {

@@ -9,10 +9,12 @@ use jaka_proto::{Command, CommandInfo};
 use jaka_robot::force::StartTorqSensorPayloadIdentify;
 use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_robot::types::{MoveMode, Pose};
-use jaka_robot::{Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
+use jaka_robot::{
+    Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotConfig, RobotStop, StatusProblem, Target,
+};
 use jaka_sim::{Delays, Fault, SimulatedClock, StatusFault};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, CYCLE, HandFed, LONG};
+use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG};
 
 /// When something befalls the long motion: it is at its full speed then.
 const MIDDLE: Duration = Duration::from_millis(200);
@@ -296,7 +298,7 @@ fn a_lost_status_is_reported_and_latches() {
 
     let (arm, robot) = ready();
     let silence = Duration::from_millis(50);
-    let mut robot = robot.with_status_silence(silence);
+    let mut robot = robot.configured(&RobotConfig::new().status_silence(silence)).expect("it has no limits");
     arm.status_fault(StatusFault::Silent);
     robot.start(&to(40.0)).expect("it is accepted");
     let end = robot.wait(LONG);

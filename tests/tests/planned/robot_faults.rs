@@ -4,9 +4,10 @@
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, ErrorKind, Robot, RobotStop, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig};
 use jaka_sim::{Fault, StatusFault};
 use jaka_tests::Arm;
+use jaka_tests::Configured as _;
 
 /// No call may take longer than its deadline by more than this: another question, and what a session may take to land.
 const SLACK: Duration = Duration::from_secs(3);
@@ -17,7 +18,12 @@ fn ready() -> (Arm, Robot) {
     let (arm, robot) =
         arm.config(|config| config.reply_timeout(Duration::from_millis(300)).max_frame(64 << 10)).with_robot();
     let silence = Duration::from_millis(500);
-    (arm, robot.with_start_grace(Duration::from_millis(100), 3).with_status_silence(silence))
+    (
+        arm,
+        robot
+            .configured(&RobotConfig::new().start_grace(Duration::from_millis(100), 3).status_silence(silence))
+            .expect("it has no limits"),
+    )
 }
 
 fn short_move() -> JointMove {

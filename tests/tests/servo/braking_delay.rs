@@ -5,11 +5,11 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Trajectory, Via};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Client, FollowConfig, Guard, Numbering, Robot, ServoConfig, StreamConfig};
+use jaka_robot::{Client, FollowConfig, Guard, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{CommandWire, TimedMessage, beside};
-use jaka_tests::{Arm, CYCLE, LONG};
+use jaka_tests::{Arm, CYCLE, Configured as _, LONG};
 use serde_json::Value;
 
 use crate::follow;
@@ -180,7 +180,7 @@ fn cell(event: Event, way: Way, after: Duration, lag: Duration) -> (Reaction, Du
     let wire = CommandWire::watch(arm.clock(), arm.command_addr());
     let client = Client::connect_with(&arm.config(), wire.address()).expect("the proxy listens");
     let robot = Robot::new(client, arm.monitor());
-    let mut robot = robot.with_limits(follow::limits()).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
     if event == Event::RefusedSetPoint {
         arm.link(Port::Command).to_client().delay(lag);
     }

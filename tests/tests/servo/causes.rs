@@ -7,11 +7,13 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Checker, Frames};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, Error, FollowConfig, Guard, Numbering, Robot, ServoConfig, StopHandle, StreamConfig};
+use jaka_robot::{
+    Cause, Error, FollowConfig, Guard, Numbering, Robot, RobotConfig, ServoConfig, StopHandle, StreamConfig,
+};
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, Configured as _, LONG};
 
 use crate::follow;
 
@@ -210,7 +212,7 @@ fn cell(event: Event, way: Way, after: Duration) -> (Cause, String) {
     let config = |config: jaka_robot::Config| config.reply_timeout(Duration::from_secs(2));
     let (arm, robot) =
         Arm::simulated().at(follow::START).status_period(Duration::from_millis(30)).config(config).with_robot();
-    let mut robot = robot.with_limits(follow::limits()).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
     let (own, foreign) = (robot.stop_handle(), robot.client().stop_handle());
     let happens = || {
         arm.clock().sleep(after);

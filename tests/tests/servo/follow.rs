@@ -9,11 +9,11 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory, TrajectoryError};
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Cause, End, ErrorKind, FollowConfig, FollowHandle, Robot, ServoConfig, Unchecked};
+use jaka_robot::{Cause, End, ErrorKind, FollowConfig, FollowHandle, Robot, RobotConfig, ServoConfig, Unchecked};
 use jaka_sim::Controller;
 use jaka_tests::simulated::clock_of;
 use jaka_tests::witness::curve::{Curve, Point, apart};
-use jaka_tests::{Arm, ArmBuilder, LONG, followed};
+use jaka_tests::{Arm, ArmBuilder, Configured as _, LONG, followed};
 use serde_json::Value;
 
 use crate::received::{names, positions};
@@ -41,7 +41,7 @@ fn ready() -> (Arm, Robot) {
 
 fn ready_with(arm: ArmBuilder, limits: Limits) -> (Arm, Robot) {
     let (arm, robot) = arm.with_robot();
-    (arm, robot.with_limits(limits).expect("it is this arm"))
+    (arm, robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm"))
 }
 
 /// An arm that lags by so much.
@@ -226,7 +226,7 @@ fn an_approach_that_does_not_get_to_the_start_ends() {
     let (arm, robot) = arm().with_robot();
     arm.set_state(|state| state.joint_position.0[5] = 14.0);
     let narrow = limits().with_joint_range(6, -15.0, 15.0).expect("a range");
-    let mut robot = robot.with_limits(narrow).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(narrow)).expect("it is this arm");
     // Within what the check takes for rounding.
     let [start, end] = [15.000_005, 5.0].map(|joint_6| turned([0.0, 0.0, 0.0, 0.0, 0.0, joint_6]));
     let curve = Curve::through(&[(0.0, start), (2.0, end)]);
@@ -256,7 +256,7 @@ fn a_hundredth_of_a_degree_is_what_controllers_round_off() {
 fn what_is_beyond_a_limit_is_refused_before_anything_is_sent() {
     let (arm, robot) = arm().with_robot();
     let narrow = limits().with_joint_range(6, -15.0, 15.0).expect("a range");
-    let mut robot = robot.with_limits(narrow).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(narrow)).expect("it is this arm");
     let error = robot.start_follow(&made(&to_and_fro()), &config()).expect_err("joint 6 goes to -20 deg");
     let text = error.to_string();
     assert!(matches!(error.kind(), ErrorKind::Trajectory { .. }), "{error:?}");

@@ -8,11 +8,13 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Checker, Frames, Limits};
 use jaka_robot::status::RobotStatus;
-use jaka_robot::{Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, Robot, ServoConfig, StreamConfig};
+use jaka_robot::{
+    Cause, Client, End, Error, ErrorKind, FollowConfig, FollowRun, Robot, RobotConfig, ServoConfig, StreamConfig,
+};
 use jaka_sim::SimulatedClock;
 use jaka_tests::simulated::{SetPoints, SetPointsSeen, beside};
 use jaka_tests::witness::curve::apart;
-use jaka_tests::{Arm, LONG, followed};
+use jaka_tests::{Arm, Configured as _, LONG, followed};
 use log::{LevelFilter, Log, Metadata, Record};
 
 use crate::follow::{self, to_and_fro};
@@ -64,7 +66,9 @@ impl Log for SlowLogger {
 
 fn ready(limits: Limits) -> (Arm, Robot) {
     let arm = stream::arm().start();
-    let robot = Robot::new(arm.client(), arm.monitor::<RobotStatus>()).with_limits(limits).expect("it is this arm");
+    let robot = Robot::new(arm.client(), arm.monitor::<RobotStatus>())
+        .configured(&RobotConfig::new().limits(limits))
+        .expect("it is this arm");
     (arm, robot)
 }
 
@@ -184,7 +188,7 @@ fn run_held_up(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSe
     let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
     let client = Client::connect_with(&arm.config(), proxy.address()).expect("it listens");
     let mut robot = Robot::new(client, arm.monitor::<RobotStatus>());
-    robot = robot.with_limits(follow::limits()).expect("it is this arm");
+    robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
     let trajectory =
         follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");

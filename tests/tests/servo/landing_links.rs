@@ -5,10 +5,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_robot::{Cause, End, ErrorKind, Occurrence, Rest, Robot, ServoConfig, ServoSession};
+use jaka_robot::{Cause, End, ErrorKind, Occurrence, Rest, Robot, RobotConfig, ServoConfig, ServoSession};
 use jaka_sim::{Controller, Fault, Port};
 use jaka_tests::simulated::{beside, until};
-use jaka_tests::{Arm, CYCLE, LONG};
+use jaka_tests::{Arm, CYCLE, Configured as _, LONG};
 use serde_json::Value;
 
 /// Period of status packets.
@@ -245,7 +245,11 @@ fn a_refusal_of_a_set_point_from_before_the_landing_does_not_end_it() {
 fn a_landing_without_packets_says_that_rest_was_not_seen() {
     for is_allowed in [false, true] {
         let (arm, robot) = ready();
-        let mut robot = if is_allowed { robot.allow_motion_without_status() } else { robot };
+        let mut robot = if is_allowed {
+            robot.configured(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits")
+        } else {
+            robot
+        };
         let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
         arm.link(Port::Status).to_client().hold();
         send(&mut session, 0.001).expect("the last packet is fresh");

@@ -7,10 +7,10 @@ use jaka_robot::jaka_motion::Dynamics;
 use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
-    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, ServoConfig, StreamConfig,
-    TcpBox,
+    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, RobotConfig, ServoConfig,
+    StreamConfig, TcpBox,
 };
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, Configured as _, LONG};
 
 use crate::received::names;
 use crate::stream::{START, arm, limits};
@@ -56,7 +56,7 @@ fn an_option_of_a_servo_session_is_named() {
 #[test]
 fn an_option_of_a_stream_is_named() {
     let (arm, robot) = arm().with_robot();
-    let mut robot = robot.with_limits(limits()).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits())).expect("it is this arm");
     let slow = Dynamics::of(&limits()).with_speeds([500.0; 6]).expect("numbers above 0");
     for (config, expected) in [
         (
@@ -76,7 +76,7 @@ fn an_option_of_a_stream_is_named() {
 #[test]
 fn an_option_of_a_trajectory_is_named() {
     let (arm, robot) = arm().with_robot();
-    let mut robot = robot.with_limits(limits()).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits())).expect("it is this arm");
     let trajectory = crate::follow::made(&crate::follow::to_and_fro());
     for (config, expected) in [
         (FollowConfig::new().speed_scale(1.5), "option `speed_scale` of `FollowConfig` is 1.5, expected 0 to 1"),

@@ -6,9 +6,10 @@ use std::time::Duration;
 use std::{fs, io};
 
 use jaka_robot::jaka_motion::{Limits, Model};
-use jaka_robot::{End, Error, ErrorKind, Robot, ServoConfig, ServoSession, StreamConfig};
+use jaka_robot::{End, Error, ErrorKind, Robot, RobotConfig, ServoConfig, ServoSession, StreamConfig};
 use jaka_sim::Controller;
 use jaka_tests::Arm;
+use jaka_tests::Configured as _;
 use jaka_tests::simulated::beside;
 
 const PRIORITY: u8 = 7;
@@ -144,7 +145,7 @@ fn a_stream_s_thread_has_the_priority_and_no_other() {
     const OF_STREAM: u8 = 9;
     let (_arm, robot) = ready();
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     let own = Scheduling::own();
     match robot.stream(&StreamConfig::new().servo(config(OF_STREAM))) {
         Ok(stream) => {

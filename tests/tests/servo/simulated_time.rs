@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, ServoConfig, StreamConfig};
+use jaka_robot::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, RobotConfig, ServoConfig, StreamConfig};
 use jaka_sim::{Controller, Delays, Fault, Port, StatusFault};
 use jaka_tests::simulated::{SetPoints, beside};
-use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
+use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
 
@@ -83,7 +83,7 @@ fn no_cycle_of_a_long_stream_is_late_or_missing() {
     let clock = arm.clock();
     let wire = SetPoints::watch(clock, arm.command_addr(), |_, _| true);
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = watched(&arm, &wire).with_limits(limits).expect("it is this arm");
+    let mut robot = watched(&arm, &wire).configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     let stream = robot.stream(&StreamConfig::new()).expect("the arm is at rest");
     let since = clock.elapsed();
     for target in 0..minutes() * 60 * 20 {
@@ -111,7 +111,10 @@ fn slow_status() -> (Arm, Robot) {
 #[test]
 fn a_slow_status_is_lost_at_the_end_of_the_silence_that_is_allowed() {
     let (arm, robot) = slow_status();
-    let (clock, mut robot) = (arm.clock(), robot.with_status_silence(Duration::from_secs(4)));
+    let (clock, mut robot) = (
+        arm.clock(),
+        robot.configured(&RobotConfig::new().status_silence(Duration::from_secs(4))).expect("it has no limits"),
+    );
     let silent = || {
         clock.sleep(Duration::from_secs(7));
         arm.status_fault(StatusFault::Silent);
@@ -126,7 +129,10 @@ fn a_slow_status_is_lost_at_the_end_of_the_silence_that_is_allowed() {
 #[test]
 fn a_slow_status_that_falls_silent_for_a_while_ends_no_motion() {
     let (arm, robot) = slow_status();
-    let (clock, mut robot) = (arm.clock(), robot.with_status_silence(Duration::from_secs(8)));
+    let (clock, mut robot) = (
+        arm.clock(),
+        robot.configured(&RobotConfig::new().status_silence(Duration::from_secs(8))).expect("it has no limits"),
+    );
     let silent = || {
         clock.sleep(Duration::from_secs(7));
         arm.status_fault(StatusFault::Silent);
@@ -211,7 +217,7 @@ fn time_goes_on_after_the_end_of_a_stream_and_of_a_trajectory_for_which_nobody_w
     let (arm, robot) = arm(Duration::from_millis(30)).with_robot();
     let clock = arm.clock();
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
-    let mut robot = robot.with_limits(limits).expect("it is this arm");
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
     let at = arm.state().joint_position;
     let there = JointPosition(std::array::from_fn(|joint| at.0[joint] + if joint == 5 { 5.0 } else { 0.0 }));
     let points = [TimedPoint::new(0.0, at), TimedPoint::new(2.0, there)];

@@ -7,11 +7,12 @@ use std::time::Duration;
 use jaka_robot::motion::{JointMove, MoveL};
 use jaka_robot::types::{JointPosition, MoveMode, Pose};
 use jaka_robot::{
-    Cause, Config, End, Error, ErrorKind, Evidence, Phase, Remedy, Rest, Robot, RobotStop, ServoConfig, jaka_sync,
+    Cause, Config, End, Error, ErrorKind, Evidence, Phase, Remedy, Rest, Robot, RobotConfig, RobotStop, ServoConfig,
+    jaka_sync,
 };
 use jaka_sim::{Delays, Fault, Port, StatusFault};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
+use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
 
 fn arm() -> ArmBuilder {
     Arm::simulated().status_period(Duration::from_millis(30))
@@ -20,7 +21,7 @@ fn arm() -> ArmBuilder {
 /// A robot for which packets of a minute ago are fresh, so that the test alone decides what is stale.
 fn ready() -> (Arm, Robot) {
     let (arm, robot) = arm().config(|config| config.stale_after(LONG)).with_robot();
-    (arm, robot.with_status_silence(LONG))
+    (arm, robot.configured(&RobotConfig::new().status_silence(LONG)).expect("it has no limits"))
 }
 
 fn joint_1(arm: &Arm) -> f64 {
@@ -198,7 +199,7 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
     assert_eq!(arm.requests().len(), before);
     // A program that says that it does without is not kept back.
-    let mut robot = robot.allow_motion_without_status();
+    let mut robot = robot.configured(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits");
     robot.start(&to(5.0, 60.0)).expect("it is reachable");
     arm.link(Port::Status).to_client().release();
 
@@ -233,7 +234,8 @@ fn a_stop_key_that_does_not_fit_keeps_the_arm_from_moving() {
 #[test]
 fn a_wait_whose_packets_cannot_be_read_says_so() {
     let (arm, robot) = ready();
-    let mut robot = robot.with_status_silence(Duration::from_millis(300));
+    let mut robot =
+        robot.configured(&RobotConfig::new().status_silence(Duration::from_millis(300))).expect("it has no limits");
     robot.start(&to(40.0, 20.0)).expect("it is reachable");
     arm.status_fault(StatusFault::Instead(br#"{"len": 40, "inpos": true, "protective_stop": 7}"#.to_vec()));
     let end = robot.wait(LONG);

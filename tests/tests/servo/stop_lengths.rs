@@ -4,8 +4,9 @@
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Trajectory, Via};
-use jaka_robot::{FollowConfig, Robot, StreamConfig};
+use jaka_robot::{FollowConfig, Robot, RobotConfig, StreamConfig};
 use jaka_tests::Arm;
+use jaka_tests::Configured as _;
 use jaka_tests::simulated::until;
 
 use crate::received::positions;
@@ -17,7 +18,7 @@ const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, -300.0];
 
 fn ready() -> (Arm, Robot) {
     let (arm, robot) = Arm::simulated().at(START).status_period(Duration::from_millis(10)).with_robot();
-    (arm, robot.with_limits(limits()).expect("it is this arm"))
+    (arm, robot.configured(&RobotConfig::new().limits(limits())).expect("it is this arm"))
 }
 
 /// Asserts that the pages have this sentence, whatever their lines are.

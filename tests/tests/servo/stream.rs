@@ -7,13 +7,14 @@ use jaka_robot::jaka_motion::{Bound, Limits, Model, Region, TcpVelocity, Velocit
 use jaka_robot::servo::SetServoMoveFilter;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
-    End, ErrorKind, Explanation, Numbering, Robot, RobotStop, ServoConfig, StreamConfig, StreamHandle, Unchecked,
+    End, ErrorKind, Explanation, Numbering, Robot, RobotConfig, RobotStop, ServoConfig, StreamConfig, StreamHandle,
+    Unchecked,
 };
 use jaka_sim::{Builder, Controller, Port, SimulatedClock, Trip, Underrun};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{beside, side_by_side};
 use jaka_tests::witness::curve::apart;
-use jaka_tests::{Arm, ArmBuilder, LONG};
+use jaka_tests::{Arm, ArmBuilder, Configured as _, LONG};
 use serde_json::Value;
 
 use crate::received::positions;
@@ -43,7 +44,7 @@ fn ready() -> (Arm, Robot) {
 
 fn ready_with(arm: ArmBuilder, limits: Limits) -> (Arm, Robot) {
     let (arm, robot) = arm.with_robot();
-    (arm, robot.with_limits(limits).expect("it is this arm"))
+    (arm, robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm"))
 }
 
 fn config() -> StreamConfig {

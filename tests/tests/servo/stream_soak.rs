@@ -14,8 +14,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_motion::Goal;
-use jaka_robot::{Client, Config, Error, ErrorKind, Monitor, Robot, ServoConfig, StreamConfig, StreamHandle};
+use jaka_robot::{
+    Client, Config, Error, ErrorKind, Monitor, Robot, RobotConfig, ServoConfig, StreamConfig, StreamHandle,
+};
 use jaka_sim::SimulatedClock;
+use jaka_tests::Configured as _;
 use jaka_tests::soak::resident;
 
 use self::bare::BareLoops;
@@ -170,7 +173,9 @@ fn robot(controller: &PlainController, config: &Config, rig: &Rig) -> Robot {
     let monitor: Monitor = Monitor::connect_with(config, controller.status).expect("it listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     let client = Client::connect_with(config, controller.commands).expect("it listens");
-    Robot::new(client, monitor).with_limits(rig.limits.clone()).expect("the controller computes as the model does")
+    Robot::new(client, monitor)
+        .configured(&RobotConfig::new().limits(rig.limits.clone()))
+        .expect("the controller computes as the model does")
 }
 
 fn give(handle: &StreamHandle, random: &mut Random, rig: &Rig, goal: Goal, time: Duration) -> Result<(), Error> {

@@ -7,10 +7,11 @@ use jaka_robot::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_robot::types::JointPosition;
 use jaka_robot::{Cause, Command, ErrorKind, FollowConfig, ForceComponent, ForceLimit, NotShown, Robot, StreamConfig};
 use jaka_sim::{Fault, StatusFault};
+use jaka_tests::Configured as _;
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 
-use super::{IO, count, limited, names, ready, wait_for_motion};
+use super::{IO, arm_limits, count, limited, names, ready, wait_for_motion};
 
 #[test]
 fn a_guard_lands_a_stream() {
@@ -78,7 +79,7 @@ fn a_guard_that_trips_before_servo_mode_is_entered_keeps_the_arm_out_of_it() {
 
 #[test]
 fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
-    let start = |robot: Robot| limited(robot.allow_motion_without_status());
+    let start = |robot: Robot| robot.configured(&arm_limits().allow_motion_without_status()).expect("it is this arm");
     let (arm, robot) = ready();
     let mut robot = start(robot);
     let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");

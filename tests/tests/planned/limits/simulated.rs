@@ -2,10 +2,10 @@
 
 use jaka_motion::Transform;
 use jaka_robot::motion::{JointMove, MoveC, MoveL};
-use jaka_robot::{Error, Robot};
+use jaka_robot::{Error, Robot, RobotConfig};
 use jaka_tests::rig::{AMOUNTS, Random, Rig};
 use jaka_tests::witness::way::Excess;
-use jaka_tests::{Arm, CYCLE};
+use jaka_tests::{Arm, CYCLE, Configured as _};
 
 /// A simulated arm with the rig's tool and frames, at a place, and a robot with its limits.
 fn cell(rig: &Rig, at: [f64; 6]) -> (Arm, Robot) {
@@ -16,7 +16,7 @@ fn cell(rig: &Rig, at: [f64; 6]) -> (Arm, Robot) {
         state.tool_frames[1].offset = rig.tool;
         state.user_frames[1].offset = Transform::from(rig.base).inverse().into();
     });
-    let robot = arm.robot().with_limits(rig.limits.clone()).expect("it is this arm");
+    let robot = arm.robot().configured(&RobotConfig::new().limits(rig.limits.clone())).expect("it is this arm");
     (arm, robot)
 }
 

@@ -8,8 +8,9 @@ use std::time::Duration;
 
 use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_robot::types::{JointPosition, Pose};
-use jaka_robot::{Cause, Client, Config, Error, Monitor, Motion, Robot, ServoConfig};
+use jaka_robot::{Cause, Client, Config, Error, Monitor, Motion, Robot, RobotConfig, ServoConfig};
 use jaka_sim::SimulatedClock;
+use jaka_tests::Configured as _;
 use jaka_tests::LONG;
 use jaka_tests::witness::way::{Excess, Path, Steps, inverted};
 use jaka_tests::witness::{inverse, product};
@@ -64,8 +65,9 @@ impl Cell {
         let monitor: Monitor = Monitor::connect_with(&config, controller.status).expect("it listens");
         let client = Client::connect_with(&config, controller.commands).expect("it listens");
         monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-        let robot = Robot::new(client, monitor).with_start_grace(Duration::from_millis(1), 1);
-        let robot = robot.with_limits(rig.limits.clone()).expect("the controller computes as the model does");
+        let options = RobotConfig::new().start_grace(Duration::from_millis(1), 1).limits(rig.limits.clone());
+        let robot =
+            Robot::new(client, monitor).configured(&options).expect("the controller computes as the model does");
         Some(Self { seed, random, rig, controller, robot, at, tally: Tally::default() })
     }
 

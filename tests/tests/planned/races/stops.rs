@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use jaka_robot::{Cause, ErrorKind, Occurrence, Robot, RobotStop, Target};
+use jaka_robot::{Cause, ErrorKind, Occurrence, Robot, RobotConfig, RobotStop, Target};
 use jaka_sim::{Controller, Delays, Fault, Port};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, Configured as _, LONG};
 
 use super::{FAR, Hooked, arm, assert_moves, assert_stopped_on_the_way, changes, names, refusal, to};
 
@@ -62,7 +62,8 @@ fn a_stop_that_fails_after_it_was_acknowledged_keeps_motions_back() {
 fn rest_by_a_stop_that_is_not_answered_yet_is_told_as_a_stop() {
     // Packets say for a while that the arm has not left, and so it is asked for its position.
     let (arm, robot) = arm().controller(|controller| controller.delays(Delays::REAL)).with_robot();
-    let mut robot = robot.with_start_grace(Duration::from_millis(100), 3);
+    let mut robot =
+        robot.configured(&RobotConfig::new().start_grace(Duration::from_millis(100), 3)).expect("it has no limits");
     let stop = robot.stop_handle();
     for _ in 0..10 {
         arm.inject_for("get_joint_pos", refusal("get_joint_pos"));
@@ -83,7 +84,8 @@ fn rest_by_a_stop_that_is_not_answered_yet_is_told_as_a_stop() {
 #[test]
 fn a_stop_that_a_packet_shows_takes_the_place_of_a_lost_status() {
     let (arm, robot) = arm().with_robot();
-    let mut robot = robot.with_status_silence(Duration::from_secs(1));
+    let mut robot =
+        robot.configured(&RobotConfig::new().status_silence(Duration::from_secs(1))).expect("it has no limits");
     robot.start(&to(FAR)).expect("it is accepted");
     let link = || arm.link(Port::Status).to_client();
     link().hold();

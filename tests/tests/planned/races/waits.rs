@@ -4,10 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, Phase, Rest, Robot};
+use jaka_robot::{Cause, Phase, Rest, Robot, RobotConfig};
 use jaka_sim::{Delays, Fault, Habit};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, Configured as _, LONG};
 use serde_json::Value;
 
 use super::{FAR, Hooked, PERIOD, arm, names, refusal, to};
@@ -176,7 +176,8 @@ fn an_arm_that_begins_late_is_not_at_rest_before_enough_packets_have_said_so() {
     delays.in_position = Duration::from_secs(1);
     let slow = arm().status_period(Duration::from_millis(100)).controller(|controller| controller.delays(delays));
     let (arm, robot) = slow.with_robot();
-    let mut robot = robot.with_start_grace(Duration::from_millis(50), 5);
+    let mut robot =
+        robot.configured(&RobotConfig::new().start_grace(Duration::from_millis(50), 5)).expect("it has no limits");
     arm.set_state(|state| state.rapid_rate = 0.0);
     let begins = || {
         arm.clock().sleep(Duration::from_millis(350));

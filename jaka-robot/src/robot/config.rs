@@ -1,0 +1,109 @@
+//! Options of a robot.
+
+use std::time::Duration;
+
+use jaka_motion::Limits;
+
+use crate::LimitPolicy;
+use crate::planned::Grace;
+
+/// Options of a [`Robot`](crate::Robot), apart from those of its connections ([`Config`](crate::Config)).
+///
+/// ```no_run
+/// use jaka_robot::jaka_motion::{Limits, Model};
+/// use jaka_robot::motion::JointMove;
+/// use jaka_robot::{Robot, RobotConfig};
+///
+/// let arm = Model::named("Zu 5").expect("a published arm");
+/// let mut robot = Robot::connect("10.5.5.100")?;
+/// robot.configure(&RobotConfig::new().limits(Limits::of(arm).with_tcp_speed(250.0)?))?;
+/// let error = robot.start(&JointMove::absolute([0.0, 0.0, 181.0, 0.0, 0.0, 0.0], 20.0).acceleration(50.0)).unwrap_err();
+/// assert_eq!(error.to_string(), "`joint_move` was not sent: joint 3 would be at 181 deg; limit 175 (Zu 5)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Limits
+/// A motion that is beyond a limit anywhere on its way is refused with
+/// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit), one whose way is not known with
+/// [`ErrorKind::NotChecked`](crate::ErrorKind::NotChecked); nothing is sent then. [`Checker`](jaka_motion::Checker) tells
+/// what is checked, and how finely. Checked are [`run`](crate::Robot::run), [`start`](crate::Robot::start) and servo
+/// sessions, not what is sent through [`client`](crate::Robot::client), such as a jog.
+///
+/// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not say.
+/// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this
+/// program does not know it yet, the arm goes to the target of the next motion from elsewhere:
+/// [`wait`](crate::Robot::wait) for the end of a motion to know.
+///
+/// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know nothing
+/// of collisions, not even of the arm with itself, and do not see motions of other clients.
+///
+/// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from which
+/// its tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where both
+/// answers do not fit together a frame has changed, and the poses are asked for again.
+#[derive(Debug, Clone)]
+#[must_use = "a configuration does nothing until a robot is configured by it"]
+pub struct RobotConfig {
+    pub(super) grace: Grace,
+    pub(super) silence: Duration,
+    pub(super) needs_status: bool,
+    pub(super) limits: Option<Limits>,
+    pub(super) policy: LimitPolicy,
+}
+
+impl Default for RobotConfig {
+    fn default() -> Self {
+        Self {
+            grace: Grace { time: Duration::from_millis(400), packets: 3 },
+            silence: Duration::from_secs(2),
+            needs_status: true,
+            limits: None,
+            policy: LimitPolicy::default(),
+        }
+    }
+}
+
+impl RobotConfig {
+    /// The defaults, with which a robot is made.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller is not
+    /// enough to say that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm
+    /// that stops before its target. 0.4 s and three packets by default.
+    ///
+    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one
+    /// without length, or, if its target is known and the arm is not there, as stopped.
+    pub fn start_grace(mut self, time: Duration, packets: u32) -> Self {
+        self.grace = Grace { time, packets: packets.max(1) };
+        self
+    }
+
+    /// Sets how long no status packet may come while a motion is waited for. 2 s by default.
+    pub fn status_silence(mut self, time: Duration) -> Self {
+        self.silence = time;
+        self
+    }
+
+    /// Allows motions and set-points while the status is stale, missing or unreadable.
+    ///
+    /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other means.
+    pub fn allow_motion_without_status(mut self) -> Self {
+        self.needs_status = false;
+        self
+    }
+
+    /// Sets the limits by which each motion and each set-point is checked before it is sent. By default there are none.
+    pub fn limits(mut self, limits: Limits) -> Self {
+        self.limits = Some(limits);
+        self
+    }
+
+    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. A controller
+    /// that has come to compute other poses than the limits' model is an error all the same
+    /// ([`ErrorKind::ModelMismatch`](crate::ErrorKind::ModelMismatch)).
+    pub fn limit_policy(mut self, policy: LimitPolicy) -> Self {
+        self.policy = policy;
+        self
+    }
+}
