@@ -16,7 +16,6 @@ use nalgebra::Isometry3;
 #[cfg(feature = "generator")]
 use nalgebra::{UnitQuaternion, Vector3, Vector6};
 
-use self::arm::is_finite;
 pub(crate) use self::arm::{Arm, Led};
 use self::follow::Following;
 use self::limited_points::LimitedPoints;
@@ -86,7 +85,8 @@ impl Checker {
     /// What is beyond a joint's range by more than this, in degrees, is refused.
     pub const AMOUNT_DEG: f64 = 0.1;
 
-    /// What is faster than a speed limit by more than this share of it is refused. The speeds of set-points are means over the period.
+    /// What is faster than a speed limit by more than this share of it is refused. The speeds of set-points are means
+    /// over the period.
     pub const AMOUNT_SPEED: f64 = 0.02;
 
     /// What is nearer to a singularity than the least distance by more than this is refused.
@@ -155,7 +155,11 @@ impl Checker {
     /// `kine_inverse` (section 4.45) says which it takes, [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more
     /// than once is taken to go to the nearest of the positions that reach the pose.
     pub fn check_end_move(&self, from: JointPosition, to: Pose, pace: JointPace) -> Result<(), Beyond> {
-        self.checked(Way::EndMove, &[from], &[to], || self.end_move(&from.0, to, pace))
+        self.checked(Way::EndMove, &[from], &[to], || {
+            let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), from);
+            let branches = branches.map_err(|reason| (reason.into(), 1.0))?;
+            branches.iter().try_for_each(|joints| self.joint_way(&from.0, &joints.0, pace))
+        })
     }
 
     /// Checks a set-point of joint positions, after the last two and a period in seconds later.
@@ -186,20 +190,37 @@ impl Checker {
         target: Pose,
         period_s: f64,
     ) -> Result<JointPosition, Beyond> {
-        let check = || self.pose_set_point([&before[0].0, &before[1].0], &self.in_base(target), period_s);
-        self.checked(Way::SetPoint, &before, &[target], check).map(JointPosition)
+        self.checked(Way::SetPoint, &before, &[target], || {
+            let (clearance, at_end) = (self.limits.clearance(), |exceeded| (exceeded, 1.0));
+            let joints = self.arm.nearest(&self.in_base(target), &before[1].0).map_err(at_end)?;
+            self.set_point([&before[0].0, &before[1].0], &joints, period_s)?;
+            let [last, here] = [&before[1].0, &joints].map(|joints| self.arm.signed_distances(joints));
+            clearance.check(&last.map(f64::abs), &here.map(f64::abs)).map_err(at_end)?;
+            clearance.check_sides(&last, &here).map_err(at_end)?;
+            Ok(JointPosition(joints))
+        })
     }
 
-    /// The joint positions that bring the tool to a pose, nearest to others and on the same sides of the singularities as these.
+    /// Finds the joint positions that bring the tool to a pose, nearest to others and on the same sides of the
+    /// singularities as these.
     ///
     /// # Errors
-    /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's range or a region.
+    /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's
+    /// range or a region.
     #[cfg(feature = "generator")]
     pub fn joints_on_branch(&self, near: JointPosition, pose: Pose) -> Result<JointPosition, Beyond> {
+        let sides = |joints: &JointPosition| self.arm.signed_distances(&joints.0);
         self.checked(Way::Place, &[near], &[pose], || {
-            let joints = self.on_branch(&near.0, pose);
-            let free = joints.and_then(|joints| self.place(&joints).map(|()| JointPosition(joints)));
-            free.map_err(|exceeded| (exceeded, 1.0))
+            let (here, at_end) = (sides(&near), |exceeded| (exceeded, 1.0));
+            let passed = |joints: &JointPosition| SingularityClearance::passed(&here, &sides(joints));
+            let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(pose)), near);
+            let branches = branches.map_err(|reason| at_end(reason.into()))?;
+            let Some(joints) = branches.iter().find(|joints| passed(joints).is_none()) else {
+                let which = branches.first().and_then(passed);
+                let too_near = which.map(|which| self.limits.clearance().too_near(which, 0.0));
+                return Err(at_end(too_near.unwrap_or(Exceeded::NotConfirmed)));
+            };
+            self.place(&joints.0).map(|()| *joints).map_err(at_end)
         })
     }
 
@@ -226,8 +247,8 @@ impl Checker {
         Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
     }
 
-    /// Compares a piece of a trajectory with all limits; the share is that of its time. `end` is where the piece before ended, if that is known, and
-    /// then where this one does.
+    /// Compares a piece of a trajectory with all limits; the share is that of its time. `end` is where the piece before
+    /// ended, if that is known, and then where this one does.
     pub(crate) fn check_piece(&self, piece: &Piece, end: &mut Option<PieceEnd>) -> Result<(), Found> {
         let (hull, axes, points, stop) = (piece.hull(), self.limits.axes(), self.points(), self.room_to_stop());
         axes.check_piece(piece, &hull)?;
@@ -247,8 +268,9 @@ impl Checker {
         if is_near || !axes.contain_for(&hull, stop_s) { stop.check_piece(piece) } else { Ok(()) }
     }
 
-    /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, and the speed of the tool centre point as mean over
-    /// each period, and that it goes on for no more than `stopping_mm`. Where an arm has rested, if it has, counts as within regions.
+    /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, the speed of the
+    /// tool centre point as mean over each period, and that it goes on for no more than `stopping_mm`. Where the arm
+    /// has rested, if it has, counts as within regions.
     #[cfg(feature = "generator")]
     pub(crate) fn check_stops(
         &self,
@@ -266,10 +288,8 @@ impl Checker {
         self.tcp_speed().check_stops(last, stops, period_s, stopping_mm)
     }
 
-    /// Whether joint ranges, singularities and regions are clear all along a line with these ends, for the joints on it: bounds of what the joints
-    /// do show it.
-    ///
-    /// Where not, [`check_line`](Self::check_line) tells.
+    /// Whether bounds of the joints on a line with these ends show that joint ranges, singularities and regions are
+    /// clear all along it. Where not, [`check_line`](Self::check_line) tells.
     pub(crate) fn is_clear_line(&self, joints: &Piece, ends: [&Solved; 2], distances: &[f64; 3]) -> bool {
         let hull = joints.hull();
         let turned = hull.turned(joints.seconds);
@@ -280,20 +300,21 @@ impl Checker {
             && self.points().are_clear_on_line(ends, &turned)
     }
 
-    /// Whether joints that turn by at most so many radians from a place keep apart from singularities, for the distances there.
+    /// Whether joints that turn by at most so many radians keep apart from singularities, for the distances before.
     pub(crate) fn keeps_apart(&self, distances: &[f64; 3], turned: &[f64; 6]) -> bool {
         self.limits.clearance().is_kept(distances, &self.arm.radii().distances_change(turned))
     }
 
-    /// Checks that joint positions between two others are not nearer to a singularity than both of these and the least distance, but for the stated
-    /// amount.
+    /// Checks that joint positions between two others are not nearer to a singularity than both of these and the least
+    /// distance, but for the stated amount.
     pub(crate) fn no_nearer_to_singularities(&self, ends: [&[f64; 6]; 2], here: &[f64; 6]) -> Result<(), Exceeded> {
         let [one, other, here] = [ends[0], ends[1], here].map(|joints| self.arm.distances(&self.arm.frames(joints)));
         let least = std::array::from_fn(|index| one[index].min(other[index]) - Self::AMOUNT_SINGULARITY);
         self.limits.clearance().check(&least, &here)
     }
 
-    /// How much of a way straight in joint space is free, if not all of it, and what is in the way; the way is `length` seconds at these rates.
+    /// Seconds for which the joints can go on at these rates until something is in the way, if they are fewer than
+    /// `length`; and what is in the way.
     #[cfg(feature = "generator")]
     pub(crate) fn room_along(&self, from: &[f64; 6], rates: &[f64; 6], length: f64) -> Option<(f64, Exceeded)> {
         let (axes, clearance) = (self.limits.axes(), self.limits.clearance());
@@ -313,9 +334,10 @@ impl Checker {
         Beyond { exceeded, way, share: 1.0, model: self.limits.model().name() }
     }
 
-    /// Joint ranges and regions.
+    /// Checks joint ranges and regions.
     fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
-        self.limits.axes().check_place(joints)?;
+        // No start is beyond the ranges: a place is not a motion that leads back.
+        self.limits.axes().check_positions(joints, self.limits.joint_min())?;
         self.points().check_place(joints)
     }
 
@@ -332,13 +354,7 @@ impl Checker {
         self.points().check_joint_way(from, to)
     }
 
-    fn end_move(&self, from: &[f64; 6], to: Pose, pace: JointPace) -> Result<(), Found> {
-        let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), *from);
-        let branches = branches.map_err(|reason| (reason.into(), 1.0))?;
-        branches.iter().try_for_each(|joints| self.joint_way(from, &joints.0, pace))
-    }
-
-    /// The joint positions at the end of a path.
+    /// Checks a path of the tool, and returns the joint positions at its end.
     fn follow(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
         let at_end = |exceeded| (exceeded, 1.0);
         pace.check(self.arm.reach_mm()).map_err(at_end)?;
@@ -361,34 +377,6 @@ impl Checker {
         self.tcp_speed().check_step(last, target, period_s).map_err(at_end)?;
         self.points().check_joint_way(last, target)?;
         self.room_to_stop().check_step(last, target, period_s).map_err(at_end)
-    }
-
-    fn pose_set_point(
-        &self,
-        before: [&[f64; 6]; 2],
-        target: &Isometry3<f64>,
-        period_s: f64,
-    ) -> Result<[f64; 6], Found> {
-        let (clearance, at_end) = (self.limits.clearance(), |exceeded| (exceeded, 1.0));
-        let joints = self.arm.nearest(target, before[1]).map_err(at_end)?;
-        self.set_point(before, &joints, period_s)?;
-        let [last, here] = [before[1], &joints].map(|joints| self.arm.signed_distances(joints));
-        clearance.check(&last.map(f64::abs), &here.map(f64::abs)).map_err(at_end)?;
-        clearance.check_sides(&last, &here).map_err(at_end)?;
-        Ok(joints)
-    }
-
-    #[cfg(feature = "generator")]
-    fn on_branch(&self, near: &[f64; 6], pose: Pose) -> Result<[f64; 6], Exceeded> {
-        let here = self.arm.signed_distances(near);
-        let passed =
-            |joints: &JointPosition| SingularityClearance::passed(&here, &self.arm.signed_distances(&joints.0));
-        let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(pose)), *near)?;
-        if let Some(joints) = branches.iter().find(|joints| passed(joints).is_none()) {
-            return Ok(joints.0);
-        }
-        let which = branches.first().and_then(passed);
-        Err(which.map_or(Exceeded::NotConfirmed, |index| self.limits.clearance().too_near(index, 0.0)))
     }
 
     fn regions(&self) -> PlacedRegions<'_> {
@@ -420,9 +408,12 @@ impl Checker {
     }
 
     fn all_finite(&self, joints: &[JointPosition], poses: &[Pose]) -> bool {
+        let frame = |frame: &Isometry3<f64>| {
+            frame.translation.vector.iter().chain(frame.rotation.coords.iter()).all(|number| number.is_finite())
+        };
         joints.iter().all(|joints| joints.0.iter().all(|joint| joint.is_finite()))
-            && poses.iter().all(|pose| is_finite(&self.in_base(*pose)))
-            && is_finite(&self.base)
-            && self.arm.is_finite()
+            && poses.iter().all(|pose| frame(&self.in_base(*pose)))
+            && frame(&self.base)
+            && frame(&self.frames.tool().0)
     }
 }

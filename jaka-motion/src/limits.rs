@@ -53,10 +53,11 @@ const SPEED_GAINED: f64 = 0.2 / 0.5;
 /// as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
 
-/// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated amounts, and far above
-/// how exactly joint positions are found for a pose.
+/// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated
+/// amounts, and far above how exactly joint positions are found for a pose.
 pub(crate) const ROUNDING: f64 = 1e-5;
-/// What rounding may add to where a start beyond a limit is: so little that it does not add up over a queue of motions or a session.
+/// What rounding may add to where a start beyond a limit is: so little that it does not add up over a queue or a
+/// session.
 pub(crate) const START_ROUNDING: f64 = 1e-9;
 
 impl Limits {

@@ -29,12 +29,12 @@ pub(crate) struct Led {
     pub(crate) acceleration: Vector6<f64>,
 }
 
-/// An error not worth a step, in mm, and in radians times [`RADIAN`](crate::model::inverse::RADIAN): where a motion starts beyond a limit, the
-/// end of the one before is compared with its own.
+/// An error not worth a step, as [`off`] counts it: where a motion starts beyond a limit, the end of the one before is
+/// compared with its own.
 const EXACT: f64 = 1e-10;
 /// How far off the tool may be where no step makes the error smaller, in the same unit.
 const ACCEPTED: f64 = 1e-6;
-/// How far off the tool may be on the way of a trajectory, in the same unit: a thousandth of what its pieces may be off.
+/// How far off the tool may be on the way of a trajectory, in the same unit: a thousandth of what its pieces may be.
 const NEAR_ENOUGH: f64 = 1e-6;
 /// The most steps. Each squares the error.
 const STEPS: usize = 8;
@@ -54,11 +54,6 @@ impl Arm {
     /// Bounds of how its points move.
     pub(crate) fn radii(&self) -> &Radii {
         &self.radii
-    }
-
-    /// Whether all numbers of the tool are finite.
-    pub(super) fn is_finite(&self) -> bool {
-        is_finite(&self.tool)
     }
 
     /// Length of the arm with its tool, in mm.
@@ -119,7 +114,7 @@ impl Arm {
         (self.point(Point::Tcp, one) - self.point(Point::Tcp, other)).norm()
     }
 
-    /// How the joints turn for a velocity of the tool, in deg/s, unless they cannot; and the distances from the singularities.
+    /// How the joints turn for a velocity of the tool, in deg/s, unless they cannot; and distances from singularities.
     #[cfg(feature = "generator")]
     pub(crate) fn rates(&self, joints: &[f64; 6], twist: &Vector6<f64>) -> (Option<[f64; 6]>, [f64; 3]) {
         let frames = self.frames(joints);
@@ -187,9 +182,4 @@ impl Arm {
     pub(super) fn any_branch(&self, tool: &Isometry3<f64>, reference: &[f64; 6]) -> Result<[f64; 6], Exceeded> {
         Ok(self.model.inverse(self.flange(tool), *reference)?.0)
     }
-}
-
-/// Whether all numbers of a frame are finite.
-pub(super) fn is_finite(frame: &Isometry3<f64>) -> bool {
-    frame.translation.vector.iter().chain(frame.rotation.coords.iter()).all(|number| number.is_finite())
 }

@@ -165,7 +165,7 @@ impl<'a> Following<'a> {
         if speed_deg_s <= rounded_up(limit_deg_s) {
             return Ok(());
         }
-        let (which, distance) = nearest_singularity(&here.distances);
+        let (which, distance) = Singularity::nearest(&here.distances);
         let near = (distance < NEAR).then_some(which);
         Err(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near })
     }
@@ -186,7 +186,8 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Whether no singularity can have been nearer between two samples than the least distance by more than the stated amount.
+    /// Whether no singularity can have been nearer between two samples than the least distance, but for the stated
+    /// amount.
     fn singularities_clear(&self, here: &Sample, next: &Sample) -> bool {
         let turned = |index: usize| {
             let moved = (next.joints[index] - here.joints[index]).abs();
@@ -232,8 +233,7 @@ impl<'a> Following<'a> {
         if let Some((by_mm, share)) = shares.filter_map(short).max_by(|one, other| one.0.total_cmp(&other.0)) {
             return (Exceeded::OutOfReach { by_mm }, share);
         }
-        let (which, distance) = nearest_singularity(&self.arm.distances(&self.arm.frames(joints)));
-        (Exceeded::Singularity { which, distance, least: self.limits.singularity_distance() }, share)
+        (self.limits.clearance().nearest(&self.arm.distances(&self.arm.frames(joints))), share)
     }
 }
 
@@ -270,9 +270,4 @@ fn velocity(point: Point, here: &Sample) -> Vector3<f64> {
         (frame.rotation * Vector3::z()).cross(&(at - frame.translation.vector)) * rate.to_radians()
     });
     parts.sum()
-}
-
-fn nearest_singularity(distances: &[f64; 3]) -> (Singularity, f64) {
-    let distances = Singularity::ALL.into_iter().zip(*distances);
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((Singularity::Wrist, f64::NAN))
 }

@@ -63,7 +63,7 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// Whether no point gets to a region from a start where the joints turn by at most so many radians, wherever it goes.
+    /// Whether no point gets to a region where the joints turn by at most so many radians from a start.
     pub(super) fn are_far(&self, start: &PieceEnd, turned: &[f64; 6]) -> bool {
         self.all().all(|point| {
             let clear = self.regions.check(point, None, start.point(point), 0.0);
@@ -71,7 +71,8 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// Whether all points are within their regions on a line with these ends, on which the joints turn by at most so many radians.
+    /// Whether all points are within their regions on a line with these ends, on which the joints turn by at most so
+    /// many radians.
     pub(super) fn are_clear_on_line(&self, ends: [&Solved; 2], turned: &[f64; 6]) -> bool {
         self.all().all(|point| {
             let places = ends.map(|end| end.point(point));
@@ -86,7 +87,7 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// How far the point of a region that was found is beyond it at an end, if that is further than where it was noticed.
+    /// With how far the point that was found beyond a region is beyond it at an end, if that is further.
     pub(super) fn further_at(&self, end: &[f64; 6], found: Exceeded) -> Exceeded {
         let Exceeded::Region { name, point, by_mm, tolerance_mm } = found else { return found };
         let at_end = self.regions.beyond_named(&name, point, &self.arm.point(point, end));

@@ -50,7 +50,7 @@ impl<'a> PlacedRegions<'a> {
         })
     }
 
-    /// Where a straight way between two places goes through the midst of boxes to be kept outside of, as shares of the way.
+    /// Shares of a straight way between two places at which it is in the midst of boxes to be kept outside of.
     pub(super) fn crossings(
         &self,
         point: Point,

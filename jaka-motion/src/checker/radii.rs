@@ -24,8 +24,9 @@ pub(super) struct Course {
     pub(super) bend_mm: f64,
 }
 
-/// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's side by which
-/// [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a sample in it.
+/// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's
+/// side by which [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a
+/// sample in it.
 pub(super) const BEND_MM: f64 = 0.1;
 /// The least share of a way between two samples, which bounds their number.
 pub(super) const LEAST_STEP: f64 = 5e-5;
@@ -65,7 +66,7 @@ impl Radii {
         let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
         for (radius, turned) in self.of(point).iter().zip(turned) {
             rate_mm += turned * radius;
-            // The turn of one joint changes how another moves the point: at most by the turns' product times the outer one's distance.
+            // A turn changes how another joint moves the point: at most by both turns times the outer one's distance.
             bend_mm += (2.0 * sum + turned) * turned * radius;
             sum += turned;
         }
@@ -91,9 +92,10 @@ impl Radii {
 
     /// What the speed of the tool centre point is not above on a piece, in mm/s.
     ///
-    /// If levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree, no larger than its Bernstein coefficients. What they
-    /// change otherwise is at most an eighth of their second derivative: the joints' accelerations, and their speeds twice, times the distance from the outermost
-    /// axis of those that count.
+    /// If levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree, no
+    /// larger than its Bernstein coefficients. What they change otherwise is at most an eighth of their second
+    /// derivative: the joints' accelerations, and their speeds twice, times the distance from the outermost axis of
+    /// those that count.
     pub(super) fn tcp_speed_at_most(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> f64 {
         let speeds: [[f64; 5]; 6] = std::array::from_fn(|joint| piece.speeds(joint).map(f64::to_radians));
         let moved = |end: usize, index: usize| ends[end].moved(speeds.map(|speed| speed[index]));

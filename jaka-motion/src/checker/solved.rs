@@ -19,8 +19,8 @@ pub(crate) struct Solved {
     jacobian: Damped,
 }
 
-/// Added to the squares of the Jacobian's singular values: little enough that the rates of joints are exact down to hundredths of a
-/// degree from a singularity.
+/// Added to the squares of the Jacobian's singular values: little enough that the rates of joints are exact down to
+/// hundredths of a degree from a singularity.
 const DAMPING: f64 = 1e-4;
 /// The share of a motion of the tool that joints may fail to make.
 const MISSED: f64 = 1e-3;
@@ -55,15 +55,16 @@ impl Solved {
         (missed <= MISSED * moved.norm()).then(|| std::array::from_fn(|index| rates[index].to_degrees()))
     }
 
-    /// How the joints move where the tool has this velocity and acceleration, in mm and radians a second; none if they cannot.
+    /// How the joints move where the tool has this velocity and acceleration, in mm and radians a second; none if they
+    /// cannot.
     pub(crate) fn moving(&self, velocity: &Vector6<f64>, acceleration: &Vector6<f64>) -> Option<Sample> {
         let velocity = self.rates(velocity)?;
         let acceleration = self.rates(&(acceleration - self.bend(&velocity.map(f64::to_radians))))?;
         Some(Sample { joints: self.joints.into(), velocity, acceleration })
     }
 
-    /// The joint positions after a small motion of the tool, weighted as in [`off`](crate::model::inverse::off): with the bend of the way, so that what is missing goes with the third
-    /// power of the motion.
+    /// The joint positions after a small motion of the tool, weighted as in [`off`](crate::model::inverse::off): with
+    /// the bend of the way, so that what is missing goes with the third power of the motion.
     pub(super) fn stepped(&self, off: &Vector6<f64>) -> [f64; 6] {
         let turns = self.jacobian.turns(off);
         let mut bend = self.bend(&turns.into());

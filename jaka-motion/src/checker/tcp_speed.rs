@@ -22,7 +22,7 @@ pub(super) struct TcpSpeedLimit<'a> {
     pub(super) limit_mm_s: Option<f64>,
 }
 
-/// By what share of itself the speed may change between two places on a piece at which it is compared, where it is near its limit.
+/// Share of itself by which the speed may change between two places on a piece, where it is near its limit.
 const SPEED_STEP: f64 = 1e-3;
 /// The most places at which it is compared on one piece.
 const MOST_STEPS: usize = 1_000_000;
@@ -33,19 +33,13 @@ const MOST_PERIODS: f64 = 4096.0;
 impl TcpSpeedLimit<'_> {
     /// Checks one speed.
     pub(super) fn check(&self, speed_mm_s: f64) -> Result<(), Exceeded> {
-        match self.limit_mm_s {
-            Some(limit_mm_s) if speed_mm_s > rounded_up(limit_mm_s) => {
-                Err(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s })
-            }
-            _ => Ok(()),
-        }
+        let above = self.limit_mm_s.filter(|limit_mm_s| speed_mm_s > rounded_up(*limit_mm_s));
+        above.map_or(Ok(()), |limit_mm_s| Err(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s }))
     }
 
     /// Checks the mean speed over the period of a set-point.
     pub(super) fn check_step(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
-        if self.limit_mm_s.is_none() {
-            return Ok(());
-        }
+        let Some(_) = self.limit_mm_s else { return Ok(()) };
         self.check(self.arm.tcp_distance(target, last) / period_s)
     }
 
@@ -98,7 +92,8 @@ impl TcpSpeedLimit<'_> {
         Err((Exceeded::TooLong, share))
     }
 
-    /// Checks the mean speed over each period from the last set-point to rest, and that the tool centre point goes on for no more than `limit_mm`.
+    /// Checks the mean speed over each period from the last set-point to rest, and that the tool centre point goes on
+    /// for no more than `limit_mm`.
     #[cfg(feature = "generator")]
     pub(super) fn check_stops(
         &self,

@@ -41,12 +41,6 @@ impl AxisLimits {
         })
     }
 
-    /// Checks that all joints are within their ranges at a place, which is not a motion that leads back.
-    pub(crate) fn check_place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
-        // No start is beyond the ranges.
-        self.check_positions(joints, &self.min)
-    }
-
     /// Checks the speed and acceleration of each joint, where the one with the longest way has those of the pace.
     pub(crate) fn check_pace(&self, moved: &[f64; 6], pace: JointPace) -> Result<(), Exceeded> {
         let longest = longest(moved);
@@ -169,15 +163,16 @@ impl AxisLimits {
         0.5 * needed.map(|(speed, acceleration)| speed / acceleration).fold(0.0, f64::max)
     }
 
-    /// Number of periods in which the joints stop after a step, where the one that takes the longest slows down as much as it may, and the others in
-    /// proportion.
+    /// Number of periods in which the joints stop after a step, where the one that takes the longest slows down as much
+    /// as it may, and the others in proportion.
     pub(crate) fn periods_to_stop(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> f64 {
         let needed =
             |index: usize| (target[index] - last[index]).abs() / period_s / period_s / self.accelerations[index];
         ((0..6).map(needed).fold(0.0, f64::max) - PERIODS_ROUNDING).ceil()
     }
 
-    /// Seconds at a rate until a joint is at the end of its range, and what it would exceed there; none for one that does not move.
+    /// Seconds at a rate until a joint is at the end of its range, and what it would exceed; none where it does not
+    /// move.
     #[cfg(feature = "generator")]
     pub(crate) fn room(&self, index: usize, position: f64, rate: f64) -> Option<(f64, Exceeded)> {
         let limit_deg = if rate > 0.0 { self.max[index] } else { self.min[index] };

@@ -30,14 +30,16 @@ impl SingularityClearance {
     /// Checks that no singularity is between two places, for their signed distances, unless the least distance is 0.
     pub(crate) fn check_sides(self, start: &[f64; 3], here: &[f64; 3]) -> Result<(), Exceeded> {
         match Self::passed(start, here).filter(|_| self.0 > 0.0) {
-            Some(index) => Err(self.too_near(index, 0.0)),
+            Some(which) => Err(self.too_near(which, 0.0)),
             None => Ok(()),
         }
     }
 
-    /// Index of the first singularity between two places, for their signed distances. From a singularity the arm may go to either side.
-    pub(crate) fn passed(start: &[f64; 3], here: &[f64; 3]) -> Option<usize> {
-        (0..3).find(|index| start[*index].abs() > ROUNDING && start[*index] * here[*index] < 0.0)
+    /// The first singularity between two places, for their signed distances. From a singularity the arm may go
+    /// to either side.
+    pub(crate) fn passed(start: &[f64; 3], here: &[f64; 3]) -> Option<Singularity> {
+        let index = (0..3).find(|index| start[*index].abs() > ROUNDING && start[*index] * here[*index] < 0.0);
+        index.map(|index| Singularity::ALL[index])
     }
 
     /// Whether the arm surely stays apart from singularities where its distances change by at most so much.
@@ -46,8 +48,8 @@ impl SingularityClearance {
         (0..3).all(|index| distances[index] - changes[index] >= least)
     }
 
-    /// Share of a way at which the least distance is reached, for the signed distances at its start and at a share of it; none of it for a
-    /// singularity that is nearer and comes nearer still.
+    /// Share of a way at which the least distance is reached, for the signed distances at its start and at a share of
+    /// it; none of it for a singularity that is nearer and comes nearer still.
     #[cfg(feature = "generator")]
     pub(crate) fn room(self, start: [f64; 3], at: impl Fn(f64) -> [f64; 3]) -> Option<(f64, Exceeded)> {
         let (least, mut before) = (self.0, start);
@@ -59,7 +61,7 @@ impl SingularityClearance {
                 let (one, other) = (before[index].abs(), here[index] * before[index].signum());
                 if other < least && other < one {
                     let part = ((one - least) / (one - other)).max(0.0);
-                    return Some((begun + part * (done - begun), self.too_near(index, one)));
+                    return Some((begun + part * (done - begun), self.too_near(Singularity::ALL[index], one)));
                 }
             }
             before = here;
@@ -68,14 +70,13 @@ impl SingularityClearance {
     }
 
     /// Error for the nearest singularity.
-    #[cfg(feature = "generator")]
     pub(crate) fn nearest(self, distances: &[f64; 3]) -> Exceeded {
-        let nearest = (0..3).fold(0, |least, index| if distances[index] < distances[least] { index } else { least });
-        self.too_near(nearest, distances[nearest])
+        let (which, distance) = Singularity::nearest(distances);
+        self.too_near(which, distance)
     }
 
     /// Error for a singularity at a distance.
-    pub(crate) fn too_near(self, index: usize, distance: f64) -> Exceeded {
-        Exceeded::Singularity { which: Singularity::ALL[index], distance, least: self.0 }
+    pub(crate) fn too_near(self, which: Singularity, distance: f64) -> Exceeded {
+        Exceeded::Singularity { which, distance, least: self.0 }
     }
 }
