@@ -17,7 +17,8 @@ impl PieceEnd {
     /// For the frames of the joints, and a tool on the flange.
     pub(super) fn new(frames: &[Isometry3<f64>; 6], tool: &Isometry3<f64>) -> Self {
         let tcp = (frames[5] * tool).translation.vector;
-        let levers = frames.map(|frame| (frame.rotation * Vector3::z()).cross(&(tcp - frame.translation.vector)));
+        let lever = |frame: &Isometry3<f64>| (frame.rotation * Vector3::z()).cross(&(tcp - frame.translation.vector));
+        let levers = std::array::from_fn(|joint| lever(&frames[joint]));
         let [elbow, wrist] = [Point::Elbow, Point::Wrist].map(|point| frames[point.frame()].translation.vector.into());
         Self { points: [tcp.into(), elbow, wrist], levers }
     }
