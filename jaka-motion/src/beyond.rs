@@ -4,8 +4,7 @@ mod display;
 
 use std::sync::Arc;
 
-use crate::limits::Point;
-use crate::model::Singularity;
+use crate::model::{Point, Singularity};
 use crate::no_solution::NoSolution;
 
 /// Why a motion should not be sent: what it would exceed, and where on its way.
@@ -168,6 +167,19 @@ pub enum Way {
 
 /// What is exceeded, and at which share of the way.
 pub(crate) type Found = (Exceeded, f64);
+
+impl Exceeded {
+    /// The same where the arm stops after a set-point.
+    pub(crate) fn at_stop(self) -> Self {
+        match self {
+            Self::JointRange { joint, position_deg, limit_deg } => {
+                Self::LandingRange { joint, end_deg: position_deg, limit_deg }
+            }
+            Self::Region { name, point, by_mm, .. } => Self::LandingRegion { name, point, by_mm },
+            other => other,
+        }
+    }
+}
 
 impl From<NoSolution> for Exceeded {
     fn from(reason: NoSolution) -> Self {

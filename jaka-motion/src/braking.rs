@@ -157,3 +157,8 @@ impl Stop {
         (0.0..=ramp).contains(&seconds).then(|| self.from.after(seconds, jerk).position)
     }
 }
+
+/// How long the joint takes that stops the last, in seconds.
+pub(crate) fn longest_stop(stops: &[Stop; 6]) -> f64 {
+    stops.iter().map(Stop::seconds).fold(0.0, f64::max)
+}

@@ -1,40 +1,44 @@
 //! Motions compared with limits.
 
-mod amounts;
-#[cfg(feature = "generator")]
-mod branch;
-mod clear;
-mod end_move;
+mod arm;
 mod follow;
-mod joint_way;
-mod landing;
-mod led;
-mod pace;
+mod limited_points;
 mod path;
 mod piece_end;
-mod pieces;
-mod points;
-mod set_point;
-mod singularities;
-mod solve;
-#[cfg(feature = "generator")]
-mod stops;
-#[cfg(feature = "generator")]
-mod tool_rates;
+mod placed_regions;
+mod radii;
+mod room_to_stop;
+mod solved;
+mod tcp_speed;
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 use nalgebra::Isometry3;
-
-pub(crate) use self::led::Led;
-pub use self::pace::{JointPace, TcpPace};
-use self::points::{POINTS, radii};
-pub(crate) use self::solve::Solved;
 #[cfg(feature = "generator")]
-pub(crate) use self::stops::longest;
+use nalgebra::{UnitQuaternion, Vector3, Vector6};
+
+pub(crate) use self::arm::{Arm, Led};
+use self::follow::Following;
+use self::limited_points::LimitedPoints;
+use self::path::Path;
+use self::piece_end::PieceEnd;
+use self::placed_regions::PlacedRegions;
+use self::room_to_stop::RoomToStop;
+pub(crate) use self::solved::Solved;
+use self::tcp_speed::TcpSpeedLimit;
+use crate::arc::Arc;
 use crate::beyond::{Beyond, Exceeded, Found, Way};
+#[cfg(feature = "generator")]
+use crate::braking::Stop;
 use crate::frames::Frames;
 use crate::limits::Limits;
+#[cfg(feature = "generator")]
+use crate::limits::SingularityClearance;
+use crate::model::Point;
+use crate::pace::{JointPace, TcpPace, above_zero, longest};
+use crate::piece::Piece;
 use crate::transform::Transform;
+#[cfg(feature = "generator")]
+use crate::velocity::{TcpVelocity, VelocityFrame};
 
 /// Compares motions with the limits of an arm, before they are sent.
 ///
@@ -69,18 +73,31 @@ pub struct Checker {
     frames: Frames,
     /// The arm's base, seen from the user frame.
     base: Isometry3<f64>,
-    /// The tool, seen from the flange.
-    tool: Isometry3<f64>,
-    /// The most that each of [`POINTS`] can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
-    radii: [[f64; 6]; 3],
+    /// The model of the limits with the tool of the frames.
+    arm: Arm,
+}
+
+/// By how much a limit may be exceeded without notice, somewhere between the places on a way that are computed.
+impl Checker {
+    /// What is beyond a region by more than this, in mm, is refused.
+    pub const AMOUNT_MM: f64 = 1.0;
+
+    /// What is beyond a joint's range by more than this, in degrees, is refused.
+    pub const AMOUNT_DEG: f64 = 0.1;
+
+    /// What is faster than a speed limit by more than this share of it is refused. The speeds of set-points are means
+    /// over the period.
+    pub const AMOUNT_SPEED: f64 = 0.02;
+
+    /// What is nearer to a singularity than the least distance by more than this is refused.
+    pub const AMOUNT_SINGULARITY: f64 = 0.002;
 }
 
 impl Checker {
     /// For an arm with these limits, and this tool, user frame and mounting.
     pub fn new(limits: Limits, frames: Frames) -> Self {
-        let tool = frames.tool().0;
-        let radii = POINTS.map(|point| radii(&limits.model().links, point, &tool.translation.vector));
-        Self { limits, frames, base: frames.base().0, tool, radii }
+        let arm = Arm::new(limits.model(), frames.tool().0);
+        Self { limits, frames, base: frames.base().0, arm }
     }
 
     /// With another tool, user frame or mounting.
@@ -116,14 +133,19 @@ impl Checker {
     /// singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a controller means its speed then is not
     /// known, so joint speeds are not checked on it, and all the rest is.
     pub fn check_line(&self, from: JointPosition, to: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
-        self.checked(Way::Line, &[from], &[to], || self.line(&from.0, self.in_base(to), pace)).map(JointPosition)
+        let path = || Path::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
+        self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), pace)).map(JointPosition)
     }
 
     /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line) checks a line.
     ///
     /// The tool turns evenly from the start to the middle pose, and from there to the end.
     pub fn check_arc(&self, from: JointPosition, mid: Pose, end: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
-        let check = || self.arc(&from.0, [self.in_base(mid), self.in_base(end)], pace);
+        let check = || {
+            let [mid, end] = [mid, end].map(|pose| Transform(self.in_base(pose)));
+            let arc = Arc::through(Transform(self.arm.tcp(&from.0)), mid, end);
+            self.follow(&from.0, Path::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
+        };
         self.checked(Way::Arc, &[from], &[mid, end], check).map(JointPosition)
     }
 
@@ -133,7 +155,11 @@ impl Checker {
     /// `kine_inverse` (section 4.45) says which it takes, [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more
     /// than once is taken to go to the nearest of the positions that reach the pose.
     pub fn check_end_move(&self, from: JointPosition, to: Pose, pace: JointPace) -> Result<(), Beyond> {
-        self.checked(Way::EndMove, &[from], &[to], || self.end_move(&from.0, to, pace))
+        self.checked(Way::EndMove, &[from], &[to], || {
+            let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), from);
+            let branches = branches.map_err(|reason| (reason.into(), 1.0))?;
+            branches.iter().try_for_each(|joints| self.joint_way(&from.0, &joints.0, pace))
+        })
     }
 
     /// Checks a set-point of joint positions, after the last two and a period in seconds later.
@@ -164,8 +190,43 @@ impl Checker {
         target: Pose,
         period_s: f64,
     ) -> Result<JointPosition, Beyond> {
-        let check = || self.pose_set_point([&before[0].0, &before[1].0], &self.in_base(target), period_s);
-        self.checked(Way::SetPoint, &before, &[target], check).map(JointPosition)
+        self.checked(Way::SetPoint, &before, &[target], || {
+            let (clearance, at_end) = (self.limits.clearance(), |exceeded| (exceeded, 1.0));
+            let joints = self.arm.nearest(&self.in_base(target), &before[1].0).map_err(at_end)?;
+            self.set_point([&before[0].0, &before[1].0], &joints, period_s)?;
+            let [last, here] = [&before[1].0, &joints].map(|joints| self.arm.signed_distances(joints));
+            clearance.check(&last.map(f64::abs), &here.map(f64::abs)).map_err(at_end)?;
+            clearance.check_sides(&last, &here).map_err(at_end)?;
+            Ok(JointPosition(joints))
+        })
+    }
+
+    /// Finds the joint positions that bring the tool to a pose, nearest to others and on the same sides of the
+    /// singularities as these.
+    ///
+    /// # Errors
+    /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's
+    /// range or a region.
+    #[cfg(feature = "generator")]
+    pub fn joints_on_branch(&self, near: JointPosition, pose: Pose) -> Result<JointPosition, Beyond> {
+        let sides = |joints: &JointPosition| self.arm.signed_distances(&joints.0);
+        self.checked(Way::Place, &[near], &[pose], || {
+            let (here, at_end) = (sides(&near), |exceeded| (exceeded, 1.0));
+            let passed = |joints: &JointPosition| SingularityClearance::passed(&here, &sides(joints));
+            let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(pose)), near);
+            let branches = branches.map_err(|reason| at_end(reason.into()))?;
+            let Some(joints) = branches.iter().find(|joints| passed(joints).is_none()) else {
+                let which = branches.first().and_then(passed);
+                let too_near = which.map(|which| self.limits.clearance().too_near(which, 0.0));
+                return Err(at_end(too_near.unwrap_or(Exceeded::NotConfirmed)));
+            };
+            self.place(&joints.0).map(|()| *joints).map_err(at_end)
+        })
+    }
+
+    /// The arm with its tool.
+    pub(crate) fn arm(&self) -> &Arm {
+        &self.arm
     }
 
     /// A pose of the tool, seen from the arm's base.
@@ -173,9 +234,165 @@ impl Checker {
         self.base.inverse() * Transform::from(pose).0
     }
 
-    /// The tool in the arm's base.
-    pub(crate) fn tcp(&self, joints: &[f64; 6]) -> Isometry3<f64> {
-        self.limits.model().links.flange(joints) * self.tool
+    /// A velocity seen from the arm's base, in mm/s and radians a second.
+    #[cfg(feature = "generator")]
+    pub(crate) fn twist_in_base(&self, velocity: &TcpVelocity, joints: &[f64; 6]) -> Vector6<f64> {
+        let turn = match velocity.frame {
+            VelocityFrame::ArmBase => UnitQuaternion::identity(),
+            VelocityFrame::User => self.base.rotation.inverse(),
+            VelocityFrame::Tool => self.arm.tcp(joints).rotation,
+        };
+        let linear = turn * velocity.linear();
+        let angular = turn * Vector3::from(velocity.angular_deg_s.map(f64::to_radians));
+        Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
+    }
+
+    /// Compares a piece of a trajectory with all limits; the share is that of its time. `end` is where the piece before
+    /// ended, if that is known, and then where this one does.
+    pub(crate) fn check_piece(&self, piece: &Piece, end: &mut Option<PieceEnd>) -> Result<(), Found> {
+        let (hull, axes, points, stop) = (piece.hull(), self.limits.axes(), self.points(), self.room_to_stop());
+        axes.check_piece(piece, &hull)?;
+        let (has_regions, stop_s) = (!self.limits.regions().is_empty(), stop.seconds(&hull));
+        let mut is_near = false;
+        if has_regions || self.limits.tcp_speed().is_some() {
+            let [from, to] = piece.ends();
+            let ends = [end.take().unwrap_or_else(|| self.arm.piece_end(&from)), self.arm.piece_end(&to)];
+            self.tcp_speed().check_piece(piece, &hull, &ends)?;
+            is_near = has_regions && !points.are_far(&ends[0], &hull.turned(piece.seconds + stop_s));
+            if is_near {
+                points.check_piece(piece, &hull)?;
+            }
+            let [_, last] = ends;
+            *end = Some(last);
+        }
+        if is_near || !axes.contain_for(&hull, stop_s) { stop.check_piece(piece) } else { Ok(()) }
+    }
+
+    /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, the speed of the
+    /// tool centre point as mean over each period, and that it goes on for no more than `stopping_mm`. Where the arm
+    /// has rested, if it has, counts as within regions.
+    #[cfg(feature = "generator")]
+    pub(crate) fn check_stops(
+        &self,
+        rested: Option<&[f64; 6]>,
+        last: &[f64; 6],
+        stops: &[Stop; 6],
+        (period_s, stopping_mm): (f64, f64),
+    ) -> Result<(), Exceeded> {
+        self.limits.axes().check_stops(stops)?;
+        if !self.limits.regions().is_empty() {
+            let next = stops.map(|stop| stop.at(0.0).position);
+            self.points().check_joint_way(last, &next).map_err(|(exceeded, _)| exceeded)?;
+            self.points().check_stops(rested, stops).map_err(|(exceeded, _)| exceeded.at_stop())?;
+        }
+        self.tcp_speed().check_stops(last, stops, period_s, stopping_mm)
+    }
+
+    /// Whether bounds of the joints on a line with these ends show that joint ranges, singularities and regions are
+    /// clear all along it. Where not, [`check_line`](Self::check_line) tells.
+    pub(crate) fn is_clear_line(&self, joints: &Piece, ends: [&Solved; 2], distances: &[f64; 3]) -> bool {
+        let hull = joints.hull();
+        let turned = hull.turned(joints.seconds);
+        let at_end = self.arm.distances(&ends[1].frames);
+        let between = std::array::from_fn(|index| f64::midpoint(distances[index], at_end[index]));
+        self.limits.axes().contain(&hull)
+            && self.keeps_apart(&between, &turned.map(|turned| 0.5 * turned))
+            && self.points().are_clear_on_line(ends, &turned)
+    }
+
+    /// Whether joints that turn by at most so many radians keep apart from singularities, for the distances before.
+    pub(crate) fn keeps_apart(&self, distances: &[f64; 3], turned: &[f64; 6]) -> bool {
+        self.limits.clearance().is_kept(distances, &self.arm.radii().distances_change(turned))
+    }
+
+    /// Checks that joint positions between two others are not nearer to a singularity than both of these and the least
+    /// distance, but for the stated amount.
+    pub(crate) fn no_nearer_to_singularities(&self, ends: [&[f64; 6]; 2], here: &[f64; 6]) -> Result<(), Exceeded> {
+        let [one, other, here] = [ends[0], ends[1], here].map(|joints| self.arm.distances(&self.arm.frames(joints)));
+        let least = std::array::from_fn(|index| one[index].min(other[index]) - Self::AMOUNT_SINGULARITY);
+        self.limits.clearance().check(&least, &here)
+    }
+
+    /// Seconds for which the joints can go on at these rates until something is in the way, if they are fewer than
+    /// `length`; and what is in the way.
+    #[cfg(feature = "generator")]
+    pub(crate) fn room_along(&self, from: &[f64; 6], rates: &[f64; 6], length: f64) -> Option<(f64, Exceeded)> {
+        let (axes, clearance) = (self.limits.axes(), self.limits.clearance());
+        let at = |share: f64| std::array::from_fn(|index| from[index] + share * length * rates[index]);
+        let regions = self.points().check_joint_way(from, &at(1.0)).err();
+        let ranges = (0..6).filter_map(|index| axes.room(index, from[index], rates[index]));
+        let start = self.arm.signed_distances(from);
+        let singularities = clearance.room(start, |share| self.arm.signed_distances(&at(share)));
+        let in_seconds = singularities.map(|(share, exceeded)| (share * length, exceeded));
+        let regions = regions.map(|(exceeded, share)| (share * length, exceeded));
+        let all = ranges.chain(regions).chain(in_seconds).filter(|(room, _)| *room < length);
+        all.min_by(|one, other| one.0.total_cmp(&other.0))
+    }
+
+    /// What is exceeded at the end of a way.
+    pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
+        Beyond { exceeded, way, share: 1.0, model: self.limits.model().name() }
+    }
+
+    /// Checks joint ranges and regions.
+    fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
+        // No start is beyond the ranges: a place is not a motion that leads back.
+        self.limits.axes().check_positions(joints, self.limits.joint_min())?;
+        self.points().check_place(joints)
+    }
+
+    fn joint_way(&self, from: &[f64; 6], to: &[f64; 6], pace: JointPace) -> Result<(), Found> {
+        let (axes, at_end) = (self.limits.axes(), |exceeded| (exceeded, 1.0));
+        pace.check().map_err(at_end)?;
+        // Each joint turns one way only, so what holds at both ends holds between them.
+        axes.check_positions(to, from).map_err(at_end)?;
+        let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
+        if longest(&moved) > 0.0 {
+            axes.check_pace(&moved, pace).map_err(at_end)?;
+            self.tcp_speed().check_joint_way(from, &moved, pace)?;
+        }
+        self.points().check_joint_way(from, to)
+    }
+
+    /// Checks a path of the tool, and returns the joint positions at its end.
+    fn follow(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
+        let at_end = |exceeded| (exceeded, 1.0);
+        pace.check(self.arm.reach_mm()).map_err(at_end)?;
+        self.tcp_speed().check(pace.speed_mm_s).map_err(at_end)?;
+        if let Err(unreached @ Exceeded::OutOfReach { .. }) = self.arm.any_branch(&path.at(1.0), from) {
+            return Err(at_end(unreached));
+        }
+        let tcp = |share| path.at(share).translation.vector.into();
+        self.regions().check_way(Point::Tcp, pace.tolerance_mm, path.course(), tcp)?;
+        Following::new(&self.arm, &self.limits, self.regions(), from, path, pace).follow()
+    }
+
+    fn set_point(&self, [before, last]: [&[f64; 6]; 2], target: &[f64; 6], period_s: f64) -> Result<(), Found> {
+        let (axes, at_end) = (self.limits.axes(), |exceeded| (exceeded, 1.0));
+        above_zero("period", period_s).map_err(at_end)?;
+        axes.check_positions(target, last).map_err(at_end)?;
+        let moved: [f64; 6] = std::array::from_fn(|index| target[index] - last[index]);
+        let moved_before: [f64; 6] = std::array::from_fn(|index| last[index] - before[index]);
+        axes.check_step(&moved, &moved_before, period_s).map_err(at_end)?;
+        self.tcp_speed().check_step(last, target, period_s).map_err(at_end)?;
+        self.points().check_joint_way(last, target)?;
+        self.room_to_stop().check_step(last, target, period_s).map_err(at_end)
+    }
+
+    fn regions(&self) -> PlacedRegions<'_> {
+        PlacedRegions { regions: self.limits.regions(), base: &self.base }
+    }
+
+    fn points(&self) -> LimitedPoints<'_> {
+        LimitedPoints { arm: &self.arm, regions: self.regions() }
+    }
+
+    fn tcp_speed(&self) -> TcpSpeedLimit<'_> {
+        TcpSpeedLimit { arm: &self.arm, limit_mm_s: self.limits.tcp_speed() }
+    }
+
+    fn room_to_stop(&self) -> RoomToStop<'_> {
+        RoomToStop { axes: self.limits.axes(), points: self.points() }
     }
 
     /// What a check of a way finds, if all of its numbers are finite.
@@ -197,16 +414,6 @@ impl Checker {
         joints.iter().all(|joints| joints.0.iter().all(|joint| joint.is_finite()))
             && poses.iter().all(|pose| frame(&self.in_base(*pose)))
             && frame(&self.base)
-            && frame(&self.tool)
+            && frame(&self.frames.tool().0)
     }
-
-    /// What is exceeded at the end of a way.
-    pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
-        Beyond { exceeded, way, share: 1.0, model: self.limits.model().name() }
-    }
-}
-
-/// A limit, and what rounding adds to a number that is at it.
-fn rounded_up(limit: f64) -> f64 {
-    limit * (1.0 + 1e-9)
 }

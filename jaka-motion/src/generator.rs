@@ -15,8 +15,8 @@ pub use self::error::GeneratorError;
 pub use self::goal::{Bound, Goal, Landing, Step};
 use self::plan::Plan;
 use crate::beyond::{Beyond, Exceeded, Way};
-use crate::braking::{JointLimits, JointState, Stop};
-use crate::checker::{Checker, longest};
+use crate::braking::{JointLimits, JointState, Stop, longest_stop};
+use crate::checker::Checker;
 use crate::limits::InvalidLimit;
 
 /// Makes one set-point a period, on the way to a goal that may change with each of them.
@@ -206,7 +206,7 @@ impl Generator {
     /// Where the arm would come to rest with the goal [`Goal::Rest`], and when.
     pub fn landing(&self) -> Landing {
         let stops = self.stops();
-        Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest(&stops) }
+        Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops) }
     }
 
     /// How often what was computed for a goal did not pass the check of speeds, accelerations and jerks, or nothing was found. The set-point was then one

@@ -17,6 +17,7 @@ mod limits;
 mod links;
 mod model;
 mod no_solution;
+mod pace;
 mod piece;
 mod trajectory;
 mod transform;
@@ -29,7 +30,7 @@ mod tests;
 pub use arc::Arc;
 pub use beyond::{Beyond, Exceeded, Way};
 pub use branches::Branches;
-pub use checker::{Checker, JointPace, TcpPace};
+pub use checker::Checker;
 pub use fit::{Fit, FitError, Tolerance};
 pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;
@@ -39,9 +40,10 @@ pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, S
 pub use jaka_proto as proto;
 #[cfg(feature = "toml")]
 pub use limits::LimitsFileError;
-pub use limits::{InvalidLimit, Limits, Point, Region, RegionFrame};
-pub use model::{DhMismatch, Model, Singularity, SingularityDistance};
+pub use limits::{InvalidLimit, Limits, Region, RegionFrame};
+pub use model::{DhMismatch, Model, Point, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
+pub use pace::{JointPace, TcpPace};
 pub use piece::Sample;
 #[cfg(feature = "trajectory-files")]
 pub use trajectory::TrajectoryFileError;

@@ -1,12 +1,16 @@
 //! What an arm may do.
 
+mod axes;
+mod clearance;
 #[cfg(feature = "toml")]
 mod file;
 mod invalid;
 mod region;
 
+pub(crate) use self::axes::AxisLimits;
+pub(crate) use self::clearance::SingularityClearance;
 pub use self::invalid::InvalidLimit;
-pub use self::region::{Point, Region, RegionFrame};
+pub use self::region::{Region, RegionFrame};
 use crate::model::Model;
 #[cfg(feature = "toml")]
 /// Everything that is wrong with a file of limits, each at its line and column.
@@ -36,12 +40,9 @@ pub use jaka_spec::Errors as LimitsFileError;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     model: Model,
-    joint_min: [f64; 6],
-    joint_max: [f64; 6],
-    joint_speeds: [f64; 6],
-    joint_accelerations: [f64; 6],
+    axes: AxisLimits,
     tcp_speed: Option<f64>,
-    singularity_distance: f64,
+    clearance: SingularityClearance,
     regions: Vec<Region>,
 }
 
@@ -50,7 +51,14 @@ pub struct Limits {
 const SPEED_GAINED: f64 = 0.2 / 0.5;
 /// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a hundred times as fast
 /// as the tool.
-const SINGULARITY_DISTANCE: f64 = 0.01;
+const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
+
+/// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated
+/// amounts, and far above how exactly joint positions are found for a pose.
+pub(crate) const ROUNDING: f64 = 1e-5;
+/// What rounding may add to where a start beyond a limit is: so little that it does not add up over a queue or a
+/// session.
+pub(crate) const START_ROUNDING: f64 = 1e-9;
 
 impl Limits {
     /// What is published for an arm, and where nothing is, careful defaults of ours.
@@ -62,14 +70,11 @@ impl Limits {
     /// - The least distance from a singularity, 0.01, is ours too.
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
-        let (joint_min, joint_max) = model.tighter_range();
+        let ((min, max), speeds) = (model.tighter_range(), *model.joint_speed());
         Self {
-            joint_min,
-            joint_max,
-            joint_speeds: *model.joint_speed(),
-            joint_accelerations: model.joint_speed().map(|speed| SPEED_GAINED * speed),
+            axes: AxisLimits { min, max, speeds, accelerations: speeds.map(|speed| SPEED_GAINED * speed) },
             tcp_speed: None,
-            singularity_distance: SINGULARITY_DISTANCE,
+            clearance: SINGULARITY_DISTANCE,
             regions: Vec::new(),
             model: model.clone(),
         }
@@ -93,7 +98,7 @@ impl Limits {
                 return Err(InvalidLimit::Wider { joint, given, published, unit: "deg", model });
             }
         }
-        (self.joint_min[index], self.joint_max[index]) = (min_deg, max_deg);
+        (self.axes.min[index], self.axes.max[index]) = (min_deg, max_deg);
         Ok(self)
     }
 
@@ -108,7 +113,7 @@ impl Limits {
                 return Err(InvalidLimit::Wider { joint, given, published, unit: "deg/s", model: self.model.name() });
             }
         }
-        self.joint_speeds = deg_s;
+        self.axes.speeds = deg_s;
         Ok(self)
     }
 
@@ -118,7 +123,7 @@ impl Limits {
     /// One is not above 0.
     pub fn with_joint_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint acceleration", &deg_s2)?;
-        self.joint_accelerations = deg_s2;
+        self.axes.accelerations = deg_s2;
         Ok(self)
     }
 
@@ -144,7 +149,7 @@ impl Limits {
         if !(0.0..1.0).contains(&least) {
             return Err(InvalidLimit::NotADistance { given: least });
         }
-        self.singularity_distance = least;
+        self.clearance = SingularityClearance(least);
         Ok(self)
     }
 
@@ -167,22 +172,22 @@ impl Limits {
 
     /// The lower end of each joint's range in degrees.
     pub fn joint_min(&self) -> &[f64; 6] {
-        &self.joint_min
+        &self.axes.min
     }
 
     /// The upper end of each joint's range in degrees.
     pub fn joint_max(&self) -> &[f64; 6] {
-        &self.joint_max
+        &self.axes.max
     }
 
     /// The highest speed of each joint in deg/s.
     pub fn joint_speeds(&self) -> &[f64; 6] {
-        &self.joint_speeds
+        &self.axes.speeds
     }
 
     /// The highest acceleration of each joint in deg/s².
     pub fn joint_accelerations(&self) -> &[f64; 6] {
-        &self.joint_accelerations
+        &self.axes.accelerations
     }
 
     /// The highest speed of the tool centre point in mm/s, if it is limited.
@@ -192,13 +197,28 @@ impl Limits {
 
     /// The least distance from a singularity; 0 for none.
     pub fn singularity_distance(&self) -> f64 {
-        self.singularity_distance
+        self.clearance.0
     }
 
     /// The regions, in the order in which they were added.
     pub fn regions(&self) -> &[Region] {
         &self.regions
     }
+
+    /// Limits of the joints.
+    pub(crate) fn axes(&self) -> &AxisLimits {
+        &self.axes
+    }
+
+    /// The least distance from singularities.
+    pub(crate) fn clearance(&self) -> SingularityClearance {
+        self.clearance
+    }
+}
+
+/// A limit, and what rounding adds to a number that is at it.
+pub(crate) fn rounded_up(limit: f64) -> f64 {
+    limit * (1.0 + 1e-9)
 }
 
 fn index_of(joint: usize) -> Result<usize, InvalidLimit> {

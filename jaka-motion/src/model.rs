@@ -3,12 +3,14 @@
 mod dh;
 mod forward;
 pub(crate) mod inverse;
+mod point;
 mod published;
 mod singularity;
 
 use jaka_proto::messages::types::JointPosition;
 
 pub use self::dh::DhMismatch;
+pub use self::point::Point;
 use self::published::PUBLISHED;
 pub use self::singularity::{Singularity, SingularityDistance};
 use crate::closed_form::{ClosedForm, Precision};

@@ -48,6 +48,16 @@ impl Hull {
         };
         (0..6).all(between)
     }
+
+    /// How far each joint turns at most in so many seconds, in radians.
+    pub(crate) fn turned(&self, seconds: f64) -> [f64; 6] {
+        self.speeds.map(|speed| speed.to_radians() * seconds)
+    }
+
+    /// By how much that changes at most, in radians.
+    pub(crate) fn swung(&self, seconds: f64) -> [f64; 6] {
+        self.accelerations.map(|acceleration| acceleration.to_radians() * seconds * seconds)
+    }
 }
 
 impl Piece {

@@ -2,15 +2,15 @@
 
 use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
-use super::amounts::{BEND_MM, LEAST_STEP};
-use super::pace::TcpPace;
+use super::Checker;
+use super::arm::Arm;
 use super::path::{Path, Piece};
-use super::{Checker, rounded_up};
-use crate::arc::Arc;
+use super::placed_regions::PlacedRegions;
+use super::radii::{BEND_MM, LEAST_STEP};
 use crate::beyond::{Exceeded, Found};
-use crate::limits::Point;
-use crate::model::Singularity;
-use crate::transform::Transform;
+use crate::limits::{Limits, rounded_up};
+use crate::model::{Point, Singularity};
+use crate::pace::TcpPace;
 
 /// A path shorter than this, in mm, only turns the tool.
 const ONLY_TURNS_MM: f64 = 0.1;
@@ -32,8 +32,10 @@ const NEAR: f64 = 0.1;
 const REACH_STEPS: u32 = 64;
 
 /// A line or an arc being checked.
-struct Following<'a> {
-    checker: &'a Checker,
+pub(super) struct Following<'a> {
+    arm: &'a Arm,
+    limits: &'a Limits,
+    regions: PlacedRegions<'a>,
     path: Path,
     tolerance: f64,
     /// How much of the path is done in a second, if that is known.
@@ -59,53 +61,31 @@ struct Sample {
     distances: [f64; 3],
 }
 
-impl Checker {
-    pub(super) fn line(&self, from: &[f64; 6], to: Isometry3<f64>, pace: TcpPace) -> Result<[f64; 6], Found> {
-        self.lead(from, Path::Line { from: Transform(self.tcp(from)), to: Transform(to) }, pace)
-    }
-
-    pub(super) fn arc(
-        &self,
-        from: &[f64; 6],
-        [mid, end]: [Isometry3<f64>; 2],
-        pace: TcpPace,
-    ) -> Result<[f64; 6], Found> {
-        let arc = Arc::through(Transform(self.tcp(from)), Transform(mid), Transform(end));
-        self.lead(from, Path::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
-    }
-
-    fn lead(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
-        let at_end = |exceeded| (exceeded, 1.0);
-        pace.check(self.limits.model().reach_mm() + self.tool.translation.vector.norm()).map_err(at_end)?;
-        if let Some(limit_mm_s) = self.limits.tcp_speed().filter(|limit| pace.speed_mm_s > rounded_up(*limit)) {
-            return Err(at_end(Exceeded::TcpSpeed { speed_mm_s: pace.speed_mm_s, limit_mm_s }));
-        }
-        if let Err(unreached @ Exceeded::OutOfReach { .. }) = self.any_branch(&path.at(1.0), from) {
-            return Err(at_end(unreached));
-        }
-        self.along(Point::Tcp, pace.tolerance_mm, path.course(), |share| path.at(share).translation.vector.into())?;
-        Following::new(self, from, path, pace).follow()
-    }
-}
-
 impl<'a> Following<'a> {
-    fn new(checker: &'a Checker, from: &[f64; 6], path: Path, pace: TcpPace) -> Self {
-        let (model, length_mm) = (checker.limits.model(), path.length_mm());
-        let frames = model.links.frames(from);
-        let least = checker.limits.singularity_distance();
+    pub(super) fn new(
+        arm: &'a Arm,
+        limits: &'a Limits,
+        regions: PlacedRegions<'a>,
+        from: &[f64; 6],
+        path: Path,
+        pace: TcpPace,
+    ) -> Self {
+        let (length_mm, frames, least) = (path.length_mm(), arm.frames(from), limits.singularity_distance());
         Self {
-            checker,
+            arm,
+            limits,
+            regions,
             tolerance: pace.tolerance_mm,
             per_second: (length_mm >= ONLY_TURNS_MM).then(|| pace.speed_mm_s / length_mm),
             start: *from,
-            least: model.distances(&frames).map(|distance| distance.min(least)),
+            least: arm.distances(&frames).map(|distance| distance.min(least)),
             start_frames: frames,
             path,
         }
     }
 
-    /// The joint positions at the end.
-    fn follow(&self) -> Result<[f64; 6], Found> {
+    /// Follows the path, and returns the joint positions at its end.
+    pub(super) fn follow(&self) -> Result<[f64; 6], Found> {
         let pieces = self.path.pieces().ok_or((Exceeded::HalfTurn, 0.0))?;
         let (mut joints, mut share, mut steps) = (self.start, 0.0, 0);
         for piece in &pieces {
@@ -157,18 +137,18 @@ impl<'a> Following<'a> {
     }
 
     fn sample(&self, piece: &Piece, share: f64, guess: &[f64; 6]) -> Option<Sample> {
-        let solved = self.checker.solved(&self.path.at(share), guess)?;
+        let solved = self.arm.solved(&self.path.at(share), guess)?;
         let (moved, turned) = (self.path.velocity(share), piece.turn);
         let rates = solved.rates(&Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z))?;
-        let distances = self.checker.limits.model().distances(&solved.frames);
+        let distances = self.arm.distances(&solved.frames);
         Some(Sample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
     }
 
     /// Checks what holds at each share of the path.
     fn check(&self, here: &Sample) -> Result<(), Found> {
         let there = |exceeded| (exceeded, here.share);
-        self.checker.within_ranges(&here.joints, &self.start).map_err(there)?;
-        self.checker.distances_kept(&self.least, &here.distances).map_err(there)?;
+        self.limits.axes().check_positions(&here.joints, &self.start).map_err(there)?;
+        self.limits.clearance().check(&self.least, &here.distances).map_err(there)?;
         self.check_speeds(here).map_err(there)?;
         for point in [Point::Elbow, Point::Wrist] {
             self.check_point(point, &here.frames).map_err(there)?;
@@ -178,27 +158,27 @@ impl<'a> Following<'a> {
 
     fn check_speeds(&self, here: &Sample) -> Result<(), Exceeded> {
         let Some(per_second) = self.per_second else { return Ok(()) };
-        let limits = self.checker.limits.joint_speeds();
+        let limits = self.limits.joint_speeds();
         let factor = |index: usize| (here.rates[index] * per_second).abs() / limits[index];
         let index = (0..6).fold(0, |worst, index| if factor(index) > factor(worst) { index } else { worst });
         let (speed_deg_s, limit_deg_s) = ((here.rates[index] * per_second).abs(), limits[index]);
         if speed_deg_s <= rounded_up(limit_deg_s) {
             return Ok(());
         }
-        let (which, distance) = nearest_singularity(&here.distances);
+        let (which, distance) = Singularity::nearest(&here.distances);
         let near = (distance < NEAR).then_some(which);
         Err(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near })
     }
 
     fn check_point(&self, point: Point, frames: &[Isometry3<f64>; 6]) -> Result<(), Exceeded> {
         let start = place(point, &self.start_frames);
-        self.checker.beyond_regions(point, Some(&start), &place(point, frames), self.tolerance).map(|_| ())
+        self.regions.check(point, Some(&start), &place(point, frames), self.tolerance).map(|_| ())
     }
 
     /// Whether no joint can have been faster between two samples than its limit by more than the stated amount.
     fn speeds_clear(&self, here: &Sample, next: &Sample) -> bool {
         let Some(per_second) = self.per_second else { return true };
-        let limits = self.checker.limits.joint_speeds();
+        let limits = self.limits.joint_speeds();
         (0..6).all(|index| {
             let (one, other) = (here.rates[index], next.rates[index]);
             let peak = one.abs().max(other.abs()) + 0.5 * (other - one).abs();
@@ -206,13 +186,14 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Whether no singularity can have been nearer between two samples than the least distance by more than the stated amount.
+    /// Whether no singularity can have been nearer between two samples than the least distance, but for the stated
+    /// amount.
     fn singularities_clear(&self, here: &Sample, next: &Sample) -> bool {
         let turned = |index: usize| {
             let moved = (next.joints[index] - here.joints[index]).abs();
             (moved + 2.0 * bend(here, next, index)).to_radians()
         };
-        let changes = self.checker.distances_change(&std::array::from_fn(turned));
+        let changes = self.arm.radii().distances_change(&std::array::from_fn(turned));
         (0..3).all(|index| {
             let least = 0.5 * (here.distances[index] + next.distances[index] - changes[index]);
             self.least[index] <= 0.0 || least >= self.least[index] - Checker::AMOUNT_SINGULARITY
@@ -221,7 +202,7 @@ impl<'a> Following<'a> {
 
     /// Whether elbow or wrist cannot have been beyond a region between two samples by more than the stated amount.
     fn point_clear(&self, piece: &Piece, point: Point, here: &Sample, next: &Sample) -> Result<bool, Found> {
-        if self.checker.regions_of(point).next().is_none() {
+        if !self.regions.limit(point) {
             return Ok(true);
         }
         let step = next.share - here.share;
@@ -232,7 +213,7 @@ impl<'a> Following<'a> {
         }
         let way = [place(point, &here.frames), place(point, &next.frames)];
         let start = place(point, &self.start_frames);
-        for part in self.checker.crossings(point, Some(&start), way, self.tolerance) {
+        for part in self.regions.crossings(point, Some(&start), way, self.tolerance) {
             let share = here.share + part * step;
             let guess =
                 std::array::from_fn(|index| here.joints[index] + part * (next.joints[index] - here.joints[index]));
@@ -244,7 +225,7 @@ impl<'a> Following<'a> {
 
     /// Why the joints cannot follow any further: the path leaves the arm's reach, or it leads through a singularity.
     fn lost(&self, share: f64, joints: &[f64; 6]) -> Found {
-        let short = |share: f64| match self.checker.any_branch(&self.path.at(share), joints) {
+        let short = |share: f64| match self.arm.any_branch(&self.path.at(share), joints) {
             Err(Exceeded::OutOfReach { by_mm }) => Some((by_mm, share)),
             _ => None,
         };
@@ -252,9 +233,7 @@ impl<'a> Following<'a> {
         if let Some((by_mm, share)) = shares.filter_map(short).max_by(|one, other| one.0.total_cmp(&other.0)) {
             return (Exceeded::OutOfReach { by_mm }, share);
         }
-        let model = self.checker.limits.model();
-        let (which, distance) = nearest_singularity(&model.distances(&model.links.frames(joints)));
-        (Exceeded::Singularity { which, distance, least: self.checker.limits.singularity_distance() }, share)
+        (self.limits.clearance().nearest(&self.arm.distances(&self.arm.frames(joints))), share)
     }
 }
 
@@ -291,9 +270,4 @@ fn velocity(point: Point, here: &Sample) -> Vector3<f64> {
         (frame.rotation * Vector3::z()).cross(&(at - frame.translation.vector)) * rate.to_radians()
     });
     parts.sum()
-}
-
-fn nearest_singularity(distances: &[f64; 3]) -> (Singularity, f64) {
-    let distances = Singularity::ALL.into_iter().zip(*distances);
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((Singularity::Wrist, f64::NAN))
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Vector3};
 
-use super::points::Course;
+use super::radii::Course;
 use crate::arc::Arc;
 use crate::transform::Transform;
 

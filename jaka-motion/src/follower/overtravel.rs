@@ -90,7 +90,7 @@ impl Follower {
         let (mut way_mm, mut before) = (0.0, self.trajectory.start());
         let ways = (0..=self.periods(self.duration_s)).map(|place| {
             let joints = self.trajectory.at(self.time_at(place)).joints;
-            way_mm += checker.tcp_distance(&before.0, &joints.0);
+            way_mm += checker.arm().tcp_distance(&before.0, &joints.0);
             before = joints;
             way_mm
         });

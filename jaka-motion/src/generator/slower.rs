@@ -59,8 +59,8 @@ impl Generator {
     fn seems_slow(&self, next: &[JointState; 6]) -> bool {
         let ramp_s = self.ramp_s(next);
         let settled = next.map(|state| state.coasted(ramp_s, ramp_s));
-        let stepped_mm = self.checker.tcp_distance(&self.joints().0, &next.map(|state| state.position));
-        let rate = self.checker.tcp_rate(&settled.map(|state| state.position), &settled.map(|state| state.speed));
+        let stepped_mm = self.checker.arm().tcp_distance(&self.joints().0, &next.map(|state| state.position));
+        let rate = self.checker.arm().tcp_rate(&settled.map(|state| state.position), &settled.map(|state| state.speed));
         let fast_mm = stepped_mm.max(rate * self.period_s);
         self.checker.limits().tcp_speed().is_none_or(|limit| fast_mm <= USED * limit * self.period_s)
             && [(stepped_mm, next), (rate * self.period_s, &settled)].into_iter().all(|(stepped_mm, states)| {
@@ -71,6 +71,6 @@ impl Generator {
     /// How far the tool gets from these states to rest, as the crow flies, in mm.
     fn stop_mm(&self, from: &[JointState; 6]) -> f64 {
         let ends = std::array::from_fn(|index| Stop::of(from[index], self.limits[index]).end());
-        self.checker.tcp_distance(&from.map(|state| state.position), &ends)
+        self.checker.arm().tcp_distance(&from.map(|state| state.position), &ends)
     }
 }

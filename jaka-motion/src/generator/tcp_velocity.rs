@@ -21,7 +21,8 @@ impl Generator {
     pub(super) fn speeds_for(&self, velocity: &TcpVelocity) -> ([f64; 6], Option<Exceeded>) {
         let here = self.joints().0;
         let twist = self.checker.twist_in_base(velocity, &here);
-        let (rates, near) = self.checker.rates(&here, &twist);
+        let (rates, distances) = self.checker.arm().rates(&here, &twist);
+        let near = self.checker.limits().clearance().nearest(&distances);
         let Some(rates) = rates.filter(|rates| finite(*rates)) else { return ([0.0; 6], Some(near)) };
         let (full, too_fast) = self.full_share(velocity, &rates, &near);
         let room = self.checker.room_along(&here, &rates, self.length_to_stop(&rates, full));

@@ -32,7 +32,7 @@ impl Generator {
     /// What the tool allows of these rates, of which the joints allow `most`; none where it is no less.
     pub(super) fn tool_pace(&self, rates: &[f64; 6], most: f64) -> Option<ToolPace> {
         let limit_mm_s = self.checker.limits().tcp_speed()?;
-        let rate_mm = self.checker.tcp_rate(&self.joints().0, rates);
+        let rate_mm = self.checker.arm().tcp_rate(&self.joints().0, rates);
         let fast = most.min(USED * limit_mm_s / rate_mm);
         let way_mm = |share: f64| self.way_to_rest(rates, share, rate_mm);
         let mut shares = (0..CUTS).scan(fast, |share, _| Some(std::mem::replace(share, CUT * *share)));
@@ -57,7 +57,7 @@ impl Generator {
             let from = JointState { speed: share * rates[index], ..JointState::default() };
             Stop::of(from, self.limits[index]).end()
         });
-        share * rate_mm * self.period_s + self.checker.tcp_rate(&self.joints().0, &ends)
+        share * rate_mm * self.period_s + self.checker.arm().tcp_rate(&self.joints().0, &ends)
     }
 
     /// Limits for these speeds, or those that the joints have.

@@ -3,8 +3,8 @@
 use jaka_spec::words::nearest;
 use jaka_spec::{At, Item, Placed, Source};
 
-use super::{InvalidLimit, Limits, LimitsFileError, Point, Region, RegionFrame};
-use crate::model::Model;
+use super::{InvalidLimit, Limits, LimitsFileError, Region, RegionFrame};
+use crate::model::{Model, Point};
 
 impl Limits {
     /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
@@ -113,8 +113,8 @@ fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
     }
     for joint in 1..=6 {
         let [low, high] = [min, max].map(|given| given.map(|given| given[joint - 1]));
-        let low_deg = low.map_or(limits.joint_min[joint - 1], |low| low.value);
-        let high_deg = high.map_or(limits.joint_max[joint - 1], |high| high.value);
+        let low_deg = low.map_or(limits.axes.min[joint - 1], |low| low.value);
+        let high_deg = high.map_or(limits.axes.max[joint - 1], |high| high.value);
         // Each end by itself first, so that an error stands at the one that is wrong.
         let ends = [(low, low_deg, low_deg), (high, high_deg, high_deg), (low.or(high), low_deg, high_deg)];
         for (given, min, max) in ends {
@@ -124,8 +124,8 @@ fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
             }
         }
     }
-    each(file, speeds.as_ref(), limits, |limits| limits.joint_speeds, Limits::with_joint_speeds);
-    each(file, accelerations.as_ref(), limits, |limits| limits.joint_accelerations, Limits::with_joint_accelerations);
+    each(file, speeds.as_ref(), limits, |limits| limits.axes.speeds, Limits::with_joint_speeds);
+    each(file, accelerations.as_ref(), limits, |limits| limits.axes.accelerations, Limits::with_joint_accelerations);
 }
 
 /// One number for each joint.

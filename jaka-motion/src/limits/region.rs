@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::{Point3, Unit, Vector3};
 
 use super::{InvalidLimit, finite};
+use crate::model::Point;
 
 /// Where a point of the arm may be: inside a box, outside of one, or on one side of a plane.
 ///
@@ -17,20 +18,6 @@ pub struct Region {
     shape: Shape,
     point: Point,
     frame: RegionFrame,
-}
-
-jaka_proto::worded! {
-    /// A point of the arm.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub enum Point {
-        /// The tool centre point.
-        Tcp => "tool centre point",
-        /// The end of the upper arm, on the axis of joint 3: the third of
-        /// [`Model::joint_frames`](crate::Model::joint_frames).
-        Elbow => "elbow",
-        /// Where the axes of joints 5 and 6 meet: the fifth of [`Model::joint_frames`](crate::Model::joint_frames).
-        Wrist => "wrist",
-    }
 }
 
 /// From where a region is seen.
@@ -171,16 +158,5 @@ impl Region {
             }
         }
         (enters <= leaves).then_some(f64::midpoint(enters, leaves))
-    }
-}
-
-impl Point {
-    /// The place among the frames of the joints that has it; that of the tool centre point but for the tool.
-    pub(crate) fn frame(self) -> usize {
-        match self {
-            Self::Tcp => 5,
-            Self::Elbow => 2,
-            Self::Wrist => 4,
-        }
     }
 }

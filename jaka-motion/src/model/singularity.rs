@@ -41,6 +41,12 @@ jaka_proto::worded! {
 impl Singularity {
     /// All three, in the order of the joints.
     pub(crate) const ALL: [Self; 3] = [Self::Shoulder, Self::Elbow, Self::Wrist];
+
+    /// The nearest one of these distances, and its distance.
+    pub(crate) fn nearest(distances: &[f64; 3]) -> (Self, f64) {
+        let distances = Self::ALL.into_iter().zip(*distances);
+        distances.min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((Self::Wrist, f64::NAN))
+    }
 }
 
 /// The most rounds of the search for singular values. It takes about ten.

@@ -3,7 +3,7 @@
 use super::line::Line;
 use super::plan::{Bounds, Corner};
 use super::tool_way::TURN_MM;
-use crate::checker::Checker;
+use crate::checker::Arm;
 
 /// A way straight in joint space, or on a straight line of the tool.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,27 +72,27 @@ impl Leg {
     }
 
     /// How fast it may be, and how the joints move at its ends.
-    pub(super) fn survey(&self, budget: &Budget, checker: &Checker) -> Survey {
+    pub(super) fn survey(&self, budget: &Budget, arm: &Arm) -> Survey {
         match &self.way {
             Way::Joints(direction) => {
-                Survey { bounds: self.joint_bounds(direction, budget, checker), ends: [*direction; 2] }
+                Survey { bounds: self.joint_bounds(direction, budget, arm), ends: [*direction; 2] }
             }
             Way::Tool(line) => self.survey_line(line, budget),
         }
     }
 
-    fn joint_bounds(&self, direction: &[f64; 6], budget: &Budget, checker: &Checker) -> Bounds {
+    fn joint_bounds(&self, direction: &[f64; 6], budget: &Budget, arm: &Arm) -> Bounds {
         let least = |limits: &[f64; 6]| smallest(|joint| limits[joint] / direction[joint].abs());
         let bounds = Bounds {
             speed: least(&budget.speeds),
             acceleration: least(&budget.accelerations),
             jerk: least(&budget.jerks),
         };
-        if checker.tcp_rate_at_most(direction) * bounds.speed <= budget.tcp_speed {
+        if arm.radii().tcp_rate_at_most(direction) * bounds.speed <= budget.tcp_speed {
             return bounds;
         }
         let places = places(self.length, TCP_PLACES, [1, 8]);
-        let rates = places.map(|way| checker.tcp_rate(&self.joints_at(direction, way), direction));
+        let rates = places.map(|way| arm.tcp_rate(&self.joints_at(direction, way), direction));
         Bounds { speed: bounds.speed.min(budget.tcp_speed / rates.fold(0.0, f64::max)), ..bounds }
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
 
 use super::tool_way::{Course, Direction, OFF_WAY, in_steps, is_off_at_most, least_share, together};
-use crate::checker::{Checker, Solved};
+use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
 
 /// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it takes.
@@ -39,11 +39,11 @@ impl Line {
         length: f64,
         least: f64,
     ) -> Option<(Self, Solved)> {
-        let distances = checker.distances(start);
+        let (arm, distances) = (checker.arm(), checker.arm().distances(&start.frames));
         let mut line = Self { from: start.tool, direction, parts: Vec::with_capacity(1), distances, is_clear: false };
         let (mut here, mut sample) = (None::<Solved>, line.going(start)?);
         in_steps(length, LONGEST, least, |ends| {
-            here = Some(line.part(checker, ends, here.as_ref().unwrap_or(start), &mut sample)?);
+            here = Some(line.part(arm, ends, here.as_ref().unwrap_or(start), &mut sample)?);
             Some(())
         })?;
         let here = here?;
@@ -83,7 +83,7 @@ impl Line {
     /// Adds the pieces that lead the tool along a course in so many seconds, from where it is; where it then is. None where they are too short.
     pub(super) fn follow(
         &self,
-        checker: &Checker,
+        arm: &Arm,
         course: &Course,
         seconds: f64,
         start: Option<Sample>,
@@ -96,7 +96,7 @@ impl Line {
             let piece = Piece::between(0.0, (to - from) * seconds, &here, &next);
             let is_on_way = |part: f64| {
                 let [way, ..] = course.at(from + part * (to - from), seconds);
-                self.is_at(checker, way, &piece.joints(part))
+                self.is_at(arm, way, &piece.joints(part))
             };
             // At one speed it is the line's own polynomial.
             let is_same = self.parts.len() == 1 && course.is_even();
@@ -110,13 +110,13 @@ impl Line {
     }
 
     /// Whether joints bring the tool to a way of the line, as near as a piece has to: those that are near to the line's own surely do.
-    fn is_at(&self, checker: &Checker, way: f64, joints: &[f64; 6]) -> bool {
+    fn is_at(&self, arm: &Arm, way: f64, joints: &[f64; 6]) -> bool {
         let (part, share) = self.place(way);
         let own = part.joints(share);
         let off = std::array::from_fn(|joint| joints[joint] - own[joint]);
         let turned_deg: f64 = off.iter().map(|off: &f64| off.abs()).sum();
-        let is_near = checker.tcp_rate_at_most(&off) <= 0.9 * OFF_WAY.0 && turned_deg <= 0.9 * OFF_WAY.1;
-        is_near || is_off_at_most(checker, joints, &self.tool(way), OFF_WAY)
+        let is_near = arm.radii().tcp_rate_at_most(&off) <= 0.9 * OFF_WAY.0 && turned_deg <= 0.9 * OFF_WAY.1;
+        is_near || is_off_at_most(arm, joints, &self.tool(way), OFF_WAY)
     }
 
     fn place(&self, way: f64) -> (&Piece, f64) {
@@ -136,14 +136,14 @@ impl Line {
     }
 
     /// Adds the part between two ways, where joints that go on so bring the tool along it; where they are at its end.
-    fn part(&mut self, checker: &Checker, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
+    fn part(&mut self, arm: &Arm, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
         if self.parts.len() > MOST_PARTS {
             return None;
         }
-        let next = checker.led_on(here, &self.tool(to))?;
+        let next = arm.led_on(here, &self.tool(to))?;
         let next_sample = self.going(&next)?;
         let part = Piece::between(from, to - from, sample, &next_sample);
-        if !is_off_at_most(checker, &part.joints(0.5), &self.tool(f64::midpoint(from, to)), OFF_LINE) {
+        if !is_off_at_most(arm, &part.joints(0.5), &self.tool(f64::midpoint(from, to)), OFF_LINE) {
             return None;
         }
         self.parts.push(part);

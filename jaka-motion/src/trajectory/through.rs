@@ -8,7 +8,8 @@ use super::timing::{Timing, lost};
 use super::tool_way::Direction;
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
-use crate::checker::{Checker, Solved, TcpPace};
+use crate::checker::{Checker, Solved};
+use crate::pace::TcpPace;
 
 /// A point of a trajectory, and the way to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -196,7 +197,7 @@ impl Here {
 
     /// The way on a line, if it is one.
     fn lead(&mut self, after: usize, pose: Pose, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
-        let Some(start) = self.solved.take().or_else(|| checker.at_joints(&self.joints)) else {
+        let Some(start) = self.solved.take().or_else(|| checker.arm().at_joints(&self.joints)) else {
             return self.checked_line(after, pose, checker).and_then(|_| Err(lost(after, checker)));
         };
         let (direction, length) = Direction::between(&start.tool, &checker.in_base(pose));

@@ -44,7 +44,7 @@ const TCP_PLACES: u32 = 4;
 
 impl<'a> Timing<'a> {
     pub(super) fn new(legs: &'a [Leg], tolerances: &Tolerances, budget: &'a Budget, checker: &'a Checker) -> Self {
-        let found: Vec<_> = legs.iter().map(|leg| leg.survey(budget, checker)).collect();
+        let found: Vec<_> = legs.iter().map(|leg| leg.survey(budget, checker.arm())).collect();
         let pairs = legs.windows(2).zip(found.windows(2));
         let between = pairs.map(|(legs, found)| legs[0].corner(&legs[1], [&found[0], &found[1]], tolerances, budget));
         let corners = std::iter::once(Corner::STOP).chain(between).chain([Corner::STOP]).collect();
@@ -99,7 +99,7 @@ impl<'a> Timing<'a> {
                     pieces.push(straight(seconds, leg.joints_at(direction, from), ends, [way, 0.0]));
                 }
                 Way::Tool(line) => {
-                    here = line.follow(self.checker, &Course { from, speeds }, seconds, here, pieces);
+                    here = line.follow(self.checker.arm(), &Course { from, speeds }, seconds, here, pieces);
                     here.ok_or_else(|| lost(leg.after, self.checker))?;
                 }
             }
@@ -131,7 +131,7 @@ impl<'a> Timing<'a> {
                 let ends =
                     [line.moving(&there(leg.length - way), 0.0, seconds), next.moving(&there(way), 0.0, seconds)];
                 let first = pieces.len();
-                let followed = ToolWay { frame: next.from, along, seconds }.follow(self.checker, ends, pieces);
+                let followed = ToolWay { frame: next.from, along, seconds }.follow(self.checker.arm(), ends, pieces);
                 followed.ok_or_else(|| lost(leg.after, self.checker))?;
                 self.keep_apart_from_singularities(leg, next, &pieces[first..])
             }
@@ -181,11 +181,12 @@ impl<'a> Timing<'a> {
 
     fn factor_by_tcp(&self, piece: &Piece) -> f64 {
         let most = self.budget.tcp_speed;
-        if most.is_infinite() || self.checker.tcp_rate_at_most(&piece.hull().speeds) <= most {
+        if most.is_infinite() || self.checker.arm().radii().tcp_rate_at_most(&piece.hull().speeds) <= most {
             return 1.0;
         }
         let shares = (0..=TCP_PLACES).map(|place| f64::from(place) / f64::from(TCP_PLACES));
-        let rates = shares.map(|share| piece.at(share)).map(|at| self.checker.tcp_rate(&at.joints.0, &at.velocity));
+        let rates =
+            shares.map(|share| piece.at(share)).map(|at| self.checker.arm().tcp_rate(&at.joints.0, &at.velocity));
         most / rates.fold(0.0, f64::max)
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
-use crate::checker::{Checker, Led};
+use crate::checker::{Arm, Led};
 use crate::piece::{Piece, Sample};
 
 /// How a tool goes straight on, for each unit of the way: mm, and radians about its own axes.
@@ -84,15 +84,14 @@ impl ToolWay {
     }
 
     /// Adds the pieces that lead the tool along, between what the joints do at both ends; none where they are lost.
-    pub(super) fn follow(&self, checker: &Checker, [first, last]: [Sample; 2], pieces: &mut Vec<Piece>) -> Option<()> {
+    pub(super) fn follow(&self, arm: &Arm, [first, last]: [Sample; 2], pieces: &mut Vec<Piece>) -> Option<()> {
         let mut here = first;
         in_steps(1.0, 1.0, least_share(self.seconds), |[from, to]| {
             let seconds = (to - from) * self.seconds;
-            let next = if to < 1.0 { checker.led(&self.at(to), &gone_on(&here, seconds))? } else { last };
+            let next = if to < 1.0 { arm.led(&self.at(to), &gone_on(&here, seconds))? } else { last };
             let piece = Piece::between(0.0, seconds, &here, &next);
-            let is_on_way = |part: f64| {
-                is_off_at_most(checker, &piece.joints(part), &self.at(from + part * (to - from)).tool, OFF_WAY)
-            };
+            let is_on_way =
+                |part: f64| is_off_at_most(arm, &piece.joints(part), &self.at(from + part * (to - from)).tool, OFF_WAY);
             let is_on_way = [0.5, 0.25, 0.75].into_iter().all(is_on_way);
             is_on_way.then(|| {
                 here = next;
@@ -103,8 +102,8 @@ impl ToolWay {
 }
 
 /// Whether joints bring the tool to a place, within mm and degrees.
-pub(super) fn is_off_at_most(checker: &Checker, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
-    let found = checker.tcp(joints);
+pub(super) fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
+    let found = arm.tcp(joints);
     let moved = (tool.translation.vector - found.translation.vector).norm();
     moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }

@@ -23,7 +23,7 @@ pub struct TcpPace {
 }
 
 impl JointPace {
-    pub(super) fn check(&self) -> Result<(), Exceeded> {
+    pub(crate) fn check(&self) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_deg_s)?;
         self.acceleration_deg_s2.map_or(Ok(()), |given| above_zero("acceleration", given))
     }
@@ -31,7 +31,7 @@ impl JointPace {
 
 impl TcpPace {
     /// `reach_mm` is that of the arm with its tool.
-    pub(super) fn check(&self, reach_mm: f64) -> Result<(), Exceeded> {
+    pub(crate) fn check(&self, reach_mm: f64) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_mm_s)?;
         let tolerance = self.tolerance_mm;
         if tolerance.is_finite() && (0.0..=reach_mm).contains(&tolerance) {
@@ -42,6 +42,11 @@ impl TcpPace {
     }
 }
 
-pub(super) fn above_zero(what: &'static str, given: f64) -> Result<(), Exceeded> {
+pub(crate) fn above_zero(what: &'static str, given: f64) -> Result<(), Exceeded> {
     if given.is_finite() && given > 0.0 { Ok(()) } else { Err(Exceeded::Pace { what, given }) }
+}
+
+/// The longest way of a joint, in degrees.
+pub(crate) fn longest(moved: &[f64; 6]) -> f64 {
+    moved.iter().fold(0.0, |longest, moved| longest.max(moved.abs()))
 }

@@ -1,0 +1,117 @@
+//! Bounds of how points of the arm move where joints turn.
+
+use nalgebra::Vector3;
+
+use super::piece_end::PieceEnd;
+use crate::model::{Model, Point};
+use crate::piece::{Hull, Piece};
+
+/// Distances of points from the axes of joints, which bound how far joints move the points.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Radii {
+    /// The most that each point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
+    of: [[f64; 6]; 3],
+    /// That of the model, in mm.
+    reach_mm: f64,
+}
+
+/// How a point goes along a way, whose length is 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Course {
+    /// The most that it moves, in mm.
+    pub(super) rate_mm: f64,
+    /// The most that its speed changes, in mm.
+    pub(super) bend_mm: f64,
+}
+
+/// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's
+/// side by which [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a
+/// sample in it.
+pub(super) const BEND_MM: f64 = 0.1;
+/// The least share of a way between two samples, which bounds their number.
+pub(super) const LEAST_STEP: f64 = 5e-5;
+
+impl Radii {
+    /// For a model with a tool, at this place on its flange.
+    pub(super) fn new(model: &Model, tool: &Vector3<f64>) -> Self {
+        let links = &model.links;
+        let of = Point::ALL.map(|point| {
+            let tool = if point == Point::Tcp { *tool } else { Vector3::zeros() };
+            std::array::from_fn(|joint| {
+                let bars = (joint + 1..=point.frame()).map(|link| links.a[link].hypot(links.d[link])).sum::<f64>();
+                // The last axis is the tool's z axis.
+                bars + if joint == 5 { tool.x.hypot(tool.y) } else { tool.norm() }
+            })
+        });
+        Self { of, reach_mm: model.reach_mm() }
+    }
+
+    fn of(&self, point: Point) -> &[f64; 6] {
+        &self.of[point as usize]
+    }
+
+    /// How far the tool centre point goes at most where the joints turn by these degrees, in mm.
+    pub(crate) fn tcp_rate_at_most(&self, moved: &[f64; 6]) -> f64 {
+        self.of(Point::Tcp).iter().zip(moved).map(|(radius, moved)| radius * moved.abs().to_radians()).sum()
+    }
+
+    /// By how much the distances from singularities change at most where the joints turn by so many radians.
+    pub(crate) fn distances_change(&self, turned: &[f64; 6]) -> [f64; 3] {
+        let wrist: f64 = (1..4).map(|index| turned[index] * self.of(Point::Wrist)[index]).sum();
+        [wrist / self.reach_mm, turned[2], turned[4]]
+    }
+
+    /// How a point goes while the joints turn by at most these radians.
+    pub(super) fn course(&self, point: Point, turned: &[f64; 6]) -> Course {
+        let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
+        for (radius, turned) in self.of(point).iter().zip(turned) {
+            rate_mm += turned * radius;
+            // A turn changes how another joint moves the point: at most by both turns times the outer one's distance.
+            bend_mm += (2.0 * sum + turned) * turned * radius;
+            sum += turned;
+        }
+        Course { rate_mm, bend_mm }
+    }
+
+    /// The same on a way straight in joint space, over these degrees.
+    pub(super) fn course_of_way(&self, point: Point, moved: &[f64; 6]) -> Course {
+        self.course(point, &moved.map(|degrees| degrees.abs().to_radians()))
+    }
+
+    /// The same where the turns themselves change by at most these radians.
+    pub(super) fn course_of_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> Course {
+        let course = self.course(point, turned);
+        let swings: f64 = self.of(point).iter().zip(swung).map(|(radius, swung)| radius * swung).sum();
+        Course { bend_mm: course.bend_mm + swings, ..course }
+    }
+
+    /// The same on a piece.
+    pub(super) fn course_of_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> Course {
+        self.course_of_swings(point, &hull.turned(piece.seconds), &hull.swung(piece.seconds))
+    }
+
+    /// What the speed of the tool centre point is not above on a piece, in mm/s.
+    ///
+    /// If levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree, no
+    /// larger than its Bernstein coefficients. What they change otherwise is at most an eighth of their second
+    /// derivative: the joints' accelerations, and their speeds twice, times the distance from the outermost axis of
+    /// those that count.
+    pub(super) fn tcp_speed_at_most(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> f64 {
+        let speeds: [[f64; 5]; 6] = std::array::from_fn(|joint| piece.speeds(joint).map(f64::to_radians));
+        let moved = |end: usize, index: usize| ends[end].moved(speeds.map(|speed| speed[index]));
+        let (mut largest, mut before) = (0.0_f64, Vector3::zeros());
+        for (index, share) in [0.0, 0.2, 0.4, 0.6, 0.8].into_iter().enumerate() {
+            largest = largest.max((moved(0, index) * (1.0 - share) + before * share).norm());
+            before = moved(1, index);
+        }
+        let (turned, swung) = (hull.turned(piece.seconds), hull.swung(piece.seconds));
+        let (mut bend_mm, mut turns, mut swings) = (0.0, 0.0, 0.0);
+        for (joint, radius) in self.of(Point::Tcp).iter().enumerate() {
+            let (inner, outer) = ((turns, swings), (turns + turned[joint], swings + swung[joint]));
+            let all = |(turns, swings): (f64, f64)| turns * (swings + turns * turns);
+            bend_mm += radius * (all(outer) - all(inner));
+            (turns, swings) = outer;
+        }
+        largest.max(before.norm()) + 0.125 * bend_mm / piece.seconds
+    }
+}

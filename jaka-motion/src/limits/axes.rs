@@ -1,0 +1,191 @@
+//! Limits of the six joints, and how positions and motions of joints compare with them.
+
+use super::{ROUNDING, START_ROUNDING, rounded_up};
+use crate::beyond::{Exceeded, Found};
+#[cfg(feature = "generator")]
+use crate::braking::Stop;
+use crate::pace::{JointPace, longest};
+use crate::piece::bernstein::beyond;
+use crate::piece::{Hull, Piece};
+
+/// Range, speed and acceleration of each joint, in degrees, deg/s and deg/s².
+///
+/// Each range is within that of the model, and not empty; speeds and accelerations are above 0.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct AxisLimits {
+    pub(super) min: [f64; 6],
+    pub(super) max: [f64; 6],
+    pub(super) speeds: [f64; 6],
+    pub(super) accelerations: [f64; 6],
+}
+
+/// What rounding may add to the acceleration of a set-point, in deg/s²: the joint positions have some 16 digits.
+const STEP_ROUNDING: f64 = 1e-6;
+/// What rounding may add to the acceleration on a piece, in deg/s².
+const PIECE_ROUNDING: f64 = 1e-7;
+/// What rounding may add to the number of periods: a stop that takes just as many does not take one more.
+const PERIODS_ROUNDING: f64 = 1e-6;
+
+impl AxisLimits {
+    /// Checks that all joints are within their ranges, or no further beyond than where the motion started.
+    pub(crate) fn check_positions(&self, joints: &[f64; 6], start: &[f64; 6]) -> Result<(), Exceeded> {
+        let (min, max) = (&self.min, &self.max);
+        let least = |index: usize| (min[index] - ROUNDING).min(start[index] - START_ROUNDING);
+        let most = |index: usize| (max[index] + ROUNDING).max(start[index] + START_ROUNDING);
+        let beyond = |index: &usize| joints[*index] < least(*index) || joints[*index] > most(*index);
+        let by = |index: usize| (min[index] - joints[index]).max(joints[index] - max[index]);
+        let furthest = (0..6).filter(beyond).max_by(|one, other| by(*one).total_cmp(&by(*other)));
+        furthest.map_or(Ok(()), |index| {
+            let limit_deg = if joints[index] > max[index] { max[index] } else { min[index] };
+            Err(Exceeded::JointRange { joint: index + 1, position_deg: joints[index], limit_deg })
+        })
+    }
+
+    /// Checks the speed and acceleration of each joint, where the one with the longest way has those of the pace.
+    pub(crate) fn check_pace(&self, moved: &[f64; 6], pace: JointPace) -> Result<(), Exceeded> {
+        let longest = longest(moved);
+        let worst = |most: &[f64; 6]| {
+            let over = |index: usize| moved[index].abs() / longest / most[index];
+            let index = (0..6).fold(0, |worst, index| if over(index) > over(worst) { index } else { worst });
+            (index, moved[index].abs() / longest, most[index])
+        };
+        let (index, part, limit_deg_s) = worst(&self.speeds);
+        let speed_deg_s = part * pace.speed_deg_s;
+        if speed_deg_s > rounded_up(limit_deg_s) {
+            return Err(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near: None });
+        }
+        let (index, part, limit_deg_s2) = worst(&self.accelerations);
+        let Some(acceleration) = pace.acceleration_deg_s2 else {
+            return Err(Exceeded::NoAcceleration { most_deg_s2: limit_deg_s2 / part });
+        };
+        let acceleration_deg_s2 = part * acceleration;
+        if acceleration_deg_s2 > rounded_up(limit_deg_s2) {
+            return Err(Exceeded::JointAcceleration { joint: index + 1, acceleration_deg_s2, limit_deg_s2 });
+        }
+        Ok(())
+    }
+
+    /// Checks the mean speed of each joint over the period of a set-point, and the change of it from the period before.
+    pub(crate) fn check_step(&self, moved: &[f64; 6], before: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
+        let speeds = moved.map(|moved| moved.abs() / period_s);
+        if let Some((joint, speed_deg_s, limit_deg_s)) = first_above(&speeds, &self.speeds, 0.0) {
+            return Err(Exceeded::JointSpeed { joint, speed_deg_s, limit_deg_s, near: None });
+        }
+        let changes: [f64; 6] = std::array::from_fn(|index| (moved[index] - before[index]).abs() / period_s / period_s);
+        let above = first_above(&changes, &self.accelerations, STEP_ROUNDING);
+        above.map_or(Ok(()), |(joint, acceleration_deg_s2, limit_deg_s2)| {
+            Err(Exceeded::JointAcceleration { joint, acceleration_deg_s2, limit_deg_s2 })
+        })
+    }
+
+    /// Checks ranges, speeds and accelerations on a piece, by its hull where that suffices.
+    pub(crate) fn check_piece(&self, piece: &Piece, hull: &Hull) -> Result<(), Found> {
+        let at_most = |found: &[f64; 6], limits: &[f64; 6]| {
+            found.iter().zip(limits).all(|(found, limit)| *found <= rounded_up(*limit))
+        };
+        if self.contain(hull)
+            && at_most(&hull.speeds, &self.speeds)
+            && at_most(&hull.accelerations, &self.accelerations)
+        {
+            return Ok(());
+        }
+        if !piece.is_finite() {
+            return Err((Exceeded::NotFinite, 0.0));
+        }
+        self.check_piece_positions(piece)?;
+        self.check_piece_speeds(piece)?;
+        self.check_piece_accelerations(piece)
+    }
+
+    fn check_piece_positions(&self, piece: &Piece) -> Result<(), Found> {
+        for joint in 0..6 {
+            let (min, max) = (self.min[joint], self.max[joint]);
+            if let Some((share, position_deg)) = beyond(&piece.positions(joint), min - ROUNDING, max + ROUNDING) {
+                let limit_deg = if position_deg > max { max } else { min };
+                return Err((Exceeded::JointRange { joint: joint + 1, position_deg, limit_deg }, share));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_piece_speeds(&self, piece: &Piece) -> Result<(), Found> {
+        for (joint, limit_deg_s) in self.speeds.into_iter().enumerate() {
+            let most = rounded_up(limit_deg_s);
+            if let Some((share, speed)) = beyond(&piece.speeds(joint), -most, most) {
+                let speed_deg_s = speed.abs();
+                return Err((Exceeded::JointSpeed { joint: joint + 1, speed_deg_s, limit_deg_s, near: None }, share));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_piece_accelerations(&self, piece: &Piece) -> Result<(), Found> {
+        for (joint, limit_deg_s2) in self.accelerations.into_iter().enumerate() {
+            let most = rounded_up(limit_deg_s2) + PIECE_ROUNDING;
+            if let Some((share, acceleration)) = beyond(&piece.accelerations(joint), -most, most) {
+                let (joint, acceleration_deg_s2) = (joint + 1, acceleration.abs());
+                return Err((Exceeded::JointAcceleration { joint, acceleration_deg_s2, limit_deg_s2 }, share));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that each joint stops within its range.
+    #[cfg(feature = "generator")]
+    pub(crate) fn check_stops(&self, stops: &[Stop; 6]) -> Result<(), Exceeded> {
+        let (min, max) = (&self.min, &self.max);
+        for (index, stop) in stops.iter().enumerate() {
+            let (least, most) = stop.span();
+            for (end_deg, limit_deg) in [(least, min[index]), (most, max[index])] {
+                if end_deg < min[index] - ROUNDING || end_deg > max[index] + ROUNDING {
+                    return Err(Exceeded::LandingRange { joint: index + 1, end_deg, limit_deg });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the bounds of a piece are within the ranges.
+    pub(crate) fn contain(&self, hull: &Hull) -> bool {
+        hull.is_between(&self.min, &self.max)
+    }
+
+    /// Whether no joint gets to an end of its range where it goes on for some seconds from a piece.
+    pub(crate) fn contain_for(&self, hull: &Hull, seconds: f64) -> bool {
+        let room = hull.speeds.map(|speed| seconds * speed);
+        let least = std::array::from_fn(|joint| self.min[joint] + room[joint]);
+        hull.is_between(&least, &std::array::from_fn(|joint| self.max[joint] - room[joint]))
+    }
+
+    /// Seconds for which a joint could go on with its speed on the way that it takes to stop from a piece.
+    pub(crate) fn seconds_to_stop(&self, hull: &Hull) -> f64 {
+        let needed = hull.speeds.iter().zip(&self.accelerations);
+        0.5 * needed.map(|(speed, acceleration)| speed / acceleration).fold(0.0, f64::max)
+    }
+
+    /// Number of periods in which the joints stop after a step, where the one that takes the longest slows down as much
+    /// as it may, and the others in proportion.
+    pub(crate) fn periods_to_stop(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> f64 {
+        let needed =
+            |index: usize| (target[index] - last[index]).abs() / period_s / period_s / self.accelerations[index];
+        ((0..6).map(needed).fold(0.0, f64::max) - PERIODS_ROUNDING).ceil()
+    }
+
+    /// Seconds at a rate until a joint is at the end of its range, and what it would exceed; none where it does not
+    /// move.
+    #[cfg(feature = "generator")]
+    pub(crate) fn room(&self, index: usize, position: f64, rate: f64) -> Option<(f64, Exceeded)> {
+        let limit_deg = if rate > 0.0 { self.max[index] } else { self.min[index] };
+        let room = (limit_deg - position) / rate;
+        let exceeded = Exceeded::LandingRange { joint: index + 1, end_deg: position, limit_deg };
+        room.is_finite().then_some((room.max(0.0), exceeded))
+    }
+}
+
+/// The joint that is above its limit by the largest factor, with both.
+fn first_above(values: &[f64; 6], limits: &[f64; 6], rounding: f64) -> Option<(usize, f64, f64)> {
+    let above = |index: &usize| values[*index] > rounded_up(limits[*index]) + rounding;
+    let factor = |index: &usize| values[*index] / limits[*index];
+    let index = (0..6).filter(above).max_by(|one, other| factor(one).total_cmp(&factor(other)))?;
+    Some((index + 1, values[index], limits[index]))
+}
