@@ -31,7 +31,7 @@ const BEFORE: usize = 3;
 
 /// How long the program's own observer takes for each packet.
 const OBSERVERS: [(&str, Duration); 2] =
-    [("run_until", Duration::ZERO), ("the same, with an observer that takes 5 ms", Duration::from_millis(5))];
+    [("run under a guard", Duration::ZERO), ("the same, with an observer that takes 5 ms", Duration::from_millis(5))];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let trips = options::number("--trips", 300)?;
@@ -99,7 +99,7 @@ fn guarded(commands: SocketAddr, status: SocketAddr, trips: u32, observer: Durat
     for _ in 0..trips {
         // The input stays high for some packets, at the start of the next motion as well.
         robot.wait_for_input(Numbering::FromZero.cabinet(0).is_low(), Duration::from_secs(5))?;
-        robot.run_until(&motion, Numbering::FromZero.cabinet(0).rises(), Duration::from_secs(5))?.guarded()?;
+        robot.run(&motion.guard(Numbering::FromZero.cabinet(0).rises()), Duration::from_secs(5))?.guarded()?;
     }
     Ok(())
 }

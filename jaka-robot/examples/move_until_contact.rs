@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use jaka_robot::motion::MoveL;
-use jaka_robot::{ForceComponent, ForceLimit, Robot};
+use jaka_robot::{ForceComponent, ForceLimit, Motion as _, Robot};
 use jaka_sim::Contact;
 
 /// How long a motion may take.
@@ -42,7 +42,7 @@ fn touch(robot: &mut Robot) -> Result<(), Box<dyn Error>> {
     let down = MoveL::relative([0.0, 0.0, -40.0, 0.0, 0.0, 0.0], 4.0).acceleration(500.0);
     let contact = ForceLimit::new(ForceComponent::Force, 10.0);
     // Fails where the arm has come to the end without a contact, too.
-    let trip = robot.run_until(&down, contact, MOTION)?.guarded()?;
+    let trip = robot.run(&down.guard(contact), MOTION)?.guarded()?;
     let at = robot.client().get_tcp_pos()?.pose;
     println!(
         "Contact at [{:.1}, {:.1}, {:.1}] mm; the stop was written {:.0?} after the packet.",

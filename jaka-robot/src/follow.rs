@@ -70,11 +70,8 @@ pub struct FollowRun<'r> {
 
 impl<'r> FollowRun<'r> {
     /// Begins a run in a thread of its own.
-    pub(crate) fn begin(
-        led: Led<'r>,
-        (trajectory, config): (&Trajectory, &FollowConfig),
-        guard: Option<SetPointGuard>,
-    ) -> Result<Self, Error> {
+    pub(crate) fn begin(led: Led<'r>, trajectory: &Trajectory, config: &FollowConfig) -> Result<Self, Error> {
+        let guard = config.guard.as_ref().map(|guard| SetPointGuard::new(led.arm, guard)).transpose()?;
         config.check()?;
         let deadline = config.deadline.and_then(|time| led.arm.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));

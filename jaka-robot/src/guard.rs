@@ -31,7 +31,7 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// What ends a motion before its end: conditions, each of which is judged once for each status packet. The first that holds trips the guard.
 ///
 /// An [`InputCondition`], an [`AnalogCondition`], a [`ForceLimit`] or a [`TcpBox`] is a guard by itself; [`when`](Self::when) makes one of any
-/// question about a packet, and [`or`](Self::or) joins two. [`Robot::run_until`](crate::Robot::run_until) runs a motion under a guard.
+/// question about a packet, and [`or`](Self::or) joins two. [`Motion::guard`](crate::Motion::guard) puts a motion under a guard.
 ///
 /// ```
 /// use jaka_robot::{Guard, Numbering, TcpBox};

@@ -40,7 +40,7 @@ pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};
 pub use guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 pub use inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 pub use limits::LimitPolicy;
-pub use motions::{Motion, Path, Target};
+pub use motions::{Guarded, Motion, Path, Run, Target};
 pub use power_steps::PowerStep;
 pub use preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use report::Report;

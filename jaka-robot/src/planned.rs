@@ -16,7 +16,7 @@ use jaka_sync::layer::ClientParts as _;
 
 use self::batch::{Batch, Begin, Frames};
 use self::goal::Goal;
-pub(crate) use self::guarded::GuardedRun;
+use self::guarded::GuardedRun;
 use self::rule::EndRule;
 pub(crate) use self::rule::Grace;
 use self::wait::EndWait;
@@ -24,7 +24,7 @@ use crate::arm::{Arm, SETTLING, Sending};
 use crate::cause::{Consequence, Occurrence};
 use crate::guard::Armed;
 use crate::limits::{Beginning, LimitChecks};
-use crate::{Cause, End, Error, Motion, Report, Rest};
+use crate::{Cause, End, Error, Motion, Report, Rest, Run};
 
 /// Motions that have been started, and how their end is waited for.
 #[derive(Debug)]
@@ -72,6 +72,17 @@ pub(crate) struct Moving<'a> {
 }
 
 impl Moving<'_> {
+    /// Sends a motion, and waits for its end.
+    pub(crate) fn run(mut self, run: &impl Run, timeout: Duration) -> Result<End, Error> {
+        let (motion, guard) = run.motion_and_guard();
+        if let Some(guard) = guard {
+            return GuardedRun { moving: self, guard }.run(motion, timeout);
+        }
+        let since = self.arm.clock().stopwatch();
+        self.send(motion, timeout, None)?;
+        Ok(self.wait(since.left_of(timeout)))
+    }
+
     /// Sends a motion, under a guard if there is one, which lets it out or not.
     pub(crate) fn send<M: Motion>(
         &mut self,

@@ -20,7 +20,7 @@ use crate::limits::LimitChecks;
 use crate::planned::{Moving, Planned};
 use crate::servo_session::Led;
 use crate::{
-    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, RobotStop,
+    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, RobotStop, Run,
 };
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
@@ -140,11 +140,11 @@ impl<S: MotionStatus> Robot<S> {
         Ok(())
     }
 
-    /// Sends a motion and waits for its end.
+    /// Sends a motion and waits for its end; [under a guard](Motion::guard) also for its trip.
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
-    /// was accepted is reported by the [`End`].
+    /// was accepted is reported by the [`End`]. Under a guard also as [`Motion::guard`] says.
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]
@@ -152,10 +152,8 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "move_l")]
     #[doc(alias = "movej")]
     #[doc(alias = "movel")]
-    pub fn run(&mut self, motion: &impl Motion, timeout: Duration) -> Result<End, Error> {
-        let since = self.arm.clock().stopwatch();
-        self.moving().send(motion, timeout, None)?;
-        Ok(self.wait(since.left_of(timeout)))
+    pub fn run(&mut self, motion: &impl Run, timeout: Duration) -> Result<End, Error> {
+        self.moving().run(motion, timeout)
     }
 
     /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.

@@ -18,21 +18,28 @@ use crate::guard::SetPointGuard;
 use crate::servo_session::check_at_least;
 use crate::servo_session::{Led, LentArm};
 use crate::servo_thread::ServoThread;
-use crate::{End, Error, ServoConfig};
+use crate::{End, Error, Guard, ServoConfig};
 
 /// How a [`Stream`] runs.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a stream is begun with it"]
 pub struct StreamConfig {
     servo: ServoConfig,
     dynamics: Option<Dynamics>,
     max_departure_deg: f64,
     max_gap: Duration,
+    guard: Option<Guard>,
 }
 
 impl Default for StreamConfig {
     fn default() -> Self {
-        Self { servo: ServoConfig::new(), dynamics: None, max_departure_deg: 5.0, max_gap: Duration::from_millis(100) }
+        Self {
+            servo: ServoConfig::new(),
+            dynamics: None,
+            max_departure_deg: 5.0,
+            max_gap: Duration::from_millis(100),
+            guard: None,
+        }
     }
 }
 
@@ -69,6 +76,25 @@ impl StreamConfig {
     /// ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;
+        self
+    }
+
+    /// Puts the stream under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first
+    /// set-point that brakes goes out in the next servo period after the packet. [`Guard`] tells what can be expected of
+    /// that, and what not: it is **not a safety function**.
+    ///
+    /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and
+    /// [`ErrorKind::NotGuarded`] (too few packets have come to know their period).
+    ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up
+    /// the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and from each set-point on it lands within
+    /// the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with
+    /// that speed as the limit ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where
+    /// packets stay away for three of their periods, 100 ms at least.
+    pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
+        self.guard = Some(guard.into());
         self
     }
 
@@ -119,7 +145,8 @@ pub struct Stream<'r> {
 
 impl<'r> Stream<'r> {
     /// Begins a stream in a thread of its own.
-    pub(crate) fn begin(led: Led<'r>, config: &StreamConfig, guard: Option<SetPointGuard>) -> Result<Self, Error> {
+    pub(crate) fn begin(led: Led<'r>, config: &StreamConfig) -> Result<Self, Error> {
+        let guard = config.guard.as_ref().map(|guard| SetPointGuard::new(led.arm, guard)).transpose()?;
         config.check()?;
         let config = config.clone();
         let work = move |lent: &mut LentArm, begun: &_| cycle::run(lent, &config, guard.as_ref(), begun);

@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use crate::error::OptionName;
 use crate::servo_session::check_at_least;
-use crate::{Error, ServoConfig};
+use crate::{Error, Guard, ServoConfig};
 
 /// How a trajectory is followed: see [`Robot::start_follow`](crate::Robot::start_follow).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a trajectory is followed with it"]
 pub struct FollowConfig {
     pub(super) servo: ServoConfig,
@@ -16,6 +16,7 @@ pub struct FollowConfig {
     pub(super) deadline: Option<Duration>,
     pub(super) max_departure_deg: f64,
     pub(super) max_gap: Duration,
+    pub(super) guard: Option<Guard>,
 }
 
 impl Default for FollowConfig {
@@ -27,6 +28,7 @@ impl Default for FollowConfig {
             deadline: None,
             max_departure_deg: 5.0,
             max_gap: Duration::from_millis(100),
+            guard: None,
         }
     }
 }
@@ -51,6 +53,27 @@ impl FollowConfig {
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn approach(mut self, speed_deg_s: f64) -> Self {
         self.approach_deg_s = Some(speed_deg_s);
+        self
+    }
+
+    /// Puts the run under a guard: when it trips, the arm is braked along the trajectory, and the run ends with
+    /// [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes goes out in the next servo period after the
+    /// packet. [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`](crate::ErrorKind::GuardTripped) (the guard
+    /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show what it
+    /// needs), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), and
+    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed: it
+    /// says where, and how much).
+    ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where
+    /// packets stay away for three of their periods, 100 ms at least. All of the trajectory is looked at, at its own speed,
+    /// which is the most that a handle can ask for: wherever something were touched, the tool must rest within the
+    /// overtravel, [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An approach is so
+    /// slow that the same holds.
+    pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
+        self.guard = Some(guard.into());
         self
     }
 

@@ -27,7 +27,7 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// rest. All of it is about the tool centre point; other points of a tool that turns may be faster.
 ///
 /// Trajectories and streams (feature `stream`) are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
-/// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `Robot::start_follow_until` and `Robot::stream_until` say how. What such an arm
+/// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `FollowConfig::guard` and `StreamConfig::guard` say how. What such an arm
 /// lags behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
@@ -48,7 +48,7 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// let mut robot = Robot::connect("10.5.5.100")?;
 /// let down = MoveL::relative([0.0, 0.0, -50.0, 0.0, 0.0, 0.0], 5.0).acceleration(500.0);
 /// let contact = ForceLimit::new(ForceComponent::Fz, 10.0).overtravel(0.5);
-/// robot.run_until(&down, contact, Duration::from_secs(20))?.guarded()?;
+/// robot.run(&down.guard(contact), Duration::from_secs(20))?.guarded()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

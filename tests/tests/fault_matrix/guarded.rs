@@ -8,8 +8,8 @@ use std::time::Duration;
 use jaka_robot::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
-    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Numbering, Robot, RobotConfig, ServoConfig,
-    StreamConfig, TripReason,
+    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Motion as _, Numbering, Robot, RobotConfig,
+    ServoConfig, StreamConfig, TripReason,
 };
 use jaka_sim::{Direction, Port, StatusFault};
 use jaka_tests::Configured as _;
@@ -112,7 +112,7 @@ impl<'t> Arm<'t> {
         let target = [START[0], START[1], START[2] + FAR, START[3], START[4], START[5]];
         let motion = JointMove::absolute(target, FAR / SECONDS).acceleration(MOST);
         let clock = clock_of(&self.controller);
-        beside(clock, || self.strike(), || robot.run_until(&motion, INPUT, LONG)).expect("its reply came before")
+        beside(clock, || self.strike(), || robot.run(&motion.guard(INPUT), LONG)).expect("its reply came before")
     }
 
     fn trajectory(&self, robot: &mut Robot) {
@@ -121,7 +121,7 @@ impl<'t> Arm<'t> {
         let points = [TimedPoint::new(0.0, START), TimedPoint::new(SECONDS, end)];
         let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is within them");
         let config = FollowConfig::new().servo(servo());
-        let run = robot.start_follow_until(&trajectory, &config, INPUT).expect("nothing is wrong yet");
+        let run = robot.start_follow(&trajectory, &config.clone().guard(INPUT)).expect("nothing is wrong yet");
         self.strike();
         let end = run.wait();
         let state = self.controller.state();
@@ -141,7 +141,7 @@ impl<'t> Arm<'t> {
         let limits = robot.limits().expect("it has some").limits();
         let dynamics = Dynamics::of(limits).with_speeds([FAR / SECONDS; 6]).expect("they are enough");
         let config = StreamConfig::new().servo(servo()).dynamics(dynamics);
-        let stream = robot.stream_until(&config, INPUT).expect("nothing is wrong yet");
+        let stream = robot.stream(&config.clone().guard(INPUT)).expect("nothing is wrong yet");
         let mut target = stream.joints();
         target[2] += FAR;
         stream.set_joints(target).expect("it runs");

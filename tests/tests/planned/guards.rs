@@ -15,8 +15,8 @@ use jaka_robot::motion::JointMove;
 use jaka_robot::program::StopProgram;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{
-    Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, MotionStatus, NotShown, Numbering, Occurrence, Robot,
-    RobotConfig, TcpBox, TripReason,
+    Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, Motion as _, MotionStatus, NotShown, Numbering,
+    Occurrence, Robot, RobotConfig, TcpBox, TripReason,
 };
 use jaka_sim::{Contact, Fault, Port, StatusFault};
 use jaka_tests::simulated::{beside, until};
@@ -99,7 +99,7 @@ fn disturbed(arm: &Arm, robot: &mut Robot, guard: impl Into<Guard> + Send, distu
         wait_for_motion(arm);
         disturb();
     };
-    beside(arm.clock(), disturb, || robot.run_until(&motion(), guard, LONG).expect("the motion is accepted"))
+    beside(arm.clock(), disturb, || robot.run(&motion().guard(guard), LONG).expect("the motion is accepted"))
 }
 
 /// The arm is at rest, and not where the motion leads.
@@ -127,7 +127,7 @@ fn a_guard_that_holds_before_the_start_sends_nothing() {
     ];
     for (guard, expected) in guards.into_iter().zip([0, 1, 0, 0]) {
         let text = guard.to_string();
-        let end = robot.run_until(&motion(), guard, LONG).expect("that is an end");
+        let end = robot.run(&motion().guard(guard), LONG).expect("that is an end");
         let Evidence::Trip(trip) = end.evidence() else { panic!("{text}: {end:?}") };
         assert!(trip.is_before_start && trip.reaction.is_none() && end.stop.is_none(), "{end:?}");
         assert_eq!((trip.condition, trip.packet.number), (expected, 1), "{text}");
@@ -148,16 +148,16 @@ fn a_guard_that_packets_do_not_show_is_an_error_before_the_start() {
         (the_box.is_entered(), absent("actual_position")),
         (Guard::when("never", |_| false).or(the_box.is_left()), absent("actual_position")),
     ] {
-        let error = robot.run_until(&motion(), guard.clone(), LONG).expect_err("it cannot be judged");
+        let error = robot.run(&motion().guard(guard.clone()), LONG).expect_err("it cannot be judged");
         let ErrorKind::NotShown { what, reason } = error.kind() else { panic!("{guard}: {error:?}") };
         assert_eq!((what, reason), (&guard.to_string(), &expected));
         assert!(!error.may_have_run());
     }
-    let error = robot.run_until(&motion(), IO.tool_analog(1).is_above(2.0), LONG).expect_err("it cannot be read");
+    let error = robot.run(&motion().guard(IO.tool_analog(1).is_above(2.0)), LONG).expect_err("it cannot be read");
     assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::Unfit { .. }, .. }), "{error:?}");
     let odd = TcpBox::from_corners([0.0, f64::NAN, 0.0], [1.0; 3]).is_left();
     for guard in [IO.cabinet(0).is_high().into(), odd] {
-        let error = robot.run_until(&motion(), guard, LONG).expect_err("there is no such thing");
+        let error = robot.run(&motion().guard(guard), LONG).expect_err("there is no such thing");
         assert!(error.is_invalid_argument(), "{error:?}");
     }
     drop(robot);
@@ -168,7 +168,7 @@ fn a_guard_that_packets_do_not_show_is_an_error_before_the_start() {
 fn without_a_known_status_nothing_is_sent_under_a_guard_whatever_is_allowed() {
     let (controller, robot) = HandFed::new(Duration::from_millis(50));
     let mut robot = robot.configured(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits");
-    let error = robot.run_until(&motion(), Guard::when("never", |_| false), LONG).expect_err("no packet has come");
+    let error = robot.run(&motion().guard(Guard::when("never", |_| false)), LONG).expect_err("no packet has come");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     drop(robot);
     assert_eq!(controller.received(), "");
@@ -190,7 +190,7 @@ fn an_input_stops_the_motion() {
     // The stop was told: the next motion goes out, and reaches its target.
     let back = JointMove::absolute([0.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0).acceleration(500.0);
     let guard = IO.tool(1).rises();
-    robot.run_until(&back, guard, LONG).expect("nothing keeps it back").reached().expect("the guard does not trip");
+    robot.run(&back.guard(guard), LONG).expect("nothing keeps it back").reached().expect("the guard does not trip");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1);
 }
 
@@ -208,7 +208,7 @@ fn a_box_and_a_question_stop_the_motion() {
     let (arm, mut robot) = ready();
     let pose = arm.state().tcp_pose;
     let around = TcpBox::from_corners([pose.x - 20.0, pose.y - 20.0, 0.0], [pose.x + 20.0, pose.y + 20.0, 2000.0]);
-    let end = robot.run_until(&motion(), around.is_left(), LONG).expect("the motion is accepted");
+    let end = robot.run(&motion().guard(around.is_left()), LONG).expect("the motion is accepted");
     let trip = trip(end);
     let at = trip.packet.status.actual_position.expect("packets have it");
     assert!((at.x - pose.x).abs().max((at.y - pose.y).abs()) > 20.0, "{at:?}");
@@ -218,7 +218,7 @@ fn a_box_and_a_question_stop_the_motion() {
     let question = Guard::when("joint 1 is beyond 5 deg", |status| {
         status.joint_actual_position.is_some_and(|joints| joints.0[0] > 5.0)
     });
-    let end = robot.run_until(&motion(), question, LONG).expect("the motion is accepted");
+    let end = robot.run(&motion().guard(question), LONG).expect("the motion is accepted");
     assert!(end.guarded().is_ok_and(|trip| trip.text == "joint 1 is beyond 5 deg"));
     assert_stopped_on_the_way(&arm);
 }
@@ -230,7 +230,7 @@ fn what_cannot_be_judged_stops_the_motion() {
         assert!(status.joint_actual_position.is_none_or(|joints| joints.0[0] < 5.0));
         false
     });
-    let end = robot.run_until(&motion(), panics, LONG).expect("the motion is accepted");
+    let end = robot.run(&motion().guard(panics), LONG).expect("the motion is accepted");
     let Evidence::Trip(trip) = end.evidence() else { panic!("{end:?}") };
     assert_eq!(trip.reason, TripReason::Panicked);
     assert!(end.guarded().is_err(), "it is not known whether it holds");
@@ -269,7 +269,7 @@ fn a_status_that_is_silent_or_lost_stops_the_motion() {
 #[test]
 fn the_deadline_stops_the_motion() {
     let (arm, mut robot) = ready();
-    let end = robot.run_until(&motion(), IO.cabinet(1).rises(), Duration::from_millis(800));
+    let end = robot.run(&motion().guard(IO.cabinet(1).rises()), Duration::from_millis(800));
     let end = end.expect("the motion is accepted");
     assert!(end.cause() == Cause::Deadline && matches!(end.stop, Some(Ok(()))), "{end:?}");
     let text = end.reached().expect_err("it was not").to_string();
@@ -347,7 +347,7 @@ fn a_stop_of_the_program_while_the_guard_stops_the_arm_keeps_the_next_motion_bac
         wait_for_stop(&arm);
         stop.stop().expect("the controller accepts it");
     };
-    let run = || robot.run_until(&motion(), IO.cabinet(5).rises(), Duration::from_secs(2)).expect("it is accepted");
+    let run = || robot.run(&motion().guard(IO.cabinet(5).rises()), Duration::from_secs(2)).expect("it is accepted");
     let end = beside(arm.clock(), stop, run);
     assert!(end.cause() == Cause::Deadline && matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_kept_back(&mut robot, &end);
@@ -374,7 +374,7 @@ fn a_refused_motion_is_an_error_and_a_protective_stop_goes_first() {
     let (arm, mut robot) = ready();
     // Beyond what joint 3 of a Zu 5 can do.
     let beyond = JointMove::absolute([0.0, 90.0, 180.0, 90.0, -90.0, 0.0], 25.0);
-    let error = robot.run_until(&beyond, IO.cabinet(1).rises(), LONG).expect_err("it is refused");
+    let error = robot.run(&beyond.guard(IO.cabinet(1).rises()), LONG).expect_err("it is refused");
     assert!(error.is_refused(), "{error:?}");
     assert_eq!(count(&arm, StopProgram::INFO.name), 0);
     let collide = || arm.collide();
@@ -406,7 +406,7 @@ fn a_type_of_packets_that_panics_leaves_no_motion_without_its_guard() {
     let arm = simulated().start();
     let (monitor, client) = (arm.monitor::<Odd>(), arm.client());
     let mut robot = Robot::<Odd>::with_monitor(client, monitor);
-    let end = robot.run_until(&motion(), Guard::when("never", |_| false), LONG).expect("the motion is accepted");
+    let end = robot.run(&motion().guard(Guard::when("never", |_| false)), LONG).expect("the motion is accepted");
     assert!(matches!(end.evidence(), Evidence::Status { unreadable: Some(_), .. }), "{end:?}");
     assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1, "{:?}", names(&arm));

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Numbering, Robot};
+use jaka_robot::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Motion as _, Numbering, Robot};
 use jaka_sim::SimulatedClock;
 use jaka_tests::simulated::beside;
 use jaka_tests::{ClockedSocket, HandFed, LONG};
@@ -115,7 +115,7 @@ fn a_motion_whose_seat_is_lost_says_so_at_once() {
 fn a_motion_under_a_guard_whose_seat_is_lost_says_so_at_once() {
     for loss in LOSSES {
         let (clock, controller, mut robot) = robot();
-        let wait = || robot.run_until(&turn(), input(), LONG);
+        let wait = || robot.run(&turn().guard(input()), LONG);
         let end = lose_the_seat(&clock, controller, loss, true, wait).expect("it was accepted");
         assert!(end.cause() == Cause::CommandsLost, "{loss:?}: {end:?}");
         let stop = end.stop.expect("nobody judges the guard any longer").expect_err("it cannot be sent");

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Trajectory, Via};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Client, FollowConfig, Guard, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
+use jaka_robot::{Client, FollowConfig, Guard, Motion as _, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{CommandWire, TimedMessage, beside};
@@ -155,7 +155,7 @@ fn act(way: Way, robot: &mut Robot) {
             }
         }
         Way::Stream => {
-            let stream = robot.stream_until(&StreamConfig::new().servo(servo), guard()).expect("the arm is ready");
+            let stream = robot.stream(&StreamConfig::new().servo(servo).guard(guard())).expect("the arm is ready");
             stream.set_joints(end).expect("within its range");
             let _ = stream.wait_for_rest(LONG);
         }
@@ -164,11 +164,11 @@ fn act(way: Way, robot: &mut Robot) {
             let checker = robot.limits().expect("it has some");
             let trajectory = Trajectory::through(points).joint_speeds([100.0; 6]).build(checker).expect("within them");
             let config = FollowConfig::new().servo(servo);
-            drop(robot.start_follow_until(&trajectory, &config, guard()).expect("the arm is ready").wait());
+            drop(robot.start_follow(&trajectory, &config.clone().guard(guard())).expect("the arm is ready").wait());
         }
         Way::GuardedRun => {
             let motion = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 600.0], 60.0).acceleration(200.0);
-            drop(robot.run_until(&motion, guard(), LONG));
+            drop(robot.run(&motion.guard(guard()), LONG));
         }
     }
 }

@@ -8,7 +8,8 @@ use std::time::Duration;
 use jaka_robot::jaka_motion::{Checker, Frames};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
-    Cause, Error, FollowConfig, Guard, Numbering, Robot, RobotConfig, ServoConfig, StopHandle, StreamConfig,
+    Cause, Error, FollowConfig, Guard, Motion as _, Numbering, Robot, RobotConfig, ServoConfig, StopHandle,
+    StreamConfig,
 };
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
@@ -159,7 +160,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
         |end: jaka_robot::End| (end.cause(), end.reached().map_or_else(|error| line(&error), |()| String::new()));
     match way {
         Way::Run => robot.run(&motion, LONG).map_or_else(of, motion_end),
-        Way::GuardedRun => robot.run_until(&motion, guard(), LONG).map_or_else(of, motion_end),
+        Way::GuardedRun => robot.run(&motion.guard(guard()), LONG).map_or_else(of, motion_end),
         Way::Session => {
             let mut session = match robot.enter_servo_mode(&servo()) {
                 Ok(session) => session,
@@ -180,7 +181,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
             (Cause::Reached, "nothing ended it".to_owned())
         }
         Way::Stream => {
-            let stream = match robot.stream_until(&StreamConfig::new().servo(servo()), guard()) {
+            let stream = match robot.stream(&StreamConfig::new().servo(servo()).guard(guard())) {
                 Ok(stream) => stream,
                 Err(error) => return of(error),
             };
@@ -196,7 +197,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
         Way::Trajectory => {
             let checker = Checker::new(follow::limits(), Frames::new());
             let trajectory = follow::trajectory(&follow::to_and_fro(), &checker).expect("within the limits");
-            match robot.start_follow_until(&trajectory, &FollowConfig::new().servo(servo()), guard()) {
+            match robot.start_follow(&trajectory, &FollowConfig::new().servo(servo()).guard(guard())) {
                 Ok(run) => motion_end(run.wait()),
                 Err(error) => of(error),
             }

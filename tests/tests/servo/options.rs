@@ -7,8 +7,8 @@ use jaka_robot::jaka_motion::Dynamics;
 use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
-    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Numbering, RobotConfig, ServoConfig,
-    StreamConfig, TcpBox,
+    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Motion as _, Numbering, RobotConfig,
+    ServoConfig, StreamConfig, TcpBox,
 };
 use jaka_tests::{Arm, Configured as _, LONG};
 
@@ -122,9 +122,9 @@ fn an_option_of_a_guard_is_named() {
     ];
     let down = MoveL::relative([0.0, 0.0, -1.0, 0.0, 0.0, 0.0], 1.0).acceleration(100.0);
     for (guard, expected) in guards {
-        assert_eq!(text(robot.run_until(&down, guard.clone(), LONG)), expected);
+        assert_eq!(text(robot.run(&down.guard(guard.clone()), LONG)), expected);
         let robot = &mut robot;
-        assert_eq!(text(robot.stream_until(&StreamConfig::new(), guard)), expected);
+        assert_eq!(text(robot.stream(&StreamConfig::new().guard(guard))), expected);
     }
     assert_not_moved(&arm);
     assert_eq!(arm.state().joint_position, JointPosition::from(START));

@@ -445,7 +445,7 @@ fn a_stream_that_lands_because_of_an_error_takes_no_goals_from_when_it_begins_to
         let (arm, mut robot) = ready_with(soon_stale, limits());
         let (clock, stop) = (arm.clock(), robot.stop_handle());
         let input = Numbering::FromOne.cabinet(1).rises();
-        let stream = robot.stream_until(&config(), input).expect("the arm is ready");
+        let stream = robot.stream(&config().guard(input)).expect("the arm is ready");
         let handle = stream.handle();
         speed_up(&handle, clock);
         let refused = || {
@@ -480,7 +480,7 @@ fn a_wait_for_rest_ends_when_the_landing_begins() {
     let (arm, mut robot) = ready();
     let clock = arm.clock();
     let input = Numbering::FromOne.cabinet(1).rises();
-    let stream = robot.stream_until(&config(), input).expect("the arm is ready");
+    let stream = robot.stream(&config().guard(input)).expect("the arm is ready");
     let handle = stream.handle();
     speed_up(&handle, clock);
     let trip = || {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_robot::motion::{EndMove, JointMove, MoveL};
 use jaka_robot::program::StopProgram;
-use jaka_robot::{Command, Error, ErrorKind, ForceComponent, ForceLimit, NotGuarded, NotShown, Robot};
+use jaka_robot::{Command, Error, ErrorKind, ForceComponent, ForceLimit, Motion as _, NotGuarded, NotShown, Robot};
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 
@@ -40,7 +40,7 @@ fn fz() -> ForceLimit {
 fn penetration(period: Duration, above_mm: f64, overtravel: f64) -> f64 {
     let (arm, mut robot) = above_a_plane(period, above_mm);
     let motion = down(permitted(period, overtravel) - 1e-6);
-    let end = robot.run_until(&motion, fz().overtravel(overtravel), LONG);
+    let end = robot.run(&motion.guard(fz().overtravel(overtravel)), LONG);
     let end = end.unwrap_or_else(|error| panic!("it is slow enough, and the sensor works: {error}"));
     let deepest = arm.deepest_penetration();
     assert!(deepest <= overtravel, "{period:?}, {above_mm} mm above: {deepest} mm");
@@ -75,7 +75,7 @@ fn the_tool_goes_no_further_in_than_is_allowed_at_every_period() {
 fn a_motion_that_is_too_fast_for_the_overtravel_or_of_unknown_speed_is_not_sent() {
     let (arm, mut robot) = above_a_plane(PERIOD, 5.0);
     let before = arm.requests().len();
-    let error = robot.run_until(&down(400.0), fz(), LONG).expect_err("it is too fast");
+    let error = robot.run(&down(400.0).guard(fz()), LONG).expect_err("it is too fast");
     let ErrorKind::NotGuarded { command, reason: NotGuarded::TooFast { speed_mm_s, permitted_mm_s, period, .. } } =
         error.kind()
     else {
@@ -95,12 +95,12 @@ fn a_motion_that_is_too_fast_for_the_overtravel_or_of_unknown_speed_is_not_sent(
     };
     let joints = JointMove::absolute([0.0, 90.0, 90.0, 90.0, -90.0, 0.0], 1.0).acceleration(10.0);
     let end_move = EndMove::new(arm.state().tcp_pose, 1.0);
-    assert_eq!(reason(robot.run_until(&joints, fz(), LONG).expect_err("unknown")), NotGuarded::SpeedUnknown);
-    assert_eq!(reason(robot.run_until(&end_move, fz(), LONG).expect_err("unknown")), NotGuarded::SpeedUnknown);
+    assert_eq!(reason(robot.run(&joints.guard(fz()), LONG).expect_err("unknown")), NotGuarded::SpeedUnknown);
+    assert_eq!(reason(robot.run(&end_move.guard(fz()), LONG).expect_err("unknown")), NotGuarded::SpeedUnknown);
     let unknown = MoveL::relative([0.0, 0.0, -1.0, 0.0, 0.0, 0.0], 1.0);
-    assert_eq!(reason(robot.run_until(&unknown, fz(), LONG).expect_err("unknown")), NotGuarded::BrakingUnknown);
+    assert_eq!(reason(robot.run(&unknown.guard(fz()), LONG).expect_err("unknown")), NotGuarded::BrakingUnknown);
     for limit in [fz().overtravel(0.0), fz().braking(f64::NAN), ForceLimit::new(ForceComponent::Fx, -1.0)] {
-        let error = robot.run_until(&down(1.0), limit, LONG).expect_err("it is not a limit");
+        let error = robot.run(&down(1.0).guard(limit), LONG).expect_err("it is not a limit");
         assert!(error.is_invalid_argument(), "{error:?}");
     }
     assert_eq!(arm.requests().len(), before, "{:?}", names(&arm));
@@ -114,7 +114,7 @@ fn without_a_sensor_that_works_nothing_is_sent() {
         arm.clock().sleep(2 * PERIOD);
     };
     let not_shown = |robot: &mut Robot| {
-        let error = robot.run_until(&down(1.0), fz(), LONG).expect_err("the sensor does not work");
+        let error = robot.run(&down(1.0).guard(fz()), LONG).expect_err("the sensor does not work");
         match error.kind() {
             ErrorKind::NotShown { reason, .. } => reason.clone(),
             _ => panic!("{error:?}"),
@@ -141,7 +141,7 @@ fn a_sensor_that_fails_on_the_way_stops_the_motion() {
         until(arm.clock(), || !arm.state().at_rest);
         arm.set_state(|state| state.torque_sensor.working = false);
     };
-    let end = beside(arm.clock(), fail, || robot.run_until(&down(1.0), fz(), LONG)).expect("the sensor works");
+    let end = beside(arm.clock(), fail, || robot.run(&down(1.0).guard(fz()), LONG)).expect("the sensor works");
     assert_eq!(count(&arm, StopProgram::INFO.name), 1, "{end:?}");
     assert!(end.guarded().is_err());
 }

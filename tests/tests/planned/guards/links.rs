@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
 use jaka_robot::program::StopProgram;
-use jaka_robot::{Cause, Command};
+use jaka_robot::{Cause, Command, Motion as _};
 use jaka_sim::{Direction, LinkFault, Port};
 use jaka_tests::simulated::{beside, until};
 
@@ -75,7 +75,7 @@ fn run(case: Case) {
         arm.set_state(|state| state.digital_inputs[0] = true);
     };
     let since = clock.elapsed();
-    let end = beside(clock, strike, || robot.run_until(&motion, IO.cabinet(1).rises(), DEADLINE));
+    let end = beside(clock, strike, || robot.run(&motion.guard(IO.cabinet(1).rises()), DEADLINE));
     let took = clock.elapsed().saturating_sub(since);
     assert!(took < DEADLINE + 3 * SHORT, "{case:?}: {took:?}");
     let end = end.unwrap_or_else(|error| panic!("{case:?}: the reply came before: {error}"));

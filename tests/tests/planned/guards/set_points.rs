@@ -41,7 +41,7 @@ fn down(arm: &Arm, robot: &Robot, speed: f64) -> Trajectory {
 }
 
 fn refused(arm: &Arm, robot: &mut Robot, trajectory: &Trajectory, limit: ForceLimit) -> (Error, f64) {
-    let error = robot.start_follow_until(trajectory, &FollowConfig::new(), limit).expect_err("it is too fast");
+    let error = robot.start_follow(trajectory, &FollowConfig::new().guard(limit)).expect_err("it is too fast");
     assert_eq!(count(arm, SetServoMode::INFO.name), 0, "{error}");
     assert!(!error.may_have_run());
     match error.kind() {
@@ -71,7 +71,7 @@ fn depth_of_trajectory(period: Duration, phase: f64, overtravel: f64) -> Depth {
     let speed = USED * permitted;
     let (arm, mut robot) = bench(period, 2.0 + phase * speed * period.as_secs_f64());
     let trajectory = down(&arm, &robot, speed);
-    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(overtravel));
+    let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(force(overtravel)));
     let end: End = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
     assert_eq!(end.cause(), Cause::Guard, "{period:?}: {end}");
     assert!(
@@ -108,7 +108,7 @@ fn streamed(period: Duration, phase: f64, overtravel: f64, told: Told) -> Depth 
     let (arm, mut robot) = bench(period, 2.0 + phase * 0.3);
     let clock = arm.clock();
     let target = below(&arm, 20.0);
-    let stream = robot.stream_until(&StreamConfig::new(), force(overtravel)).expect("the sensor works");
+    let stream = robot.stream(&StreamConfig::new().guard(force(overtravel))).expect("the sensor works");
     let (handle, speed) = (stream.handle(), top_speed(&stream));
     let give = || match told {
         Told::Velocity => handle.set_tcp_velocity(downwards(speed), Duration::from_millis(200)),
@@ -179,7 +179,7 @@ fn a_trajectory_that_is_too_fast_somewhere_is_refused_with_the_place_and_the_fig
 fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     let (arm, mut robot) = bench(Duration::from_millis(30), 15.0);
     let trajectory = down(&arm, &robot, 4.0);
-    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), force(1.0)).expect("it is slow enough");
+    let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(force(1.0))).expect("it is slow enough");
     let clock = arm.clock();
     clock.sleep(Duration::from_secs(1));
     arm.link(Port::Status).to_client().hold();
@@ -205,7 +205,7 @@ fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
         let trajectory = down(&arm, &robot, 10.0);
         let input = Guard::from(IO.cabinet(1).rises());
         let guard = if is_limited { input.or(force(2.0)) } else { input };
-        let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+        let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(guard)).expect("it is slow enough");
         arm.clock().sleep(Duration::from_secs(1));
         arm.set_state(|state| state.digital_inputs[0] = true);
         let since = arm.clock().elapsed();
@@ -235,7 +235,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         let fast = down(&arm, &robot, 200.0);
         let permitted = refused(&arm, &mut robot, &fast, limit).1;
         let trajectory = down(&arm, &robot, USED * permitted);
-        let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), limit).expect("it is slow enough");
+        let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(limit)).expect("it is slow enough");
         let end = run.wait();
         assert_eq!(end.cause(), Cause::Guard, "{end}");
         let error = end.error.as_ref().expect("the guard has ended it");
@@ -252,7 +252,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         // Streams, too.
         let (arm, robot) = lagging_above_a_plane(lag, ms(8), 15.0);
         let mut robot = limited(robot);
-        let stream = robot.stream_until(&StreamConfig::new(), limit).expect("the sensor works");
+        let stream = robot.stream(&StreamConfig::new().guard(limit)).expect("the sensor works");
         let target = below(&arm, 20.0);
         while stream.set_pose(target).is_ok() {
             arm.clock().sleep(ms(100));
@@ -268,7 +268,7 @@ fn touched(lag: Duration, speed: f64, guard: Guard) -> End {
     let (arm, robot) = lagging_above_a_plane(lag, Duration::from_millis(8), 15.0);
     let mut robot = limited(robot);
     let trajectory = down(&arm, &robot, speed);
-    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+    let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(guard)).expect("it is slow enough");
     let end = run.wait();
     assert_eq!(end.cause(), Cause::Guard, "{end}");
     end
@@ -300,7 +300,7 @@ fn no_lag_is_told_where_the_condition_that_tripped_has_no_reaction() {
     let mut robot = limited(robot);
     let trajectory = down(&arm, &robot, 4.0);
     let guard = Guard::from(force(1.0).reaction(ms(20))).or(IO.cabinet(1).rises());
-    let run = robot.start_follow_until(&trajectory, &FollowConfig::new(), guard).expect("it is slow enough");
+    let run = robot.start_follow(&trajectory, &FollowConfig::new().guard(guard)).expect("it is slow enough");
     arm.clock().sleep(Duration::from_secs(2));
     arm.set_state(|state| state.digital_inputs[0] = true);
     let end = run.wait();

@@ -17,7 +17,7 @@ use super::{IO, arm_limits, count, limited, names, ready, wait_for_motion};
 fn a_guard_lands_a_stream() {
     let (arm, robot) = ready();
     let mut robot = limited(robot);
-    let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+    let stream = robot.stream(&StreamConfig::new().guard(IO.cabinet(1).is_high())).expect("the input is low");
     let mut target = stream.joints();
     target[0] += 170.0;
     stream.set_joints(target).expect("it is within limits");
@@ -43,14 +43,14 @@ fn a_guard_lands_a_stream() {
 
     // The input is still high: servo mode is not asked for.
     let entered = count(&arm, SetServoMode::INFO.name);
-    let error = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect_err("the input is high");
+    let error = robot.stream(&StreamConfig::new().guard(IO.cabinet(1).is_high())).expect_err("the input is high");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { trip } if trip.is_before_start), "{error:?}");
     assert!(!error.may_have_run());
     let error =
-        robot.stream_until(&StreamConfig::new(), IO.cabinet(1000).is_high()).expect_err("there is no such input");
+        robot.stream(&StreamConfig::new().guard(IO.cabinet(1000).is_high())).expect_err("there is no such input");
     assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::TooShort { .. }, .. }), "{error:?}");
     let error = robot
-        .stream_until(&StreamConfig::new(), ForceLimit::new(ForceComponent::Fz, 1.0))
+        .stream(&StreamConfig::new().guard(ForceLimit::new(ForceComponent::Fz, 1.0)))
         .expect_err("it does not work");
     assert!(matches!(error.kind(), ErrorKind::NotShown { reason: NotShown::SensorOff, .. }), "{error:?}");
     assert_eq!(count(&arm, SetServoMode::INFO.name), entered);
@@ -70,7 +70,7 @@ fn a_guard_that_trips_before_servo_mode_is_entered_keeps_the_arm_out_of_it() {
         arm.set_state(|state| state.digital_inputs[0] = true);
     };
     let guard = IO.cabinet(1).rises();
-    let started = beside(arm.clock(), goes_high, || robot.start_follow_until(&trajectory, &FollowConfig::new(), guard));
+    let started = beside(arm.clock(), goes_high, || robot.start_follow(&trajectory, &FollowConfig::new().guard(guard)));
     let error = started.expect_err("the input went high");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { trip } if trip.is_before_start), "{error:?}");
     assert!(!error.may_have_run());
@@ -82,7 +82,7 @@ fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
     let start = |robot: Robot| robot.configured(&arm_limits().allow_motion_without_status()).expect("it is this arm");
     let (arm, robot) = ready();
     let mut robot = start(robot);
-    let stream = robot.stream_until(&StreamConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+    let stream = robot.stream(&StreamConfig::new().guard(IO.cabinet(1).is_high())).expect("the input is low");
     let mut target = stream.joints();
     target[0] += 170.0;
     stream.set_joints(target).expect("it is within limits");
@@ -99,7 +99,7 @@ fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
     let points = [TimedPoint::new(0.0, at), TimedPoint::new(20.0, far)];
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("it is slow");
     let run =
-        robot.start_follow_until(&trajectory, &FollowConfig::new(), IO.cabinet(1).is_high()).expect("the input is low");
+        robot.start_follow(&trajectory, &FollowConfig::new().guard(IO.cabinet(1).is_high())).expect("the input is low");
     wait_for_motion(&arm);
     arm.status_fault(StatusFault::Silent);
     let end = run.wait();

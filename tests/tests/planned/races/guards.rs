@@ -8,7 +8,8 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_robot::motion::MoveL;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{
-    Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, MotionStatus, Occurrence, Robot,
+    Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, Motion as _, MotionStatus,
+    Occurrence, Robot,
 };
 use jaka_sim::{Controller, Fault, Port};
 use jaka_tests::simulated::beside;
@@ -39,7 +40,7 @@ fn a_guard_that_trips_after_it_was_armed_and_before_the_motion_goes_out_sends_no
         arm.clock().sleep(3 * PERIOD);
     };
     let motion = Hooked { before_sending: &trips, ..Hooked::default() };
-    let end = robot.run_until(&motion, input(), LONG).expect("that is an end");
+    let end = robot.run(&motion.guard(input()), LONG).expect("that is an end");
     let Evidence::Trip(trip) = end.evidence() else { panic!("{:?}", end.cause()) };
     assert!(trip.is_before_start && end.stop.is_none(), "{:?}", end.cause());
     assert_eq!(names(&arm), [""; 0]);
@@ -56,7 +57,7 @@ fn a_status_that_was_silent_after_the_guard_was_armed_sends_nothing_also_when_pa
         arm.clock().sleep(Duration::from_secs(2));
     };
     let motion = Hooked { before_sending: &falls_silent, ..Hooked::default() };
-    let error = robot.run_until(&motion, input(), LONG).expect_err("the guard was not judged for a while");
+    let error = robot.run(&motion.guard(input()), LONG).expect_err("the guard was not judged for a while");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     assert_eq!(names(&arm), [""; 0]);
     // Packets have come again: nothing keeps back the next one.
@@ -72,7 +73,7 @@ fn a_panic_while_a_motion_runs_under_a_guard_stops_the_arm() {
         resume_unwind(Box::new("as it should"));
     };
     let motion = Hooked { once_accepted: &panics, ..Hooked::default() };
-    let unwound = catch_unwind(AssertUnwindSafe(|| robot.run_until(&motion, input(), LONG)));
+    let unwound = catch_unwind(AssertUnwindSafe(|| robot.run(&motion.guard(input()), LONG)));
     assert!(unwound.is_err(), "{unwound:?}");
     assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
     arm.clock().sleep(Duration::from_secs(1));
@@ -86,7 +87,7 @@ fn a_stop_that_could_not_be_written_at_once_leaves_nothing_to_acknowledge() {
     let (arm, mut robot) = arm().with_robot();
     arm.inject_for("joint_move", Fault::Hold);
     set_high_on_the_way(&arm);
-    let end = robot.run_until(&to(FAR), input(), LONG).expect("the reply comes with that to the stop");
+    let end = robot.run(&to(FAR).guard(input()), LONG).expect("the reply comes with that to the stop");
     assert!(end.cause() == Cause::Guard && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     assert_stopped_on_the_way(&arm);
     assert!(robot.unacknowledged().is_none(), "the end has reported the only stop: {:?}", robot.unacknowledged());
@@ -101,7 +102,7 @@ fn a_motion_under_a_guard_whose_reply_does_not_come_is_stopped() {
         if is_refused {
             arm.inject_for("stop_program", refusal("stop_program"));
         }
-        let error = robot.run_until(&to(FAR), input(), Duration::from_secs(1)).expect_err("no reply comes");
+        let error = robot.run(&to(FAR).guard(input()), Duration::from_secs(1)).expect_err("no reply comes");
         assert_eq!(matches!(error.kind(), ErrorKind::NotStopped { .. }), is_refused, "{error:?}");
         assert!(error.may_have_run(), "{error:?}");
         assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
@@ -118,7 +119,7 @@ fn an_error_of_the_controller_under_a_guard_stops_the_arm() {
         controller.set_state(|state| "0x0F0034".clone_into(&mut state.error_code));
     };
     arm.when(|state| state.joint_position.0[0] > 5.0, fails).expect("a thread starts");
-    let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
+    let end = robot.run(&to(FAR).guard(input()), LONG).expect("the motion is accepted");
     assert!(end.cause() == Cause::ControllerError && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
     arm.clock().sleep(Duration::from_secs(1));
@@ -130,7 +131,7 @@ fn a_stop_that_is_refused_ends_the_wait_at_once() {
     let (arm, mut robot) = arm().with_robot();
     arm.inject_for("stop_program", refusal("stop_program"));
     set_high_on_the_way(&arm);
-    let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
+    let end = robot.run(&to(FAR).guard(input()), LONG).expect("the motion is accepted");
     assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{:?}", end.cause());
     assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{:?}", end.cause());
     // The motion takes four seconds.
@@ -148,7 +149,7 @@ fn rest_that_the_controller_does_not_confirm_is_not_told_after_a_trip() {
     arm.inject_for("stop_program", Fault::None);
     arm.inject_always(refusal("get_joint_pos"));
     set_high_on_the_way(&arm);
-    let end = robot.run_until(&to(FAR), input(), LONG).expect("the motion is accepted");
+    let end = robot.run(&to(FAR).guard(input()), LONG).expect("the motion is accepted");
     assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{:?}", end.cause());
     assert!(matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     // It is asked for two seconds, and not without a pause.
@@ -167,7 +168,7 @@ fn the_condition_that_has_held_first_is_told() {
         arm.clock().sleep(3 * PERIOD);
     };
     let motion = Hooked { before_sending: &trips, ..Hooked::default() };
-    let end = robot.run_until(&motion, guard, LONG).expect("that is an end");
+    let end = robot.run(&motion.guard(guard), LONG).expect("that is an end");
     let Evidence::Trip(trip) = end.evidence() else { panic!("{:?}", end.cause()) };
     assert_eq!(trip.condition, 1, "{trip}");
 }
@@ -185,7 +186,7 @@ fn without_packets_in_time_a_motion_under_a_limit_of_force_is_stopped() {
         clock.sleep(silent_from);
         arm.link(Port::Status).to_client().hold();
     };
-    let end = beside(clock, falls_silent, || robot.run_until(&down, limit, LONG)).expect("it is slow enough");
+    let end = beside(clock, falls_silent, || robot.run(&down.guard(limit), LONG)).expect("it is slow enough");
     assert!(end.cause() == Cause::StatusLost && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
     let took = end.report.waited.saturating_sub(silent_from);
     assert!(took < Duration::from_millis(200), "{took:?}");
@@ -203,7 +204,7 @@ fn a_deadline_waits_for_the_reply_to_the_stop_of_a_guard() {
         set_high(&arm);
     };
     let since = arm.clock().elapsed();
-    let end = beside(arm.clock(), trips, || robot.run_until(&to(FAR), input(), deadline));
+    let end = beside(arm.clock(), trips, || robot.run(&to(FAR).guard(input()), deadline));
     let took = arm.clock().elapsed().saturating_sub(since);
     let end = end.expect("the motion is accepted");
     assert!(end.cause() == Cause::Guard && matches!(end.stop, Some(Ok(()))), "{:?}", end.cause());
@@ -245,7 +246,7 @@ fn a_packet_that_nobody_could_judge_keeps_motions_back() {
         arm.clock().sleep(3 * PERIOD);
     };
     let motion = Hooked { before_sending: &panics, ..Hooked::default() };
-    let error = robot.run_until(&motion, input(), LONG).expect_err("a packet was not judged");
+    let error = robot.run(&motion.guard(input()), LONG).expect_err("a packet was not judged");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. } | ErrorKind::StatusUnknown { .. }), "{error:?}");
     // Without a guard, too.
     let error = robot.start(&to(FAR)).expect_err("a packet was not read");

@@ -270,7 +270,7 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
     let (arm, mut robot) = ready();
     let is_low = |packet: &RobotStatus| packet.joint_actual_position.is_some_and(|joints| joints.0[5] < START[5] - 5.0);
     let guard = Guard::when("joint 6 is low", is_low);
-    let run = robot.start_follow_until(&made(&to_and_fro()), &config(), guard.clone()).expect("it is not low yet");
+    let run = robot.start_follow(&made(&to_and_fro()), &config().guard(guard.clone())).expect("it is not low yet");
     let end = run.wait();
     assert_eq!(end.cause(), Cause::Guard, "{end}");
     assert!(
@@ -283,7 +283,7 @@ fn a_guard_stops_it_along_the_trajectory_and_one_that_trips_before_sends_nothing
     arm.set_state(|state| state.joint_position.0[5] = START[5] - 6.0);
     robot.monitor().wait_until(is_low, LONG).expect("packets show it");
     let config = config().approach(20.0);
-    let error = robot.start_follow_until(&made(&to_and_fro()), &config, guard).expect_err("it is low already");
+    let error = robot.start_follow(&made(&to_and_fro()), &config.clone().guard(guard)).expect_err("it is low already");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }) && !error.may_have_run(), "{error:?}");
     assert_eq!(names(&arm).len(), before, "not even a query");
 }
@@ -295,7 +295,7 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let (_arm, mut robot) = lags();
     let there = turned([15.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let curve = Curve::through(&[(0.0, START), (1.0, there)]);
-    let end = robot.start_follow_until(&made(&curve), &patient(), Guard::when("joint 1 is far", far));
+    let end = robot.start_follow(&made(&curve), &patient().guard(Guard::when("joint 1 is far", far)));
     let end = end.expect("it is not far yet").wait();
     assert_eq!((end.cause(), followed(&end).reached), (Cause::Guard, followed(&end).duration), "{end:?}");
     assert!(end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
@@ -304,7 +304,7 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let (arm, mut robot) = lags();
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LONG);
     let config = StreamConfig::new().servo(servo).max_departure(1000.0);
-    let stream = robot.stream_until(&config, Guard::when("joint 1 is far", far)).expect("it is not far yet");
+    let stream = robot.stream(&config.clone().guard(Guard::when("joint 1 is far", far))).expect("it is not far yet");
     stream.set_joints(there).expect("within the limits");
     wait_until(&arm, || stream.joints().max_distance(&JointPosition(there)) <= 0.2);
     let error = stream.land().expect_err("the guard has tripped");

@@ -34,7 +34,7 @@ fn a_trajectory_is_completed_where_the_arm_is_at_its_end_whatever_the_filter() {
 fn a_guard_stops_it_on_its_curve_whatever_the_filter() {
     for filter in filters() {
         let (arm, mut robot, config) = filtered(&filter, 80);
-        let run = robot.start_follow_until(&made(&to_and_fro()), &config, INPUT.cabinet(3).is_high());
+        let run = robot.start_follow(&made(&to_and_fro()), &config.clone().guard(INPUT.cabinet(3).is_high()));
         let run = run.expect("the input is low");
         let rises = arm.clock().elapsed() + Duration::from_secs(1);
         arm.input(DigitalInput::cabinet(3).high_at(rises)).expect("there is such an input");
