@@ -274,7 +274,7 @@ fn ends_of_trajectories_and_of_landings_are_told() {
         let trajectory = way.build(robot.limits().expect("it has some")).expect("within the limits");
         let run = robot.start_follow(&trajectory, &FollowConfig::new()).expect("the arm is at its start");
         arm.clock().sleep(Duration::from_millis(500));
-        run.stop().expect("it runs");
+        run.handle().stop().expect("it runs");
         assert_eq!(run.wait().cause(), Cause::Stopped);
         let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
         session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("it is sent");

@@ -42,9 +42,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     let config = FollowConfig::new().servo(servo).deadline(Duration::from_secs(30));
     let run = robot.start_follow(&trajectory, &config)?;
     sleep(Duration::from_secs(2));
-    run.pause()?;
+    run.handle().pause()?;
     sleep(Duration::from_secs(1));
-    run.resume()?;
+    run.handle().resume()?;
     let end = run.wait();
     let lag = end.report.trajectory.as_ref().and_then(|trajectory| trajectory.lag).map(|lag| lag.delay);
     println!("{} set-points, {} late by half a period, lag {lag:?}", end.report.cycles, end.report.late_cycles);

@@ -28,11 +28,11 @@ fn run() -> Result<(), Box<dyn Error>> {
     // A set-point each 32 ms: an ordinary system holds a thread up for three of them far less often than for 24 ms.
     let servo = ServoConfig::new().step_count(4);
     let stream = robot.stream(&StreamConfig::new().servo(servo))?;
-    let mut target = stream.joints();
+    let mut target = stream.handle().joints();
     let middle = target[5];
     for n in 0..100_u32 {
         target[5] = middle + 10.0 * (f64::from(n) * 0.1).sin();
-        stream.set_joints(target)?;
+        stream.handle().set_joints(target)?;
         sleep(Duration::from_millis(50 + u64::from(n * 37 % 60)));
     }
     let report = stream.land()?.report;

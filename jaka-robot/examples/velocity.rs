@@ -32,11 +32,11 @@ fn run() -> Result<(), Box<dyn Error>> {
     for mm_s in [20.0, -20.0] {
         let up = TcpVelocity { linear_mm_s: [0.0, 0.0, mm_s], angular_deg_s: [0.0; 3], frame: VelocityFrame::User };
         for _ in 0..10 {
-            stream.set_tcp_velocity(up, Duration::from_millis(200))?;
+            stream.handle().set_tcp_velocity(up, Duration::from_millis(200))?;
             sleep(Duration::from_millis(100));
         }
         // Not given again, it ends.
-        stream.wait_for_rest(Duration::from_secs(5))?;
+        stream.handle().wait_for_rest(Duration::from_secs(5))?;
     }
     println!("{} set-points", stream.land()?.report.cycles);
     Ok(())

@@ -54,9 +54,9 @@ use crate::{End, Error};
 /// ];
 /// let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some"))?;
 /// let run = robot.start_follow(&trajectory, &FollowConfig::new().approach(5.0))?;
-/// run.set_speed_scale(0.5)?;
-/// run.pause()?;
-/// run.resume()?;
+/// run.handle().set_speed_scale(0.5)?;
+/// run.handle().pause()?;
+/// run.handle().resume()?;
 /// run.wait().reached()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -86,7 +86,7 @@ impl<'r> FollowRun<'r> {
 }
 
 impl FollowRun<'_> {
-    /// A handle for another thread.
+    /// Handle that pauses, slows and stops the run, in this thread or another.
     pub fn handle(&self) -> FollowHandle {
         self.handle.clone()
     }
@@ -94,15 +94,6 @@ impl FollowRun<'_> {
     /// Waits until the arm is at rest, or it is known that it cannot be brought to rest.
     pub fn wait(mut self) -> End {
         self.thread.join().unwrap_or_else(|error| self.handle.lost(error))
-    }
-}
-
-/// What the handle does, the run does, too.
-impl std::ops::Deref for FollowRun<'_> {
-    type Target = FollowHandle;
-
-    fn deref(&self) -> &FollowHandle {
-        &self.handle
     }
 }
 

@@ -47,7 +47,7 @@ pub use report::Report;
 #[cfg(feature = "stream")]
 pub use report::{FollowLag, TrajectoryReport};
 pub use robot::{Robot, RobotConfig};
-pub use servo_session::{ServoConfig, ServoSession};
+pub use servo_session::{ServoConfig, ServoSession, SessionConfig};
 #[cfg(feature = "stream")]
 pub use stream::{Stream, StreamConfig, StreamHandle};
 

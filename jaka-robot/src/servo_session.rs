@@ -17,6 +17,7 @@ mod rates;
 #[cfg(feature = "realtime")]
 mod realtime;
 mod session;
+mod session_config;
 mod session_end;
 mod set_point;
 mod turn;
@@ -33,8 +34,8 @@ pub(crate) use self::generated::{
 };
 #[cfg(feature = "stream")]
 pub(crate) use self::lag::LagFit;
-use self::rates::Rates;
 pub use self::session::ServoSession;
+pub use self::session_config::SessionConfig;
 #[cfg(feature = "stream")]
 pub(crate) use self::session_end::SessionEnd;
 #[cfg(feature = "stream")]
@@ -43,7 +44,7 @@ use crate::arm::Arm;
 use crate::error::OptionName;
 use crate::limits::LimitChecks;
 
-/// How a [`ServoSession`] runs.
+/// How set-points go out: those of a [`ServoSession`], a stream or a trajectory.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "a configuration does nothing until servo mode is entered with it"]
 pub struct ServoConfig {
@@ -53,7 +54,6 @@ pub struct ServoConfig {
     pub(crate) busy_wait: Duration,
     pub(crate) max_unanswered: Duration,
     rest_timeout: Duration,
-    rates: Rates,
     #[cfg(feature = "realtime")]
     realtime_priority: Option<u8>,
 }
@@ -104,7 +104,6 @@ impl Default for ServoConfig {
             busy_wait: Duration::ZERO,
             max_unanswered: Duration::from_millis(100),
             rest_timeout: Duration::from_secs(1),
-            rates: Rates::default(),
             #[cfg(feature = "realtime")]
             realtime_priority: None,
         }
@@ -172,38 +171,6 @@ impl ServoConfig {
     /// With more, the session ends. It is also how far the arm may still move if the link stalls.
     pub fn max_unanswered(mut self, time: Duration) -> Self {
         self.max_unanswered = time;
-        self
-    }
-
-    /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the
-    /// arm is braked when the session ends, in deg/s²: 720 by default, which the document advises at most (4.7). Any
-    /// other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). If the robot
-    /// has limits, it is braked with their accelerations. From 100 deg/s a landing takes 0.14 s with 720 deg/s², and 10
-    /// s with 10.
-    pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
-        self.rates.joint_acceleration = [acceleration_deg_s2; 6];
-        self
-    }
-
-    /// Sets how fast set-points that are poses may move the tool centre point, in mm/s: 3000 by default, which is ours.
-    /// Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
-    pub fn max_tcp_speed(mut self, speed_mm_s: f64) -> Self {
-        self.rates.tcp_speed = speed_mm_s;
-        self
-    }
-
-    /// Sets how fast the speed of the tool centre point may change from one set-point that is a pose to the next, and with which
-    /// acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at most (4.9).
-    /// Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
-    pub fn max_tcp_acceleration(mut self, acceleration_mm_s2: f64) -> Self {
-        self.rates.tcp_acceleration = acceleration_mm_s2;
-        self
-    }
-
-    /// Sends set-points without comparing them with the ones before: also those that jump. For programs that check them by other means, and
-    /// for controllers whose filter smooths them. The arm is still braked when the session ends, and limits of the robot still hold.
-    pub fn unchecked(mut self) -> Self {
-        self.rates.are_checked = false;
         self
     }
 

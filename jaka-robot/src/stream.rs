@@ -49,8 +49,7 @@ impl StreamConfig {
         Self::default()
     }
 
-    /// Sets how the servo session runs in which set-points go out: their period, the filter, how long entering may take, and more. What it says
-    /// of speeds and accelerations does not matter, since set-points are generated within those of the stream.
+    /// Sets how set-points go out: their period, the filter, how long entering may take, and more.
     pub fn servo(mut self, servo: ServoConfig) -> Self {
         self.servo = servo;
         self
@@ -127,10 +126,11 @@ impl StreamConfig {
 /// let mut robot = Robot::connect("10.5.5.100")?;
 /// robot.configure(&RobotConfig::new().limits(Limits::of(arm)))?;
 /// let stream = robot.stream(&StreamConfig::new())?;
-/// let start = stream.joints();
-/// stream.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;
-/// stream.wait_for_rest(Duration::from_secs(10))?;
-/// stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 10.0], Duration::from_millis(500))?;
+/// let handle = stream.handle();
+/// let start = handle.joints();
+/// handle.set_joints([start[0] + 5.0, start[1], start[2], start[3], start[4], start[5]])?;
+/// handle.wait_for_rest(Duration::from_secs(10))?;
+/// handle.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 10.0], Duration::from_millis(500))?;
 /// let end = stream.land()?;
 /// println!("{} set-points", end.report.cycles);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -157,7 +157,7 @@ impl<'r> Stream<'r> {
 }
 
 impl Stream<'_> {
-    /// A handle for another thread, which gives targets, too.
+    /// Handle that gives targets, in this thread or another.
     pub fn handle(&self) -> StreamHandle {
         self.handle.clone()
     }
@@ -169,15 +169,6 @@ impl Stream<'_> {
     pub fn land(mut self) -> Result<End, Error> {
         self.handle.targets.land();
         self.thread.join()?
-    }
-}
-
-/// What the handle does, the stream does, too.
-impl std::ops::Deref for Stream<'_> {
-    type Target = StreamHandle;
-
-    fn deref(&self) -> &StreamHandle {
-        &self.handle
     }
 }
 

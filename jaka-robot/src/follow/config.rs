@@ -39,8 +39,7 @@ impl FollowConfig {
         Self::default()
     }
 
-    /// Sets how the servo session runs in which set-points go out: their period, the filter, how long entering may take, and more. What it says
-    /// of speeds and accelerations does not matter, since set-points are within the robot's limits.
+    /// Sets how set-points go out: their period, the filter, how long entering may take, and more.
     pub fn servo(mut self, servo: ServoConfig) -> Self {
         self.servo = servo;
         self

@@ -37,7 +37,7 @@ pub(super) fn run(
     let check = |arm: &mut Arm, limits: &mut LimitChecks| {
         start::check((arm, limits), trajectory, config, guard).map(|with| checked = Some(with))
     };
-    let mut session = match ServoSession::enter(lent.led(), &config.servo, check) {
+    let mut session = match ServoSession::lead(lent.led(), &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };

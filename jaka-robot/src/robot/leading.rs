@@ -11,15 +11,15 @@ use crate::ErrorKind;
 use crate::servo_session::ServoSession;
 #[cfg(feature = "stream")]
 use crate::{End, FollowConfig, FollowRun, Stream, StreamConfig};
-use crate::{Error, MotionStatus, ServoConfig};
+use crate::{Error, MotionStatus, SessionConfig};
 
 impl<S: MotionStatus> Robot<S> {
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
     ///
     /// # Errors
     /// As [`ServoSession`] says at "Entering".
-    pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
-        ServoSession::enter(self.led(), config, |_, _| Ok(()))
+    pub fn enter_servo_mode(&mut self, config: impl Into<SessionConfig>) -> Result<ServoSession<'_>, Error> {
+        ServoSession::enter(self.led(), config.into())
     }
 }
 

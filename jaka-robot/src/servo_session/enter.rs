@@ -9,21 +9,37 @@ use jaka_sync::layer::ClientParts as _;
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
-use super::{Led, MOST_STEPS, ServoConfig, ServoSession};
+use super::rates::Rates;
+use super::{Led, MOST_STEPS, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
 
 impl<'r> ServoSession<'r> {
-    /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by then.
-    pub(crate) fn enter(
+    /// Enters servo mode for set-points that a program gives.
+    pub(crate) fn enter(led: Led<'r>, config: SessionConfig) -> Result<Self, Error> {
+        Self::enter_if(led, (&config.servo, config.rates), |_, _| Ok(()))
+    }
+
+    /// Enters servo mode for set-points that are made within the limits of the robot.
+    pub(crate) fn lead(
         led: Led<'r>,
         config: &ServoConfig,
         check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
+        Self::enter_if(led, (config, Rates::default()), check)
+    }
+
+    /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by
+    /// then.
+    fn enter_if(
+        led: Led<'r>,
+        (config, rates): (&ServoConfig, Rates),
+        check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
+    ) -> Result<Self, Error> {
         let Led { arm, limits, has_motions } = led;
         check_step_count(config)?;
-        config.rates.check_themselves()?;
+        rates.check_themselves()?;
         #[cfg(feature = "realtime")]
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
@@ -43,6 +59,7 @@ impl<'r> ServoSession<'r> {
             arm,
             limits,
             config: config.clone(),
+            rates,
             course: Course::unknown(),
             report: Report::of_set_points(),
             rest: Rest::NotSeen,
@@ -79,7 +96,7 @@ impl<'r> ServoSession<'r> {
         let pose = self.arm.position.tcp_pose(timeout)?;
         self.limits.prepare_set_points(self.arm, (start, pose), timeout)?;
         if let Some(accelerations) = self.limits.joint_accelerations() {
-            self.config.rates.joint_acceleration = accelerations;
+            self.rates.joint_acceleration = accelerations;
         }
         Ok(Course::at(start, pose))
     }

@@ -67,7 +67,7 @@ impl ServoSession<'_> {
             // The way on in joints was checked, not that along the line of the poses.
             self.course.go_on_in_joints();
         }
-        StraightOn { rates: self.config.rates, period: self.config.period(), begun: None }
+        StraightOn { rates: self.rates, period: self.config.period(), begun: None }
     }
 
     /// Brakes the arm, and holds it until the status shows it at rest.

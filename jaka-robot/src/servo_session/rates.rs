@@ -6,14 +6,14 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
-use super::ServoConfig;
+use super::SessionConfig;
 use super::set_point::{SetPoint, Step};
 use super::turn::length;
 use crate::Error;
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rates {
+pub(crate) struct Rates {
     /// False if set-points are sent as they are. The arm is braked all the same.
     pub(super) are_checked: bool,
     /// Of each joint, in deg/s².
@@ -99,7 +99,7 @@ impl Rates {
         ];
         let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
         wrong.map_or(Ok(()), |(name, rate, unit)| {
-            Err(ServoConfig::option(name).refuse(rate, format!("a number above 0 {unit}")))
+            Err(SessionConfig::option(name).refuse(rate, format!("a number above 0 {unit}")))
         })
     }
 

@@ -14,6 +14,7 @@ use jaka_sync::layer::{Answers, ClientParts as _, Gate, Stopwatch};
 use super::ServoConfig;
 use super::course::Course;
 use super::pace::{Cycle, Pace};
+use super::rates::Rates;
 #[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
 use super::session_end::SessionEnd;
@@ -32,16 +33,16 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 /// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
 /// been waited for, while servo mode is on already, and where the controller acknowledges servo mode and does not enter
 /// it; with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] where the status is stale,
-/// missing or unreadable, with [`ErrorKind::InvalidOption`] for a [`ServoConfig`] with a value that it does not take,
+/// missing or unreadable, with [`ErrorKind::InvalidOption`] for a configuration with a value that it does not take,
 /// and as [`Client::call`](crate::Client::call). If something fails after servo mode was asked for, it is left again;
 /// [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # Set-points
 /// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be
-/// faster than 180 deg/s, and [`ServoConfig`] says how fast speeds may change. Set-points of poses are compared with
+/// faster than 180 deg/s, and [`SessionConfig`](crate::SessionConfig) says how fast speeds may change. Set-points of poses are compared with
 /// each other. The first step is from standstill. A set-point that is late by a period or more delays all later ones,
 /// and none is skipped. From poses to absolute joint positions there is no way without limits, since it is not known
-/// how far it is. [`ServoConfig::unchecked`] turns these checks off.
+/// how far it is. [`SessionConfig::unchecked`](crate::SessionConfig::unchecked) turns these checks off.
 ///
 /// # Late set-points
 /// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due.
@@ -84,6 +85,7 @@ pub struct ServoSession<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
     pub(super) config: ServoConfig,
+    pub(super) rates: Rates,
     pub(super) pace: Pace,
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
     pub(super) course: Course,
@@ -237,7 +239,7 @@ impl ServoSession<'_> {
     /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm
     /// without a set-point is taken to stand.
     fn stands_within_a_period(&self) -> bool {
-        let rates = &self.config.rates;
+        let rates = &self.rates;
         let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
         !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
     }
@@ -250,10 +252,10 @@ impl ServoSession<'_> {
             let step = self.course.step_to(set_point);
             let before = step.as_ref().and_then(|step| self.course.last_step(step));
             match (step, before) {
-                (Some(step), Some(before)) => self.config.rates.check(&step, &before, period)?,
+                (Some(step), Some(before)) => self.rates.check(&step, &before, period)?,
                 // Only where the pose at the start is not known.
                 _ if !self.course.has_begun() => {}
-                _ => self.config.rates.check_unknown(set_point)?,
+                _ => self.rates.check_unknown(set_point)?,
             }
         }
         let (before, joints) = (self.course.last_joints(), self.course.joints_at(set_point));
@@ -295,7 +297,7 @@ impl ServoSession<'_> {
         let in_joints = self.course.last_joints().zip(joints);
         let step = in_joints.map(|([_, last], joints)| Step::between_joints(last, joints));
         let step = step.or_else(|| self.course.step_to(next));
-        step.is_none_or(|step| self.config.rates.check(&step, &step.scaled(0.0), self.config.period()).is_ok())
+        step.is_none_or(|step| self.rates.check(&step, &step.scaled(0.0), self.config.period()).is_ok())
     }
 
     /// Greatest lateness that is not a gap.

@@ -34,7 +34,7 @@ pub(super) fn run(
         check_shows_joints(arm, timeout)?;
         guard.map_or(Ok(()), SetPointGuard::check_before_start)
     };
-    let mut session = match ServoSession::enter(lent.led(), &config.servo, check) {
+    let mut session = match ServoSession::lead(lent.led(), &config.servo, check) {
         Ok(session) => session,
         Err(error) => return refused(error),
     };

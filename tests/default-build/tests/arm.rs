@@ -4,7 +4,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, Config, Robot, ServoConfig};
+use jaka_robot::{SessionConfig, Cause, Config, Robot, ServoConfig};
 use jaka_sim::{Controller, Delays};
 
 /// Timeout for what must happen, however busy the machine is.
@@ -59,7 +59,7 @@ fn each_set_point_of_a_servo_session_arrives() {
     let (controller, mut robot) = connected();
     robot.power_up(LONG).expect("nothing keeps it from being enabled");
     // Late cycles end no session, however late they are: set-points may differ by any step.
-    let config = ServoConfig::new().max_unanswered(LONG).rest_timeout(LONG).unchecked();
+    let config = SessionConfig::new().servo(ServoConfig::new().max_unanswered(LONG).rest_timeout(LONG)).unchecked();
     let mut session = robot.enter_servo_mode(&config).expect("the arm is at rest");
     for _ in 0..25 {
         session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("servo mode is on");

@@ -8,7 +8,7 @@ use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
 use jaka_robot::power::GetRobotState;
 use jaka_robot::servo::{IsInServomove, IsInServomoveReply, ServoJ, SetServoMode};
 use jaka_robot::types::Switch;
-use jaka_robot::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, ServoSession};
+use jaka_robot::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, ServoSession, SessionConfig};
 use serde_json::json;
 
 use super::account::{Connection, Fate};
@@ -46,7 +46,7 @@ pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
     }
-    let config = ServoConfig::new().enter_timeout(ENTER).unchecked();
+    let config = SessionConfig::new().servo(ServoConfig::new().enter_timeout(ENTER)).unchecked();
     let config = if arm.random.one_in(2) { config.max_unanswered(LONG) } else { config };
     let outcome = match session.robot.enter_servo_mode(&config) {
         Ok(servo) => go_through(arm, servo),

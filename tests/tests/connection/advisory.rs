@@ -2,7 +2,7 @@
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::{Request, Visit};
-use jaka_robot::{AdvisoryRanges, Client, Command, ErrorKind, Robot, ServoConfig};
+use jaka_robot::{AdvisoryRanges, Client, Command, ErrorKind, Robot, SessionConfig};
 use jaka_sync::Error;
 use jaka_tests::{Arm, spec};
 use serde_json::{Map, Value};
@@ -277,7 +277,7 @@ fn the_model_refuses_the_same_in_the_same_words() {
 fn a_servo_session_refuses_it_and_ends() {
     let (controller, client) = ready(AdvisoryRanges::Enforced);
     let mut robot = Robot::new(client, controller.monitor());
-    let config = ServoConfig::new().unchecked();
+    let config = SessionConfig::new().unchecked();
     let refused = |sent: Result<(), jaka_robot::Error>, field: &str| {
         let error = sent.expect_err(field);
         assert_eq!(invalid(error.connection().expect(field)).field, field);

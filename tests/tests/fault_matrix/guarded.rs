@@ -142,9 +142,9 @@ impl<'t> Arm<'t> {
         let dynamics = Dynamics::of(limits).with_speeds([FAR / SECONDS; 6]).expect("they are enough");
         let config = StreamConfig::new().servo(servo()).dynamics(dynamics);
         let stream = robot.stream(&config.clone().guard(INPUT)).expect("nothing is wrong yet");
-        let mut target = stream.joints();
+        let mut target = stream.handle().joints();
         target[2] += FAR;
-        stream.set_joints(target).expect("it runs");
+        stream.handle().set_joints(target).expect("it runs");
         let (handle, clock) = (stream.handle(), clock_of(&self.controller));
         self.strike();
         let since = clock.elapsed();

@@ -66,9 +66,9 @@ fn stream(trouble: &Trouble, arm: &Arm, robot: Robot) -> Result<(), Error> {
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LIMIT / 30);
     let stream = robot.stream(&StreamConfig::new().servo(servo).max_gap(LIMIT)).expect("nothing is wrong yet");
     let since = arm.clock().elapsed();
-    while stream.joints()[2] - START[2] < 5.0 {
+    while stream.handle().joints()[2] - START[2] < 5.0 {
         let velocity = [0.0, 0.0, 60.0, 0.0, 0.0, 0.0];
-        stream.set_joint_velocity(velocity, Duration::from_millis(500)).expect("nothing is wrong yet");
+        stream.handle().set_joint_velocity(velocity, Duration::from_millis(500)).expect("nothing is wrong yet");
         assert!(arm.clock().elapsed().saturating_sub(since) < LIMIT, "{trouble}: it does not move");
         arm.clock().sleep(Duration::from_millis(5));
     }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_robot::servo::{ServoJ, SetServoMode};
-use jaka_robot::{Command, Error, Robot, ServoConfig};
+use jaka_robot::{Command, Error, Robot, ServoConfig, SessionConfig};
 
 use crate::cell::{Cell, LIMIT, Next, Seen};
 use crate::outcome::{Cause, Outcome};
@@ -94,7 +94,7 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     let is_to_succeed = expected == Outcome::Ok;
     // The bound is for what is to reach it alone.
     let is_to_gather = expected == Outcome::Broken(Cause::Reset);
-    let config = ServoConfig::new().unchecked().rest_timeout(REST);
+    let config = SessionConfig::new().servo(ServoConfig::new().rest_timeout(REST)).unchecked();
     let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
     let sent = cell.received(ServoJ::INFO.name);
     let mut session = robot.enter_servo_mode(&config)?;

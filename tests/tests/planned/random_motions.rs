@@ -12,7 +12,8 @@ use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_robot::types::{JointPosition, MoveMode, Pose};
 use jaka_robot::{
-    Cause, Command, Error, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig, ServoSession, StopHandle,
+    Cause, Command, Error, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig, ServoSession, SessionConfig,
+    StopHandle,
 };
 use jaka_sim::{Delays, Habit, Port, State};
 use jaka_tests::simulated::{beside, until};
@@ -395,7 +396,7 @@ fn one_session(rig: &mut Rig, number: u32) {
         || trouble.run(arm),
         || {
             let result = robot
-                .enter_servo_mode(&ServoConfig::new().max_unanswered(bound).unchecked())
+                .enter_servo_mode(SessionConfig::new().servo(ServoConfig::new().max_unanswered(bound)).unchecked())
                 .and_then(|session| go(session, count));
             tally.sessions += 1;
             tally.sessions_ended += u32::from(result.is_err());

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Robot, RobotConfig, RobotStop, ServoConfig, SessionConfig};
 use jaka_sim::{Fault, StatusFault};
 use jaka_tests::Arm;
 use jaka_tests::Configured as _;
@@ -87,8 +87,9 @@ fn waits_end_in_time_whatever_is_wrong_with_the_status() {
 fn servo_sessions_end_in_time_whatever_is_wrong_with_an_answer() {
     for fault in Fault::one_of_each() {
         let (arm, mut robot) = ready();
-        let mut session =
-            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(SLACK).unchecked()).expect("the arm is enabled");
+        let mut session = robot
+            .enter_servo_mode(SessionConfig::new().servo(ServoConfig::new().max_unanswered(SLACK)).unchecked())
+            .expect("the arm is enabled");
         arm.inject_for("servo_j", fault.clone());
         let since = arm.clock().elapsed();
         let failed = (0..20).find_map(|_| session.send_joint_offset([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]).err());

@@ -156,8 +156,8 @@ fn act(way: Way, robot: &mut Robot) {
         }
         Way::Stream => {
             let stream = robot.stream(&StreamConfig::new().servo(servo).guard(guard())).expect("the arm is ready");
-            stream.set_joints(end).expect("within its range");
-            let _ = stream.wait_for_rest(LONG);
+            stream.handle().set_joints(end).expect("within its range");
+            let _ = stream.handle().wait_for_rest(LONG);
         }
         Way::Trajectory => {
             let points = [Via::Joints(START.into()), Via::Joints(end.into())];

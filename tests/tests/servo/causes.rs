@@ -187,7 +187,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
             };
             for _ in 0..100 {
                 let velocity = [0.0, 0.0, 0.0, 0.0, 0.0, 15.0];
-                if stream.set_joint_velocity(velocity, Duration::from_millis(300)).is_err() {
+                if stream.handle().set_joint_velocity(velocity, Duration::from_millis(300)).is_err() {
                     break;
                 }
                 arm.clock().sleep(Duration::from_millis(100));

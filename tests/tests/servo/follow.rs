@@ -111,7 +111,7 @@ pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
 
 /// Waits until the trajectory is followed for so long of its own time.
 pub(crate) fn wait_for(controller: &Controller, run: &FollowHandle, time_s: f64) {
-    wait_until(controller, || run.progress().time.as_secs_f64() >= time_s || run.has_ended());
+    wait_until(controller, || run.handle().progress().time.as_secs_f64() >= time_s || run.handle().has_ended());
 }
 
 /// Waits until this is so.
@@ -164,15 +164,15 @@ fn it_pauses_goes_slower_and_goes_on_along_the_trajectory() {
     let handle = run.handle();
     wait_for(&arm, &handle, 0.7);
     handle.pause().expect("it goes on");
-    wait_until(&arm, || run.progress().rate == 0.0);
-    let stands = run.progress();
+    wait_until(&arm, || run.handle().progress().rate == 0.0);
+    let stands = run.handle().progress();
     // A pause goes on whatever the speed is.
     handle.set_speed_scale(0.4).expect("it goes on");
     arm.clock().sleep(Duration::from_millis(200));
-    assert_eq!(run.progress(), stands);
+    assert_eq!(run.handle().progress(), stands);
     handle.resume().expect("it goes on");
     wait_for(&arm, &handle, 1.5);
-    assert!(run.progress().rate <= 0.4 + 1e-12);
+    assert!(run.handle().progress().rate <= 0.4 + 1e-12);
     handle.set_speed_scale(1.0).expect("it goes on");
     let end = run.wait();
     judge(&arm, &curve, &end);
@@ -187,10 +187,10 @@ fn a_scale_that_is_none_is_refused_and_the_run_goes_on() {
     let (_arm, mut robot) = ready();
     let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
     for scale in [-0.1, 1.01, f64::NAN] {
-        let error = run.set_speed_scale(scale).expect_err("it is not from 0 to 1");
+        let error = run.handle().set_speed_scale(scale).expect_err("it is not from 0 to 1");
         assert!(error.to_string().starts_with("option `speed_scale` of `FollowHandle` is "), "{error}");
     }
-    run.stop().expect("it goes on");
+    run.handle().stop().expect("it goes on");
     assert_eq!(run.wait().cause(), Cause::Stopped);
     for config in [config().speed_scale(2.0), config().approach(0.0), config().max_departure(f64::NAN)] {
         let error = robot.start_follow(&made(&to_and_fro()), &config).expect_err("it makes no sense");

@@ -118,7 +118,7 @@ fn a_stream_at_speed_without_a_set_point_for_three_periods_ends_and_is_held() {
     stream::speed_up(&stream, arm.clock());
     hold_up(&arm, SERVO_PERIOD * 3);
     let handle = stream.handle();
-    assert!(stream.wait_for_rest(LONG).is_err(), "it ends");
+    assert!(stream.handle().wait_for_rest(LONG).is_err(), "it ends");
     let error = stream.land().expect_err("it has ended");
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 3), "{error:?}");
     let (set_points, _) = positions(&arm, CYCLES);
@@ -132,7 +132,7 @@ fn a_slow_stream_without_a_set_point_for_three_periods_goes_on_from_standstill()
         let (arm, mut robot) = ready(stream::limits());
         let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
         // An acceleration of 72 deg/s² times a period of 32 ms is 2.3 deg/s.
-        let turn = || stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 2.0], Duration::from_millis(500));
+        let turn = || stream.handle().set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 2.0], Duration::from_millis(500));
         turn().expect("within its speed");
         arm.clock().sleep(Duration::from_millis(300));
         hold_up(&arm, held_up);
@@ -162,7 +162,7 @@ fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
     arm.clock().sleep(SERVO_PERIOD * 2);
     let turn = [0.0, 0.0, 0.0, 0.0, 0.0, 20.0];
-    stream.set_joint_velocity(turn, Duration::from_millis(500)).expect("within its speed");
+    stream.handle().set_joint_velocity(turn, Duration::from_millis(500)).expect("within its speed");
     // The last one is slower than 2.3 deg/s, an acceleration of 72 deg/s² times a period; the next one is not.
     let is_slow = |by: f64| by < 72.0 * 0.032 * 0.032;
     let last_step = || {
@@ -175,7 +175,7 @@ fn a_set_point_that_is_held_up_until_an_arm_stands_and_is_too_fast_from_there_is
     assert!(is_slow(last_step()), "{}", last_step());
     let sent = positions(&arm, CYCLES).0.len();
     hold_up(&arm, SERVO_PERIOD * 3);
-    assert!(stream.wait_for_rest(LONG).is_err(), "it ends");
+    assert!(stream.handle().wait_for_rest(LONG).is_err(), "it ends");
     let error = stream.land().expect_err("it has ended");
     assert!(matches!(error.kind(), ErrorKind::SetPointLate { late } if *late == SERVO_PERIOD * 3), "{error:?}");
     let after = &positions(&arm, CYCLES).0[sent - 1..];
@@ -276,8 +276,8 @@ fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent(
             arm.clock().sleep(SERVO_PERIOD * 2);
             hold_up(&arm, time);
             arm.clock().sleep(SERVO_PERIOD * 2);
-            assert!(run.progress().rate > 0.0, "it is still braked");
-            assert_is_of_the_last(run.progress().time);
+            assert!(run.handle().progress().rate > 0.0, "it is still braked");
+            assert_is_of_the_last(run.handle().progress().time);
         };
         beside(arm.clock(), || stop.stop().expect("the controller takes it"), look);
         let handle = run.handle();
@@ -296,7 +296,7 @@ fn no_trajectory_time_passes_after_a_panic() {
     let (arm, mut robot) = ready(follow::limits());
     let run = run(&mut robot);
     follow::wait_for(&arm, &run, 0.5);
-    assert!(run.progress().rate > 0.0);
+    assert!(run.handle().progress().rate > 0.0);
     hold_up_at(Place::Panic, &arm, Duration::ZERO);
     let handle = run.handle();
     let end = run.wait();

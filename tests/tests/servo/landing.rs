@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::Duration;
 
 use jaka_robot::types::Pose;
-use jaka_robot::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession};
+use jaka_robot::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession, SessionConfig};
 use jaka_sim::{Controller, Fault, Port, Trip, Underrun};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
@@ -30,7 +30,11 @@ fn arm() -> ArmBuilder {
     Arm::simulated().status_period(Duration::from_millis(10))
 }
 
-fn config() -> ServoConfig {
+fn config() -> SessionConfig {
+    SessionConfig::new().servo(servo())
+}
+
+fn servo() -> ServoConfig {
     ServoConfig::new().step_count(CYCLES)
 }
 
@@ -288,7 +292,7 @@ fn a_refusal_that_comes_during_the_landing_is_told() {
 #[test]
 fn a_jump_that_no_arm_makes_is_not_taken_for_a_speed() {
     let (arm, mut robot) = arm().with_robot();
-    let config = config().unchecked().rest_timeout(Duration::from_millis(200));
+    let config = config().servo(servo().rest_timeout(Duration::from_millis(200))).unchecked();
     let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
     send(&mut session, 1.0).expect("it is sent");
     send(&mut session, 8.0).expect("it is sent, and a filter may smooth it");
@@ -434,9 +438,9 @@ fn set_points_may_jump_where_the_program_says_so() -> Result<(), Error> {
 fn accelerations_of_a_session_are_numbers_above_zero() {
     let (arm, mut robot) = arm().with_robot();
     for config in [
-        ServoConfig::new().max_joint_acceleration(0.0),
-        ServoConfig::new().max_tcp_speed(f64::NAN),
-        ServoConfig::new().max_tcp_acceleration(-1.0),
+        SessionConfig::new().max_joint_acceleration(0.0),
+        SessionConfig::new().max_tcp_speed(f64::NAN),
+        SessionConfig::new().max_tcp_acceleration(-1.0),
     ] {
         let error = robot.enter_servo_mode(&config).expect_err("not a rate");
         assert!(error.is_invalid_argument() && error.to_string().contains("above 0"), "{error}");

@@ -5,7 +5,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_robot::{Cause, End, ErrorKind, Occurrence, Rest, Robot, RobotConfig, ServoConfig, ServoSession};
+use jaka_robot::{
+    Cause, End, ErrorKind, Occurrence, Rest, Robot, RobotConfig, ServoConfig, ServoSession, SessionConfig,
+};
 use jaka_sim::{Controller, Fault, Port};
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, CYCLE, Configured as _, LONG};
@@ -27,8 +29,8 @@ fn ready() -> (Arm, Robot) {
     Arm::simulated().status_period(PERIOD).with_robot()
 }
 
-fn config() -> ServoConfig {
-    ServoConfig::new().max_joint_acceleration(ACCELERATION)
+fn config() -> SessionConfig {
+    SessionConfig::new().max_joint_acceleration(ACCELERATION)
 }
 
 /// The `n`-th step of a ramp, in degrees.
@@ -274,7 +276,7 @@ fn a_landing_without_packets_says_that_rest_was_not_seen() {
 fn a_stop_waits_for_three_seconds_at_most_while_the_arm_brakes() {
     let (arm, mut robot) = ready();
     let (clock, stop) = (arm.clock().clone(), robot.stop_handle());
-    let config = ServoConfig::new().unchecked().max_joint_acceleration(20.0);
+    let config = SessionConfig::new().unchecked().max_joint_acceleration(20.0);
     let mut session = robot.enter_servo_mode(&config).expect("the arm is at rest");
     let mut go = || session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.8]);
     go().expect("answers come");

@@ -8,7 +8,7 @@ use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
     Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Motion as _, Numbering, RobotConfig,
-    ServoConfig, StreamConfig, TcpBox,
+    ServoConfig, SessionConfig, StreamConfig, TcpBox,
 };
 use jaka_tests::{Arm, Configured as _, LONG};
 
@@ -31,22 +31,28 @@ fn assert_not_moved(arm: &Arm) {
 #[test]
 fn an_option_of_a_servo_session_is_named() {
     let (arm, mut robot) = arm().with_robot();
-    let config = ServoConfig::new;
+    let (servo, config) = (ServoConfig::new, SessionConfig::new);
     for (config, expected) in [
         (
-            config().step_count(99),
+            config().servo(servo().step_count(99)),
             "option `step_count` of `ServoConfig` is 99, expected 1 to 12: a period of at most 96ms",
         ),
         (
             config().max_joint_acceleration(0.0),
-            "option `max_joint_acceleration` of `ServoConfig` is 0, expected a number above 0 deg/s²",
+            "option `max_joint_acceleration` of `SessionConfig` is 0, expected a number above 0 deg/s²",
         ),
-        (config().max_tcp_speed(-1.0), "option `max_tcp_speed` of `ServoConfig` is -1, expected a number above 0 mm/s"),
+        (
+            config().max_tcp_speed(-1.0),
+            "option `max_tcp_speed` of `SessionConfig` is -1, expected a number above 0 mm/s",
+        ),
         (
             config().max_tcp_acceleration(f64::NAN),
-            "option `max_tcp_acceleration` of `ServoConfig` is NaN, expected a number above 0 mm/s²",
+            "option `max_tcp_acceleration` of `SessionConfig` is NaN, expected a number above 0 mm/s²",
         ),
-        (config().realtime_priority(100), "option `realtime_priority` of `ServoConfig` is 100, expected 1 to 99"),
+        (
+            config().servo(servo().realtime_priority(100)),
+            "option `realtime_priority` of `ServoConfig` is 100, expected 1 to 99",
+        ),
     ] {
         assert_eq!(text(robot.enter_servo_mode(&config)), expected);
     }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_robot::servo::SetServoMoveFilter;
 use jaka_robot::types::{JointPosition, Pose, Switch};
-use jaka_robot::{Cause, ErrorCode, ErrorKind, Explanation, Robot, ServoConfig};
+use jaka_robot::{Cause, ErrorCode, ErrorKind, Explanation, Robot, ServoConfig, SessionConfig};
 use jaka_sim::Fault;
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, LONG};
@@ -27,8 +27,8 @@ fn last_change(requests: &[String]) -> &str {
 }
 
 /// Set-points may jump.
-fn unchecked() -> ServoConfig {
-    ServoConfig::new().unchecked()
+fn unchecked() -> SessionConfig {
+    SessionConfig::new().unchecked()
 }
 
 const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];

@@ -88,7 +88,10 @@ fn no_cycle_of_a_long_stream_is_late_or_missing() {
     let since = clock.elapsed();
     for target in 0..minutes() * 60 * 20 {
         let angle = f64::from(u32::try_from(target * 7919 % 40).unwrap_or_default());
-        stream.set_joints([angle - 10.0, START[1], START[2], START[3], START[4], angle]).expect("it is within limits");
+        stream
+            .handle()
+            .set_joints([angle - 10.0, START[1], START[2], START[3], START[4], angle])
+            .expect("it is within limits");
         clock.sleep(Duration::from_millis(50));
     }
     let lasted = clock.elapsed().saturating_sub(since);

@@ -34,7 +34,7 @@ fn a_stop_of_a_fast_stream_is_as_long_as_the_pages_say() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let stream = robot.stream(&StreamConfig::new()).expect("the arm is ready");
-    let turn = || stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 150.0], Duration::from_millis(500));
+    let turn = || stream.handle().set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 150.0], Duration::from_millis(500));
     for _ in 0..30 {
         turn().expect("within its speed");
         arm.clock().sleep(Duration::from_millis(100));
@@ -61,19 +61,19 @@ fn a_pause_of_a_fast_trajectory_is_as_long_as_the_pages_say() {
     let points = [Via::Joints(START.into()), Via::Joints(end.into())];
     let trajectory = Trajectory::through(points).joint_speeds([100.0; 6]).build(robot.limits().expect("it has some"));
     let run = robot.start_follow(&trajectory.expect("within the limits"), &FollowConfig::new()).expect("it starts");
-    let half = run.progress().duration / 2;
-    until(arm.clock(), || run.progress().time >= half);
+    let half = run.handle().progress().duration / 2;
+    until(arm.clock(), || run.handle().progress().time >= half);
     let from = positions(&arm, 1).0;
     let speed = (from[from.len() - 1][5] - from[from.len() - 2][5]) / PERIOD.as_secs_f64();
     assert!((speed - 100.0).abs() < 0.1, "it turns at 100 deg/s: {speed}");
-    run.pause().expect("it runs");
+    run.handle().pause().expect("it runs");
     let paused = arm.clock().elapsed();
-    until(arm.clock(), || run.progress().rate == 0.0);
+    until(arm.clock(), || run.handle().progress().rate == 0.0);
     let took = arm.clock().elapsed().saturating_sub(paused).as_secs_f64();
     let (set_points, _) = positions(&arm, 1);
     let turned = set_points[set_points.len() - 1][5] - from[from.len() - 1][5];
     println!("{took:.3} s, {turned:.2} deg");
     assert_stated(&format!("at 100 deg/s takes {took:.2} s and {turned:.0} deg"));
-    run.resume().expect("it is paused");
+    run.handle().resume().expect("it is paused");
     assert!(run.wait().reached().is_ok());
 }

@@ -84,8 +84,8 @@ fn turned(joint: usize, by: f64) -> [f64; 6] {
 
 /// Waits until joint 6 is on its way to 60 deg further.
 pub(crate) fn speed_up(stream: &StreamHandle, clock: &SimulatedClock) {
-    stream.set_joints(turned(6, 60.0)).expect("within its range");
-    wait_until(clock, || stream.joints()[5] - START[5] >= 5.0);
+    stream.handle().set_joints(turned(6, 60.0)).expect("within its range");
+    wait_until(clock, || stream.handle().joints()[5] - START[5] >= 5.0);
 }
 
 /// Waits until this is so.
@@ -114,14 +114,14 @@ fn a_stream_that_was_forgotten_keeps_a_second_one_from_beginning() {
 fn a_stream_says_what_holds_it() {
     let (arm, mut robot) = ready();
     let stream = robot.stream(&config()).expect("the arm is ready");
-    assert_eq!(stream.bound(), None);
+    assert_eq!(stream.handle().bound(), None);
     let upwards =
         TcpVelocity { linear_mm_s: [0.0, 0.0, 300.0], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase };
     wait_until(arm.clock(), || {
-        stream.set_tcp_velocity(upwards, Duration::from_millis(500)).expect("it goes on");
-        stream.bound().is_some()
+        stream.handle().set_tcp_velocity(upwards, Duration::from_millis(500)).expect("it goes on");
+        stream.handle().bound().is_some()
     });
-    let bound = stream.bound().expect("the time stands still");
+    let bound = stream.handle().bound().expect("the time stands still");
     assert!(matches!(bound, Bound::Limit(_)), "the arm's reach ends somewhere: {bound:?}");
     drop(stream.land().expect("it lands"));
 }
@@ -172,17 +172,17 @@ fn targets_and_velocities_of_many_threads_make_one_smooth_motion() {
 fn a_target_is_reached_and_the_arm_is_there() {
     let (arm, mut robot) = ready();
     let stream = robot.stream(&config()).expect("the arm is ready");
-    stream.set_joints(turned(6, 8.0)).expect("within its range");
-    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
-    assert!(stream.joints().max_distance(&JointPosition(turned(6, 8.0))) < 1e-5);
+    stream.handle().set_joints(turned(6, 8.0)).expect("within its range");
+    assert!(stream.handle().wait_for_rest(LONG).expect("it goes on"));
+    assert!(stream.handle().joints().max_distance(&JointPosition(turned(6, 8.0))) < 1e-5);
     let pose = arm.state().tcp_pose;
     drop(stream);
     assert!(arm.state().joint_position.max_distance(&JointPosition(turned(6, 8.0))) < 1e-5);
     // To where it is, and 20 mm up, by the arm's own inverse.
     let stream = robot.stream(&config()).expect("the arm is ready");
     let before = arm.state().tcp_pose;
-    stream.set_pose(jaka_robot::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
-    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
+    stream.handle().set_pose(jaka_robot::types::Pose { z: before.z + 20.0, ..before }).expect("within reach");
+    assert!(stream.handle().wait_for_rest(LONG).expect("it goes on"));
     stream.land().and_then(End::at_rest).expect("it is at rest");
     let up = arm.state().tcp_pose;
     assert!((up.z - before.z - 20.0).abs() < 0.01 && (up.x - before.x).abs() < 0.01, "{pose:?} {before:?} {up:?}");
@@ -193,17 +193,19 @@ fn what_may_not_be_is_refused_at_once_and_the_stream_goes_on() {
     let floor = Region::half_space("floor", [0.0, 0.0, 50.0], [0.0, 0.0, 1.0]).expect("a plane");
     let (_arm, mut robot) = ready_with(arm(), limits().with_region(floor).expect("the only one"));
     let stream = robot.stream(&config()).expect("the arm is ready");
-    let error = stream.set_joints(turned(3, 120.0)).expect_err("beyond its range");
+    let error = stream.handle().set_joints(turned(3, 120.0)).expect_err("beyond its range");
     assert!(error.to_string().starts_with("`servo_j` was not sent: joint 3 would be at 200 deg; limit"), "{error}");
-    let error =
-        stream.set_joint_velocity([200.0, 0.0, 0.0, 0.0, 0.0, 0.0], Duration::from_millis(100)).expect_err("too fast");
+    let error = stream
+        .handle()
+        .set_joint_velocity([200.0, 0.0, 0.0, 0.0, 0.0, 0.0], Duration::from_millis(100))
+        .expect_err("too fast");
     assert!(matches!(error.kind(), ErrorKind::BeyondLimit { .. }) && error.to_string().contains("200"), "{error}");
-    let error = stream.set_joint_velocity([1.0; 6], Duration::from_secs(1)).expect_err("too long");
+    let error = stream.handle().set_joint_velocity([1.0; 6], Duration::from_secs(1)).expect_err("too long");
     assert_eq!(
         error.to_string(),
         "option `for_at_most` of `StreamHandle` is 1s, expected at most 500ms: give the velocity again for as long as it is wanted"
     );
-    stream.set_joints(turned(6, 1.0)).expect("within its range");
+    stream.handle().set_joints(turned(6, 1.0)).expect("within its range");
     let handle = stream.handle();
     stream.land().and_then(End::at_rest).expect("it comes to rest");
     let error = handle.set_joints(START).expect_err("it has ended");
@@ -223,10 +225,13 @@ fn a_stream_needs_limits() {
 fn a_velocity_ends_while_the_thread_that_gave_it_is_held_up() {
     let (arm, mut robot) = ready();
     let stream = robot.stream(&config()).expect("the arm is ready");
-    stream.set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 20.0], Duration::from_millis(200)).expect("slow enough");
+    stream
+        .handle()
+        .set_joint_velocity([0.0, 0.0, 0.0, 0.0, 0.0, 20.0], Duration::from_millis(200))
+        .expect("slow enough");
     // This thread does nothing more for it.
-    assert!(stream.wait_for_rest(LONG).expect("it goes on"));
-    let moved = stream.joints()[5] - START[5];
+    assert!(stream.handle().wait_for_rest(LONG).expect("it goes on"));
+    let moved = stream.handle().joints()[5] - START[5];
     // 20 deg/s for at most 200 ms, and what braking takes.
     assert!(moved > 0.0 && moved < 20.0 * 0.2 + 20.0 * 20.0 / ACCELERATION, "{moved}");
     stream.land().and_then(End::at_rest).expect("it is at rest");
@@ -295,8 +300,8 @@ fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
 fn trips_by_deviation(filter: &SetServoMoveFilter) {
     let (arm, mut robot, config) = lagging(filter, Underrun::Hold, Trip::Deviation(1.0));
     let stream = robot.stream(&config).expect("the arm is ready");
-    stream.set_joints(turned(6, 60.0)).expect("within its range");
-    let error = stream.wait_for_rest(LONG).expect_err("it trips before it is there");
+    stream.handle().set_joints(turned(6, 60.0)).expect("within its range");
+    let error = stream.handle().wait_for_rest(LONG).expect_err("it trips before it is there");
     assert!(matches!(error.kind(), ErrorKind::SessionEnded { .. }), "{filter:?}: {error:?}");
     let error = stream.land().expect_err("it tripped");
     let state = arm.state();
@@ -343,12 +348,12 @@ fn joints_that_do_not_follow_end_the_stream() {
     // The arm is not where it is held.
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(Duration::from_millis(200));
     let stream = robot.stream(&config().servo(servo).max_departure(2.0)).expect("the arm is ready");
-    stream.set_joints(turned(6, 1.0)).expect("within its range");
+    stream.handle().set_joints(turned(6, 1.0)).expect("within its range");
     wait_until(arm.clock(), || {
         arm.set_state(|state| state.joint_position.0[0] = START[0] + 5.0);
-        stream.rest().is_err()
+        stream.handle().rest().is_err()
     });
-    let error = stream.rest().expect_err("it has ended");
+    let error = stream.handle().rest().expect_err("it has ended");
     assert!(error.to_string().contains("a joint does not follow its set-points: joint 1 is at"), "{error}");
     let error = stream.land().expect_err("it has ended");
     assert!(
@@ -365,7 +370,7 @@ fn a_status_that_is_no_longer_known_lands_a_stream() {
     let stream = robot.stream(&config()).expect("the arm is ready");
     speed_up(&stream, arm.clock());
     arm.link(Port::Status).to_client().hold();
-    stream.wait_for_rest(LONG).expect_err("it ends before it is there");
+    stream.handle().wait_for_rest(LONG).expect_err("it ends before it is there");
     let error = stream.land().expect_err("the status is stale");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
     assert_smooth(&set_points(&arm).0);
@@ -384,7 +389,7 @@ fn a_link_that_is_held_or_cut_ends_a_stream_and_no_set_point_follows() {
             arm.links().hold();
         }
         let since = arm.clock().now();
-        stream.wait_for_rest(LONG).expect_err("it ends before it is there");
+        stream.handle().wait_for_rest(LONG).expect_err("it ends before it is there");
         // By the next set-point; or by the fourth, three of which have no answer, and the end of servo mode within a
         // second.
         let most = if cut { SERVO_PERIOD } else { SERVO_PERIOD * 4 + Duration::from_secs(1) };

@@ -151,7 +151,7 @@ fn run(arm: u32, clock: Option<&SimulatedClock>, stream_lasts: Duration, is_over
         let stream = robot.stream(&config).expect("the arm is ready");
         let begun = now();
         while !is_over() && (arm.is_multiple_of(2) || now() - begun < stream_lasts) {
-            let goal = some_goal(&mut random, &rig, stream.joints().0);
+            let goal = some_goal(&mut random, &rig, stream.handle().joints().0);
             let time = Duration::from_millis(random.below(500).into());
             let given = give(&stream, &mut random, &rig, goal, time);
             tally.goals += 1;

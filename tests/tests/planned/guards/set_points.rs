@@ -83,7 +83,8 @@ fn depth_of_trajectory(period: Duration, phase: f64, overtravel: f64) -> Depth {
 
 /// The highest speed that a stream takes.
 fn top_speed(stream: &StreamHandle) -> f64 {
-    let error = stream.set_tcp_velocity(downwards(1000.0), Duration::from_millis(100)).expect_err("it is too fast");
+    let error =
+        stream.handle().set_tcp_velocity(downwards(1000.0), Duration::from_millis(100)).expect_err("it is too fast");
     match error.kind() {
         ErrorKind::BeyondLimit { beyond, .. } => match beyond.exceeded {
             Exceeded::TcpSpeed { limit_mm_s, .. } => limit_mm_s,
@@ -254,7 +255,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         let mut robot = limited(robot);
         let stream = robot.stream(&StreamConfig::new().guard(limit)).expect("the sensor works");
         let target = below(&arm, 20.0);
-        while stream.set_pose(target).is_ok() {
+        while stream.handle().set_pose(target).is_ok() {
             arm.clock().sleep(ms(100));
         }
         let error = stream.land().expect_err("the guard has ended it");

@@ -18,9 +18,9 @@ fn a_guard_lands_a_stream() {
     let (arm, robot) = ready();
     let mut robot = limited(robot);
     let stream = robot.stream(&StreamConfig::new().guard(IO.cabinet(1).is_high())).expect("the input is low");
-    let mut target = stream.joints();
+    let mut target = stream.handle().joints();
     target[0] += 170.0;
-    stream.set_joints(target).expect("it is within limits");
+    stream.handle().set_joints(target).expect("it is within limits");
     wait_for_motion(&arm);
     arm.set_state(|state| state.digital_inputs[0] = true);
     let handle = stream.handle();
@@ -83,12 +83,12 @@ fn without_a_known_status_a_stream_and_a_trajectory_land_whatever_is_allowed() {
     let (arm, robot) = ready();
     let mut robot = start(robot);
     let stream = robot.stream(&StreamConfig::new().guard(IO.cabinet(1).is_high())).expect("the input is low");
-    let mut target = stream.joints();
+    let mut target = stream.handle().joints();
     target[0] += 170.0;
-    stream.set_joints(target).expect("it is within limits");
+    stream.handle().set_joints(target).expect("it is within limits");
     wait_for_motion(&arm);
     arm.status_fault(StatusFault::Silent);
-    let error = stream.wait_for_rest(LONG).expect_err("nobody judges the guard");
+    let error = stream.handle().wait_for_rest(LONG).expect_err("nobody judges the guard");
     assert!(error.to_string().contains("the last status packet came"), "{error}");
     assert!(stream.land().is_err() && arm.state().joint_position.0[0] < 165.0);
 

@@ -30,7 +30,7 @@ fn assert_ended_on_the_way(end: &End, cause: Cause) {
 
 #[test]
 fn a_stop_brakes_along_the_trajectory() {
-    let (arm, mut robot, end) = ended_by(&config(), |_, run| run.stop().expect("it goes on"));
+    let (arm, mut robot, end) = ended_by(&config(), |_, run| run.handle().stop().expect("it goes on"));
     assert_ended_on_the_way(&end, Cause::Stopped);
     assert!(end.error.is_none() && end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
     let set_points = judge(&arm, &to_and_fro(), &end);
@@ -54,16 +54,16 @@ fn a_stop_brakes_along_the_trajectory() {
 #[test]
 fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
     let (_, _, end) = ended_by(&config(), |_, run| {
-        run.pause().expect("it goes on");
-        run.stop().expect("it goes on");
+        run.handle().pause().expect("it goes on");
+        run.handle().stop().expect("it goes on");
     });
     assert_ended_on_the_way(&end, Cause::Stopped);
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.joint_position.0[0] += 60.0);
     let run = robot.start_follow(&made(&to_and_fro()), &config().approach(20.0)).expect("the way is free");
     arm.clock().sleep(Duration::from_millis(300));
-    assert!(run.progress().time.is_zero() && run.progress().rate == 0.0);
-    run.stop().expect("it goes on");
+    assert!(run.handle().progress().time.is_zero() && run.handle().progress().rate == 0.0);
+    run.handle().stop().expect("it goes on");
     let end = run.wait();
     assert_eq!((end.cause(), followed(&end).reached), (Cause::Stopped, Duration::ZERO));
     let at = arm.state().joint_position.0[0] - START[0];
@@ -232,7 +232,7 @@ fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_go
     let (end, last) = stopped_without_reserve(|robot, _| robot.stop().expect("the controller takes it"));
     assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
     assert!(end.rest.was_seen() && last < -20.0, "next to where it turns: {last}");
-    let (end, last) = stopped_without_reserve(|_, run| run.stop().expect("it goes on"));
+    let (end, last) = stopped_without_reserve(|_, run| run.handle().stop().expect("it goes on"));
     // It has stopped at the end, or as good as there.
     assert!(
         !followed(&end).has_left_curve && followed(&end).reached > Duration::from_secs(3) && last > -1.0,
@@ -305,8 +305,8 @@ fn a_guard_that_trips_while_the_arm_goes_on_to_the_last_set_point_is_told() {
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(LONG);
     let config = StreamConfig::new().servo(servo).max_departure(1000.0);
     let stream = robot.stream(&config.clone().guard(Guard::when("joint 1 is far", far))).expect("it is not far yet");
-    stream.set_joints(there).expect("within the limits");
-    wait_until(&arm, || stream.joints().max_distance(&JointPosition(there)) <= 0.2);
+    stream.handle().set_joints(there).expect("within the limits");
+    wait_until(&arm, || stream.handle().joints().max_distance(&JointPosition(there)) <= 0.2);
     let error = stream.land().expect_err("the guard has tripped");
     assert!(matches!(error.kind(), ErrorKind::GuardTripped { .. }), "{error:?}");
 }

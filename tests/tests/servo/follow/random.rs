@@ -139,10 +139,10 @@ fn follow_at_random(seed: u32) {
     let run = robot.start_follow(&trajectory, &config().speed_scale(random_scale(&mut random))).expect("it is there");
     for number in 0.. {
         let told = match random.below(8) {
-            0 | 1 => run.pause(),
-            2 if number > 5 => run.stop(),
-            2 | 3 => run.resume(),
-            _ => run.set_speed_scale(random.between(0.1, 1.0)),
+            0 | 1 => run.handle().pause(),
+            2 if number > 5 => run.handle().stop(),
+            2 | 3 => run.handle().resume(),
+            _ => run.handle().set_speed_scale(random.between(0.1, 1.0)),
         };
         // It ends meanwhile, or it is to end.
         if told.is_err() || number > 12 {
@@ -150,7 +150,7 @@ fn follow_at_random(seed: u32) {
         }
         arm.clock().sleep(Duration::from_secs_f64(random.between(0.0, 0.3)));
     }
-    let _ = run.resume().and_then(|()| run.set_speed_scale(1.0));
+    let _ = run.handle().resume().and_then(|()| run.handle().set_speed_scale(1.0));
     let end = run.wait();
     assert!(matches!(end.cause(), Cause::Reached | Cause::Stopped), "seed {seed}: {end}");
     let set_points = judge(&arm, &curve, &end);
