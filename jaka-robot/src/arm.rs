@@ -19,6 +19,7 @@ use jaka_sync::layer::{ClientParts as _, Clock, Link, told};
 
 pub(crate) use self::guards::{PacketObserver, Progress};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
+use self::state::not_acknowledged;
 pub(crate) use self::state::{ArmState, Sending};
 pub(crate) use self::status::unknown;
 pub(crate) use self::stillness::Stillness;
@@ -26,7 +27,9 @@ pub use self::stop_handle::RobotStop;
 pub(crate) use self::stop_handle::{Sent, Written};
 pub(crate) use self::trouble::{News, code, news};
 use crate::error::Attach as _;
-use crate::{Client, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Snapshot};
+use crate::{
+    Client, Disconnect, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Occurrence, Snapshot,
+};
 
 /// Monitor of an arm, whatever it keeps of packets.
 pub(crate) trait StatusSource: Send + Sync {
@@ -80,6 +83,9 @@ pub(crate) struct Arm {
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,
     pub(crate) position: Position,
+    /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what it
+    /// was lent for, whatever the program acknowledges.
+    told: Option<u64>,
 }
 
 impl Arm {
@@ -89,13 +95,14 @@ impl Arm {
         let state = ArmState::new(monitor, &client.link().clock, needs_status);
         let position = Position::new(client.link(), client.reply_timeout());
         let source: Arc<dyn StatusSource> = Arc::<Monitor<S>>::clone(monitor);
-        Self { client, source, state, position }
+        Self { client, source, state, position, told: None }
     }
 
     /// The same arm for another thread, which this one outlives.
     pub(crate) fn lent(&mut self) -> Self {
         let (source, state) = (Arc::clone(&self.source), Arc::clone(&self.state));
-        Self { client: self.client.lent(), source, state, position: self.position.lent() }
+        let told = Some(state.lock().stops.reported());
+        Self { client: self.client.lent(), source, state, position: self.position.lent(), told }
     }
 
     /// Client of the arm, for a command after which it may not be where it was.
@@ -136,8 +143,23 @@ impl Arm {
 
     /// Gate that lets this pass while it may be sent.
     pub(crate) fn gate(&self, what: Sending) -> impl Fn() -> Result<(), Error> + use<> {
-        let state = Arc::clone(&self.state);
-        move || state.may_send(what)
+        let (state, told) = (Arc::clone(&self.state), self.told);
+        move || state.may_send(what, told)
+    }
+
+    /// Fails while something must be acknowledged.
+    pub(crate) fn check_acknowledged(&self) -> Result<(), Error> {
+        self.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+    }
+
+    /// What must be acknowledged, if something must.
+    pub(crate) fn unacknowledged(&self) -> Option<Occurrence> {
+        self.state.unacknowledged(self.told)
+    }
+
+    /// The same apart from a lost status.
+    pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
+        self.state.unacknowledged_stop(self.told)
     }
 
     /// Newest packet for what is not done without it; none where the program has allowed that. If none has come lately,
@@ -155,9 +177,12 @@ impl Arm {
         self.source.statistics()
     }
 
-    /// Fails where the status connection has ended.
-    pub(crate) fn check_status_open(&self) -> Result<(), Error> {
-        Ok(self.source.check_open()?)
+    /// Error for the end of the status connection.
+    pub(crate) fn status_ended(&self, cause: Arc<Disconnect>) -> Error {
+        // The monitor shows it a moment later than the state.
+        let address = self.state.address();
+        let ended = || jaka_sync::ErrorKind::Disconnected { address, command: None, sent: false, cause }.into();
+        self.source.check_open().map_or_else(Error::from, |()| ended())
     }
 
     /// Waits for a packet: as [`Monitor::wait_until`].

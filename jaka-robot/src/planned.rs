@@ -92,7 +92,7 @@ impl Moving<'_> {
     ) -> Result<(), Error> {
         let since = self.arm.clock().stopwatch();
         self.arm.link().check_open(M::INFO.name)?;
-        self.arm.state.check_acknowledged()?;
+        self.arm.check_acknowledged()?;
         let begin = self.begin(motion, timeout)?;
         let left = || since.left_of(timeout);
         let beginning = if self.planned.has_motions() { Beginning::InQueue } else { Beginning::AtRest(begin.start) };

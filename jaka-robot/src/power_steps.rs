@@ -153,13 +153,13 @@ fn check_emergency_stop(arm: &Arm, time: Duration) -> Result<(), Error> {
         Ok(Some(Err(explanation))) => Err(arm.not_ready(explanation)),
         Ok(Some(Ok(problem))) => Err(arm.attach(unknown(problem))),
         Ok(None) => Ok(()),
-        Err(_) => arm.check_status_open(),
+        Err(cause) => Err(arm.status_ended(cause)),
     }
 }
 
 /// Lets time pass, unless the monitor has ended.
 fn pause(arm: &Arm, time: Duration) -> Result<(), Error> {
-    arm.state.watch(time, |_| None::<()>).map(drop).or_else(|_| arm.check_status_open())
+    arm.state.watch(time, |_| None::<()>).map(drop).map_err(|cause| arm.status_ended(cause))
 }
 
 fn not_in_time(arm: &Arm, after: Duration, packets_before: u64) -> Error {

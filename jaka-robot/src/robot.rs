@@ -181,7 +181,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has reported.
     pub fn unacknowledged(&self) -> Option<Occurrence> {
-        self.arm.state.unacknowledged()
+        self.arm.unacknowledged()
     }
 
     /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is

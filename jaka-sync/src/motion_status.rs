@@ -37,7 +37,7 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot be read, and
     /// motions are kept back until `jaka_robot::Robot::acknowledge`.
     ///
-    /// Called once for each packet, on the monitor's thread: a slow implementation holds packets up.
+    /// Called for each packet and robot on the monitor's thread, and by `Robot::power_up`: a slow implementation holds packets up.
     fn robot_status(&self) -> RobotStatus;
 
     /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come, and the packet as a whole

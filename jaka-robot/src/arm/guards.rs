@@ -41,6 +41,10 @@ impl Guards {
         (self.observers.remove(&number), self.progress.remove(&number))
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.observers.is_empty()
+    }
+
     /// Those that are there yet.
     pub(super) fn armed(&self) -> Vec<Arc<dyn PacketObserver>> {
         self.observers.values().filter_map(Weak::upgrade).collect()

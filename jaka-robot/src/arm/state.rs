@@ -1,5 +1,6 @@
 //! State of an arm: what is known of it, and whether something may be sent to it.
 
+use std::mem;
 use std::ops::ControlFlow;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
@@ -49,6 +50,8 @@ pub(crate) struct Known {
     /// Stops of the robot's handles.
     pub(crate) stops: Stops,
     guards: Guards,
+    /// Packets that guards have not judged yet.
+    unjudged: Vec<Arc<Snapshot>>,
     /// False where the program has allowed motion without status.
     needs_status: bool,
     /// Number of the times at which waiting threads were told to check again.
@@ -63,6 +66,7 @@ impl ArmState {
             latched: None,
             stops: Stops::default(),
             guards: Guards::default(),
+            unjudged: Vec::new(),
             needs_status,
             wakes: 0,
         };
@@ -80,15 +84,14 @@ impl ArmState {
 
     fn begin_with(&self, packet: Arc<Snapshot>) {
         let mut known = self.lock();
-        if known.status.newest().is_none() {
-            known.status.take(packet);
-        }
+        known.status.begin(packet);
     }
 
     /// Takes news of the status port.
     fn take<S: MotionStatus>(&self, news: StatusNews<'_, S>) {
         match news {
-            StatusNews::Packet { packet, is_newest } => self.take_packet(&S::snapshot(packet), is_newest),
+            StatusNews::Packet { packet, is_newest } => return self.take_packet(&S::snapshot(packet), is_newest),
+            StatusNews::Shown => self.judge(),
             StatusNews::Unreadable(source) => self.lock().status.is_unreadable(source.clone()),
             StatusNews::Reconnecting => self.lock().status.is_reconnecting(),
             StatusNews::Ended(cause) => self.lock().status.has_ended(Arc::clone(cause)),
@@ -96,6 +99,7 @@ impl ArmState {
         self.wake();
     }
 
+    /// From here on gates know of a packet. Guards, which run code of the program, judge it later.
     fn take_packet(&self, packet: &Arc<Snapshot>, is_newest: bool) {
         // A packet that tells nothing may have shown a stop.
         let panicked = packet.panicked().cloned().map(|source| Occurrence::status_lost(None, Some(source)));
@@ -105,11 +109,22 @@ impl ArmState {
             known.latch(found);
         }
         let before = if is_newest { known.status.take(Arc::clone(packet)) } else { None };
-        let armed = known.guards.armed();
+        if !known.guards.is_empty() {
+            known.unjudged.push(Arc::clone(packet));
+        }
         drop(known);
         drop(before);
-        for guard in armed {
-            guard.observe(packet);
+    }
+
+    fn judge(&self) {
+        let mut known = self.lock();
+        if known.unjudged.is_empty() {
+            return;
+        }
+        let (packets, guards) = (mem::take(&mut known.unjudged), known.guards.armed());
+        drop(known);
+        for guard in guards {
+            packets.iter().for_each(|packet| guard.observe(packet));
         }
     }
 
@@ -129,6 +144,11 @@ impl ArmState {
         self.known.clock()
     }
 
+    /// Address of the status port.
+    pub(super) fn address(&self) -> String {
+        self.lock().status.address().to_owned()
+    }
+
     /// Age from which a packet is stale.
     pub(crate) fn stale_after(&self) -> Duration {
         self.stale_after
@@ -137,23 +157,25 @@ impl ArmState {
     /// Fails where this may not be sent now. As a gate it blocks nothing and uses no connection.
     ///
     /// A stop that has begun by the time of the write is on the wire before it, or will be sent after it.
-    pub(crate) fn may_send(&self, what: Sending) -> Result<(), Error> {
+    ///
+    /// `told` is the number of the last stop that is known to the program of a lent arm.
+    pub(super) fn may_send(&self, what: Sending, told: Option<u64>) -> Result<(), Error> {
         let known = self.lock();
         match what {
             Sending::Motion => {
                 if known.needs_status {
                     check_stops(known.status.fresh_status().map_err(unknown)?)?;
                 }
-                known.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+                known.unacknowledged(told).map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
             }
             // Also where the status is no longer known.
             Sending::Braking | Sending::Holding => {
                 known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
-                match known.unacknowledged_stop() {
+                match known.unacknowledged_stop(told) {
                     None => Ok(()),
                     // Before a stop of the program's own goes out.
                     Some(Occurrence { cause: Cause::Stopped, .. })
-                        if what == Sending::Braking && !known.stops.has_sent() =>
+                        if what == Sending::Braking && !known.stops.has_sent(told) =>
                     {
                         Ok(())
                     }
@@ -163,19 +185,14 @@ impl ArmState {
         }
     }
 
-    /// Fails while something must be acknowledged.
-    pub(crate) fn check_acknowledged(&self) -> Result<(), Error> {
-        self.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
-    }
-
     /// What must be acknowledged, if something must.
-    pub(crate) fn unacknowledged(&self) -> Option<Occurrence> {
-        self.lock().unacknowledged()
+    pub(super) fn unacknowledged(&self, told: Option<u64>) -> Option<Occurrence> {
+        self.lock().unacknowledged(told)
     }
 
     /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
-    pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
-        self.lock().unacknowledged_stop()
+    pub(super) fn unacknowledged_stop(&self, told: Option<u64>) -> Option<Occurrence> {
+        self.lock().unacknowledged_stop(told)
     }
 
     /// Keeps motions back from now on. What did before stays, but a stop that a packet shows takes the place of a lost
@@ -327,13 +344,13 @@ impl Known {
         }
     }
 
-    fn unacknowledged(&self) -> Option<Occurrence> {
-        self.latched.clone().or_else(|| self.stops.pending())
+    fn unacknowledged(&self, told: Option<u64>) -> Option<Occurrence> {
+        self.latched.clone().or_else(|| self.stops.pending(told))
     }
 
-    fn unacknowledged_stop(&self) -> Option<Occurrence> {
+    fn unacknowledged_stop(&self, told: Option<u64>) -> Option<Occurrence> {
         let shown = self.latched.clone().filter(|occurrence| !is_lost(occurrence));
-        shown.or_else(|| self.stops.pending())
+        shown.or_else(|| self.stops.pending(told))
     }
 }
 
@@ -341,6 +358,6 @@ fn is_lost(occurrence: &Occurrence) -> bool {
     occurrence.cause == Cause::StatusLost
 }
 
-fn not_acknowledged(occurrence: Occurrence) -> Error {
+pub(super) fn not_acknowledged(occurrence: Occurrence) -> Error {
     ErrorKind::NotAcknowledged { occurrence }.into()
 }

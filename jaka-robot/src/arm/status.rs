@@ -26,6 +26,11 @@ impl Status {
         Self { newest: None, unreadable: None, is_reconnecting: false, ended: None, address, stale_after }
     }
 
+    /// Takes a packet from before, unless one has come meanwhile.
+    pub(super) fn begin(&mut self, packet: Arc<Snapshot>) {
+        self.newest.get_or_insert(packet);
+    }
+
     /// Takes a packet, and returns the one before, which is dropped without a lock.
     pub(super) fn take(&mut self, packet: Arc<Snapshot>) -> Option<Arc<Snapshot>> {
         (self.unreadable, self.is_reconnecting) = (None, false);
@@ -42,6 +47,10 @@ impl Status {
 
     pub(super) fn has_ended(&mut self, cause: Arc<Disconnect>) {
         self.ended = Some(cause);
+    }
+
+    pub(super) fn address(&self) -> &str {
+        &self.address
     }
 
     /// Newest packet, which may be old.

@@ -76,8 +76,9 @@ impl Stops {
     }
 
     /// A stop that keeps motions back: one that is on its way, or one after the last that was reported to the program.
-    pub(super) fn pending(&self) -> Option<Occurrence> {
-        (self.is_under_way() || self.begun != self.reported).then(|| Cause::Stopped.into())
+    /// `told` is the number of that one for a program with a lent arm.
+    pub(super) fn pending(&self, told: Option<u64>) -> Option<Occurrence> {
+        (self.is_under_way() || self.begun != told.unwrap_or(self.reported)).then(|| Cause::Stopped.into())
     }
 
     /// True while the controller has not answered a stop.
@@ -86,8 +87,8 @@ impl Stops {
     }
 
     /// True if a stop has gone out, or is about to, that has not been reported to the program.
-    pub(super) fn has_sent(&self) -> bool {
-        self.sent > self.reported
+    pub(super) fn has_sent(&self, told: Option<u64>) -> bool {
+        self.sent > told.unwrap_or(self.reported)
     }
 
     /// True if the controller has accepted a stop that has not been reported to the program.

@@ -41,7 +41,7 @@ impl SetPointGuard {
     /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
     pub(crate) fn new(arm: &Arm, guard: &Guard) -> Result<Self, Error> {
         guard.check()?;
-        arm.state.check_acknowledged()?;
+        arm.check_acknowledged()?;
         let patience = arm.state.stale_after();
         let no_status = |problem| arm.attach(unknown(problem));
         arm.state.status_within(patience).map_err(no_status)?;

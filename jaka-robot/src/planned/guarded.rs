@@ -31,7 +31,7 @@ impl GuardedRun<'_> {
         let since = arm.clock().stopwatch();
         self.guard.check()?;
         arm.link().check_open(M::INFO.name)?;
-        arm.state.check_acknowledged()?;
+        arm.check_acknowledged()?;
         let left = || since.left_of(timeout);
         let fresh_for = self.check_speed(M::INFO, motion.path(), left())?;
         let armed = Armed::new(self.guard, &arm.state, left()).map_err(|problem| arm.attach(unknown(problem)))?;

@@ -44,8 +44,8 @@ impl<'m> Count<'m> {
         let StatusPort { source, state } = self.status;
         let ended = state.watch(self.since.left_of(WINDOW), |_| None::<()>);
         let (elapsed, after) = (self.since.passed(), source.statistics());
-        if ended.is_err() {
-            source.check_open().map_err(|error| ports::of_status(&error, 0))?;
+        if let Err(cause) = ended {
+            return Err(ports::status_ended(&cause));
         }
         // A later packet tells the present.
         let may_be_old = || matches!(state.fresh_packet(), Err(StatusProblem::Resuming));

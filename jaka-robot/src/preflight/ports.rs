@@ -14,6 +14,7 @@ const ANOTHER_CLIENT: &str =
 const NO_STATUS: &str = "check the address and the port, and wait until the controller has started";
 const NO_COMMANDS: &str = "check the address and the port, wait until the controller has started, and end other programs that are connected to \
                            this port, such as the vendor's app: it serves one client";
+const STATUS_ENDED: &str = "check that this is port 10000 of a controller that is not shutting down";
 const NOT_A_CONTROLLER: &str =
     "check the address and the port: something else may listen there, or a controller that expects TLS";
 
@@ -36,6 +37,12 @@ pub(super) fn of_commands(error: &Error) -> Judgement {
     Judgement::wrong(seen, advice)
 }
 
+/// The status port has ended.
+pub(super) fn status_ended(cause: &Disconnect) -> Judgement {
+    let (seen, advice) = lost(cause, STATUS_ENDED);
+    Judgement::wrong(seen, advice)
+}
+
 /// Why the status port cannot be used. `dropped` is how many bytes came that do not belong to a packet.
 pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     let (seen, advice) = match error.kind() {
@@ -47,9 +54,7 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
             format!("no status packet from {address} within {after:?}"),
             "check that this is port 10000 and not 10001, which sends nothing without being asked, and the network",
         ),
-        ErrorKind::Disconnected { cause, .. } => {
-            lost(cause, "check that this is port 10000 of a controller that is not shutting down")
-        }
+        ErrorKind::Disconnected { cause, .. } => lost(cause, STATUS_ENDED),
         _ => (facts(error), "see what comes with `jaka status --raw`"),
     };
     Judgement::wrong(seen, advice)

@@ -128,8 +128,10 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
 /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
 /// enter it.
 fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
+    // Others may have moved the arm since a wait saw it at rest.
+    arm.position.is_at_rest(false);
     arm.link().check_open(SetServoMode::INFO.name)?;
-    arm.state.check_acknowledged()?;
+    arm.check_acknowledged()?;
     if has_motions {
         return Err(arm.not_ready(Explanation::Moving));
     }

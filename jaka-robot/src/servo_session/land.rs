@@ -118,7 +118,7 @@ impl ServoSession<'_> {
         let since = self.arm.clock().stopwatch();
         let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
         loop {
-            if is_held && self.arm.state.unacknowledged_stop().is_some() {
+            if is_held && self.arm.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
                 (stillness, is_held) = (Stillness::new(self.arm.clock().now(), None), false);
             }
@@ -142,7 +142,7 @@ impl ServoSession<'_> {
     }
 
     fn hold_once(&mut self, refused: u64) -> Result<(), Error> {
-        match (self.arm.state.unacknowledged_stop(), self.course.hold()) {
+        match (self.arm.unacknowledged_stop(), self.course.hold()) {
             (None, Some(set_point)) => {
                 let gate = self.arm.gate(Sending::Holding);
                 match self.send_landing(set_point, &gate, refused) {

@@ -128,7 +128,7 @@ impl ServoSession<'_> {
         if !error.is_refused() {
             return error;
         }
-        if self.arm.state.unacknowledged().is_none() {
+        if self.arm.unacknowledged().is_none() {
             let state = &self.arm.state;
             let seen = state.newest_packet().map_or(0, |packet| packet.number);
             // If none comes, none shows it.

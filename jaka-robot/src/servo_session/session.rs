@@ -281,7 +281,7 @@ impl ServoSession<'_> {
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }
-        self.arm.state.check_acknowledged()?;
+        self.arm.check_acknowledged()?;
         self.check_unanswered()?;
         let (gate, begun) = (self.arm.gate(Sending::Motion), self.begun);
         let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };

@@ -1,6 +1,7 @@
 //! Calls for each packet, and for other news of the port.
 
 use std::fmt;
+use std::mem;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -19,6 +20,8 @@ pub enum StatusNews<'n, S> {
         /// False where a newer one had come by the time at which it could be told.
         is_newest: bool,
     },
+    /// What was told is what the monitor shows from now on: a listener that takes its time does so now.
+    Shown,
     /// The newest packet cannot be decoded.
     Unreadable(&'n DecodeError),
     /// The connection is lost, and is being made again.
@@ -63,6 +66,16 @@ impl<S> Observers<S> {
         // What a panic leaves half done is the observer's own.
         let flow = |call: &mut Call<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
         self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
+    }
+
+    /// Takes the listeners out.
+    pub(super) fn take_listeners(&mut self) -> Self {
+        Self { listeners: mem::take(&mut self.listeners), users: Vec::new() }
+    }
+
+    /// Takes the users' observers out.
+    pub(super) fn take_users(&mut self) -> Self {
+        Self { listeners: Vec::new(), users: mem::take(&mut self.users) }
     }
 
     /// Takes over the observers of another list.

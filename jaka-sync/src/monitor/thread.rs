@@ -180,6 +180,7 @@ impl<S: Decode> Worker<S> {
         } else {
             self.spare = spare;
         }
+        self.tell_then(|observers| observers.tell(StatusNews::Shown), |_| ());
         for snapshot in came.drain(..) {
             self.hand_out(&snapshot);
         }
@@ -190,23 +191,22 @@ impl<S: Decode> Worker<S> {
     /// Tells the listeners, and then changes the board: who sees the change there comes after them. One that is added
     /// meanwhile is told, too.
     fn tell_then<T>(&self, tell: impl Fn(&mut Observers<S>), change: impl FnOnce(&mut State<S>) -> T) -> T {
-        let mut told = Observers::default();
+        let mut told: Option<Observers<S>> = None;
         let mut state = self.board.lock();
-        loop {
-            let mut untold = std::mem::take(&mut state.observers);
-            let is_last = untold.listeners.is_empty();
-            if !is_last {
-                // Without the lock, so that they can ask the monitor.
-                drop(state);
-                tell(&mut untold);
-                state = self.board.lock();
+        while !state.observers.listeners.is_empty() {
+            let mut untold = state.observers.take_listeners();
+            // Without the lock, so that they can ask the monitor.
+            drop(state);
+            tell(&mut untold);
+            match &mut told {
+                Some(told) => told.join(untold),
+                None => told = Some(untold),
             }
-            told.join(untold);
-            if is_last {
-                break;
-            }
+            state = self.board.lock();
         }
-        state.observers = told;
+        if let Some(told) = told {
+            state.observers.listeners = told.listeners;
+        }
         change(&mut state)
     }
 
@@ -222,12 +222,12 @@ impl<S: Decode> Worker<S> {
             return;
         }
         // Called without the lock, so that they can ask the monitor.
-        let mut observers = std::mem::take(&mut state.observers);
+        let mut users = state.observers.take_users();
         drop(state);
-        observers.call(snapshot);
+        users.call(snapshot);
         let mut state = self.board.lock();
-        let added = std::mem::replace(&mut state.observers, observers);
-        state.observers.join(added);
+        users.join(state.observers.take_users());
+        state.observers.users = users.users;
     }
 
     /// Reconnects as the policy says; `None` if the monitor has ended.

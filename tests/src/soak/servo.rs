@@ -46,8 +46,9 @@ pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
     }
-    let config = SessionConfig::new().servo(ServoConfig::new().enter_timeout(ENTER)).unchecked();
-    let config = if arm.random.one_in(2) { config.max_unanswered(LONG) } else { config };
+    let servo = ServoConfig::new().enter_timeout(ENTER);
+    let servo = if arm.random.one_in(2) { servo.max_unanswered(LONG) } else { servo };
+    let config = SessionConfig::new().servo(servo).unchecked();
     let outcome = match session.robot.enter_servo_mode(&config) {
         Ok(servo) => go_through(arm, servo),
         Err(error) => Outcome { sent: not_entered(&error), result: Err(error) },

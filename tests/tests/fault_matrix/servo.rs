@@ -94,8 +94,9 @@ fn session(cell: &Cell<'_>, robot: &mut Robot, expected: Outcome, then: impl FnO
     let is_to_succeed = expected == Outcome::Ok;
     // The bound is for what is to reach it alone.
     let is_to_gather = expected == Outcome::Broken(Cause::Reset);
-    let config = SessionConfig::new().servo(ServoConfig::new().rest_timeout(REST)).unchecked();
-    let config = if is_to_gather { config } else { config.max_unanswered(LIMIT) };
+    let servo = ServoConfig::new().rest_timeout(REST);
+    let servo = if is_to_gather { servo } else { servo.max_unanswered(LIMIT) };
+    let config = SessionConfig::new().servo(servo).unchecked();
     let sent = cell.received(ServoJ::INFO.name);
     let mut session = robot.enter_servo_mode(&config)?;
     then();

@@ -1,5 +1,6 @@
 //! Tests of motions that the controller plans: run, waited for, guarded and stopped.
 
+mod arm_state;
 mod guards;
 mod io_waits;
 mod limits;

@@ -111,7 +111,7 @@ pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
 
 /// Waits until the trajectory is followed for so long of its own time.
 pub(crate) fn wait_for(controller: &Controller, run: &FollowHandle, time_s: f64) {
-    wait_until(controller, || run.handle().progress().time.as_secs_f64() >= time_s || run.handle().has_ended());
+    wait_until(controller, || run.progress().time.as_secs_f64() >= time_s || run.has_ended());
 }
 
 /// Waits until this is so.

@@ -115,7 +115,7 @@ fn assert_held(set_points: &[[f64; 6]]) {
 fn a_stream_at_speed_without_a_set_point_for_three_periods_ends_and_is_held() {
     let (arm, mut robot) = ready(stream::limits());
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
-    stream::speed_up(&stream, arm.clock());
+    stream::speed_up(&stream.handle(), arm.clock());
     hold_up(&arm, SERVO_PERIOD * 3);
     let handle = stream.handle();
     assert!(stream.handle().wait_for_rest(LONG).is_err(), "it ends");
@@ -192,7 +192,7 @@ fn run_held_up(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSe
     let trajectory =
         follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");
     let run = robot.start_follow(&trajectory, &FollowConfig::new().servo(servo())).expect("the arm is at its start");
-    follow::wait_for(&arm, &run, 0.5);
+    follow::wait_for(&arm, &run.handle(), 0.5);
     hold_up_at(place, &arm, time);
     let handle = run.handle();
     let end = run.wait();
@@ -242,7 +242,7 @@ fn a_logger_makes_no_set_point_late_but_the_next_one() {
 fn a_gap_while_a_run_is_stopping_is_no_stop_as_commanded() {
     let (arm, mut robot) = ready(follow::limits());
     let run = run(&mut robot);
-    follow::wait_for(&arm, &run, 0.5);
+    follow::wait_for(&arm, &run.handle(), 0.5);
     run.handle().stop().expect("it runs");
     hold_up_at(Place::Logger, &arm, SERVO_PERIOD * 5);
     let end = run.wait();
@@ -265,7 +265,7 @@ fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent(
         let (arm, mut robot) = ready(follow::limits());
         let stop = robot.stop_handle();
         let run = run(&mut robot);
-        follow::wait_for(&arm, &run, 0.5);
+        follow::wait_for(&arm, &run.handle(), 0.5);
         let assert_is_of_the_last = |time: Duration| {
             let (set_points, _) = positions(&arm, CYCLES);
             let last = set_points[set_points.len() - 1];
@@ -295,7 +295,7 @@ fn progress_of_a_run_that_is_braked_is_that_of_the_last_set_point_that_was_sent(
 fn no_trajectory_time_passes_after_a_panic() {
     let (arm, mut robot) = ready(follow::limits());
     let run = run(&mut robot);
-    follow::wait_for(&arm, &run, 0.5);
+    follow::wait_for(&arm, &run.handle(), 0.5);
     assert!(run.handle().progress().rate > 0.0);
     hold_up_at(Place::Panic, &arm, Duration::ZERO);
     let handle = run.handle();
@@ -311,7 +311,7 @@ fn a_stop_waits_for_a_stream_whose_braking_is_held_up() {
     let (arm, mut robot) = ready(stream::limits());
     let stop = robot.stop_handle();
     let stream = robot.stream(&StreamConfig::new().servo(servo())).expect("the arm is ready");
-    stream::speed_up(&stream, arm.clock());
+    stream::speed_up(&stream.handle(), arm.clock());
     let stops = || stop.stop().expect("the controller takes it");
     let was_held_up = beside(arm.clock(), stops, || {
         arm.clock().sleep(SERVO_PERIOD * 2);

@@ -348,7 +348,7 @@ fn a_protective_stop_ends_the_session_without_a_landing() {
 #[test]
 fn rest_that_no_packet_shows_is_an_error_that_says_so() {
     let (_arm, mut robot) = arm().with_robot();
-    let config = config().rest_timeout(Duration::ZERO);
+    let config = servo().rest_timeout(Duration::ZERO);
     let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
     session.send_joint_offset([0.001; 6]).expect("a small step");
     let error = session.land().expect_err("nothing was seen");
@@ -364,7 +364,7 @@ fn rest_that_no_packet_shows_is_an_error_that_says_so() {
 #[test]
 fn a_refusal_and_rest_that_no_packet_shows_are_both_told() {
     let (arm, mut robot) = arm().with_robot();
-    let mut session = robot.enter_servo_mode(&config().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(&servo().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
     arm.inject_for("servo_j", refusal());
     session.send_joint_offset([0.001; 6]).expect("a small step");
     let error = session.land().expect_err("it was refused");

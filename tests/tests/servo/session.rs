@@ -51,7 +51,7 @@ fn every_set_point_is_sent_in_order_and_answered() {
     let (arm, mut robot) = ready();
     let start = arm.state().joint_position.0;
     let filter = SetServoMoveFilter::joint_low_pass(0.5);
-    let config = unchecked().filter(filter).rest_timeout(LONG);
+    let config = unchecked().servo(ServoConfig::new().filter(filter).rest_timeout(LONG));
     let mut session = robot.enter_servo_mode(&config).expect("the arm is enabled");
     assert!(arm.state().servo_mode);
     for _ in 0..100 {
@@ -80,7 +80,8 @@ fn every_set_point_is_sent_in_order_and_answered() {
 fn a_closure_gives_set_points_until_it_breaks() {
     let (arm, mut robot) = ready();
     let start = arm.state().joint_position.0;
-    let mut session = robot.enter_servo_mode(&unchecked().step_count(2)).expect("the arm is enabled");
+    let mut session =
+        robot.enter_servo_mode(unchecked().servo(ServoConfig::new().step_count(2))).expect("the arm is enabled");
     let mut times = Vec::new();
     let since = arm.clock().now();
     let end = session.run(|time, status| {
@@ -240,7 +241,8 @@ fn no_set_point_goes_out_after_a_stop() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let clock = arm.clock();
-    let mut session = robot.enter_servo_mode(&unchecked().step_count(12)).expect("the arm is enabled");
+    let mut session =
+        robot.enter_servo_mode(unchecked().servo(ServoConfig::new().step_count(12))).expect("the arm is enabled");
     // Set-points are due each 96 ms: the stop comes while the session waits for the third one.
     let stopping = || {
         clock.sleep(Duration::from_millis(150));

@@ -84,8 +84,8 @@ fn turned(joint: usize, by: f64) -> [f64; 6] {
 
 /// Waits until joint 6 is on its way to 60 deg further.
 pub(crate) fn speed_up(stream: &StreamHandle, clock: &SimulatedClock) {
-    stream.handle().set_joints(turned(6, 60.0)).expect("within its range");
-    wait_until(clock, || stream.handle().joints()[5] - START[5] >= 5.0);
+    stream.set_joints(turned(6, 60.0)).expect("within its range");
+    wait_until(clock, || stream.joints()[5] - START[5] >= 5.0);
 }
 
 /// Waits until this is so.
@@ -244,7 +244,7 @@ fn a_stream_that_is_dropped_or_unwinds_at_speed_lands() {
         let (arm, mut robot) = ready();
         let end = catch_unwind(AssertUnwindSafe(|| {
             let stream = robot.stream(&config()).expect("the arm is ready");
-            speed_up(&stream, arm.clock());
+            speed_up(&stream.handle(), arm.clock());
             assert!(!panics, "a bug in the user's program");
         }));
         assert_eq!(end.is_err(), panics);
@@ -289,7 +289,7 @@ fn lagging(filter: &SetServoMoveFilter, underrun: Underrun, trip: Trip) -> (Arm,
 fn lands_with_lag(filter: &SetServoMoveFilter, underrun: Underrun) {
     let (arm, mut robot, config) = lagging(filter, underrun, Trip::Deviation(60.0));
     let stream = robot.stream(&config).expect("the arm is ready");
-    speed_up(&stream, arm.clock());
+    speed_up(&stream.handle(), arm.clock());
     stream.land().and_then(End::at_rest).unwrap_or_else(|error| panic!("{filter:?}, {underrun:?}: {error}"));
     let (state, (set_points, _)) = (arm.state(), set_points(&arm));
     let last = set_points.last().expect("there are some");
@@ -313,7 +313,7 @@ fn a_stop_of_the_program_brakes_a_stream_first() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let stream = robot.stream(&config()).expect("the arm is ready");
-    speed_up(&stream, arm.clock());
+    speed_up(&stream.handle(), arm.clock());
     stop.stop().expect("the controller takes it");
     let error = stream.land().expect_err("it was stopped");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
@@ -368,7 +368,7 @@ fn a_status_that_is_no_longer_known_lands_a_stream() {
     let soon_stale = arm().config(|config| config.stale_after(Duration::from_millis(500)));
     let (arm, mut robot) = ready_with(soon_stale, limits());
     let stream = robot.stream(&config()).expect("the arm is ready");
-    speed_up(&stream, arm.clock());
+    speed_up(&stream.handle(), arm.clock());
     arm.link(Port::Status).to_client().hold();
     stream.handle().wait_for_rest(LONG).expect_err("it ends before it is there");
     let error = stream.land().expect_err("the status is stale");
@@ -382,7 +382,7 @@ fn a_link_that_is_held_or_cut_ends_a_stream_and_no_set_point_follows() {
     for cut in [false, true] {
         let (arm, mut robot) = ready();
         let stream = robot.stream(&config()).expect("the arm is ready");
-        speed_up(&stream, arm.clock());
+        speed_up(&stream.handle(), arm.clock());
         if cut {
             arm.disconnect();
         } else {
@@ -412,7 +412,7 @@ fn handles_tell_the_set_points_of_a_landing() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let stream = robot.stream(&config()).expect("the arm is ready");
-    speed_up(&stream, arm.clock());
+    speed_up(&stream.handle(), arm.clock());
     let handle = stream.handle();
     let at_speed = handle.joints()[5];
     beside(
@@ -498,4 +498,20 @@ fn a_wait_for_rest_ends_when_the_landing_begins() {
     let at_speed = handle.joints()[5];
     stream.land().expect_err("the guard has ended it");
     assert!(handle.joints()[5] - at_speed > 0.5, "it was still to be braked");
+}
+
+/// Its robot can be used again, and may acknowledge what the stream has not seen yet.
+#[test]
+fn a_stop_ends_a_stream_that_was_forgotten_whatever_is_acknowledged() {
+    let (arm, mut robot) = ready();
+    let stream = robot.stream(&config()).expect("the arm is ready");
+    let handle = stream.handle();
+    std::mem::forget(stream);
+    robot.stop_handle().stop().expect("it is taken");
+    robot.acknowledge();
+    let before = arm.state().joint_position;
+    arm.clock().sleep(Duration::from_millis(100));
+    assert!(handle.set_joints(turned(6, 5.0)).is_err(), "it has ended");
+    arm.clock().sleep(Duration::from_secs(3));
+    assert_eq!(before, arm.state().joint_position);
 }

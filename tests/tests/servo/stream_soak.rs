@@ -153,7 +153,7 @@ fn run(arm: u32, clock: Option<&SimulatedClock>, stream_lasts: Duration, is_over
         while !is_over() && (arm.is_multiple_of(2) || now() - begun < stream_lasts) {
             let goal = some_goal(&mut random, &rig, stream.handle().joints().0);
             let time = Duration::from_millis(random.below(500).into());
-            let given = give(&stream, &mut random, &rig, goal, time);
+            let given = give(&stream.handle(), &mut random, &rig, goal, time);
             tally.goals += 1;
             tally.refused += u64::from(is_refused(given));
             let pause = if random.one_in(10) { 1000 } else { 100 };

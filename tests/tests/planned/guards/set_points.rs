@@ -83,8 +83,7 @@ fn depth_of_trajectory(period: Duration, phase: f64, overtravel: f64) -> Depth {
 
 /// The highest speed that a stream takes.
 fn top_speed(stream: &StreamHandle) -> f64 {
-    let error =
-        stream.handle().set_tcp_velocity(downwards(1000.0), Duration::from_millis(100)).expect_err("it is too fast");
+    let error = stream.set_tcp_velocity(downwards(1000.0), Duration::from_millis(100)).expect_err("it is too fast");
     match error.kind() {
         ErrorKind::BeyondLimit { beyond, .. } => match beyond.exceeded {
             Exceeded::TcpSpeed { limit_mm_s, .. } => limit_mm_s,
@@ -110,7 +109,7 @@ fn streamed(period: Duration, phase: f64, overtravel: f64, told: Told) -> Depth 
     let clock = arm.clock();
     let target = below(&arm, 20.0);
     let stream = robot.stream(&StreamConfig::new().guard(force(overtravel))).expect("the sensor works");
-    let (handle, speed) = (stream.handle(), top_speed(&stream));
+    let (handle, speed) = (stream.handle(), top_speed(&stream.handle()));
     let give = || match told {
         Told::Velocity => handle.set_tcp_velocity(downwards(speed), Duration::from_millis(200)),
         Told::Target => handle.set_pose(target),

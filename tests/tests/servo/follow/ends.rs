@@ -14,8 +14,8 @@ use super::*;
 fn ended_by(config: &FollowConfig, act: impl FnOnce(&Arm, &FollowHandle)) -> (Arm, Robot, End) {
     let (arm, mut robot) = ready();
     let run = robot.start_follow(&made(&to_and_fro()), config).expect("the arm is at its start");
-    wait_for(&arm, &run, 0.5);
-    act(&arm, &run);
+    wait_for(&arm, &run.handle(), 0.5);
+    act(&arm, &run.handle());
     let end = run.wait();
     (arm, robot, end)
 }
@@ -30,7 +30,7 @@ fn assert_ended_on_the_way(end: &End, cause: Cause) {
 
 #[test]
 fn a_stop_brakes_along_the_trajectory() {
-    let (arm, mut robot, end) = ended_by(&config(), |_, run| run.handle().stop().expect("it goes on"));
+    let (arm, mut robot, end) = ended_by(&config(), |_, run| run.stop().expect("it goes on"));
     assert_ended_on_the_way(&end, Cause::Stopped);
     assert!(end.error.is_none() && end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
     let set_points = judge(&arm, &to_and_fro(), &end);
@@ -47,6 +47,7 @@ fn a_stop_brakes_along_the_trajectory() {
     robot
         .start_follow(&made(&to_and_fro()), &config().approach(60.0))
         .expect("the way is free")
+        .handle()
         .stop()
         .expect("it runs");
 }
@@ -54,8 +55,8 @@ fn a_stop_brakes_along_the_trajectory() {
 #[test]
 fn a_run_in_a_pause_can_be_stopped_and_so_can_one_on_the_way_to_its_start() {
     let (_, _, end) = ended_by(&config(), |_, run| {
-        run.handle().pause().expect("it goes on");
-        run.handle().stop().expect("it goes on");
+        run.pause().expect("it goes on");
+        run.stop().expect("it goes on");
     });
     assert_ended_on_the_way(&end, Cause::Stopped);
     let (arm, mut robot) = ready();
@@ -86,7 +87,7 @@ fn a_stop_of_the_robot_brakes_along_the_trajectory_before_it_goes_out() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
     let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
-    wait_for(&arm, &run, 0.5);
+    wait_for(&arm, &run.handle(), 0.5);
     stop.stop().expect("the controller takes it");
     let end = run.wait();
     assert_ended_on_the_way(&end, Cause::Stopped);
@@ -160,7 +161,7 @@ fn a_link_that_is_held_or_cut_ends_it() {
     for cut in [false, true] {
         let (arm, mut robot) = ready();
         let run = robot.start_follow(&made(&to_and_fro().slower(3.0)), &config()).expect("the arm is at its start");
-        wait_for(&arm, &run, 0.2);
+        wait_for(&arm, &run.handle(), 0.2);
         if cut {
             arm.disconnect();
         } else {
@@ -183,7 +184,7 @@ fn a_run_that_is_dropped_or_unwinds_stops_along_the_trajectory() {
         let (arm, mut robot) = ready();
         let end = catch_unwind(AssertUnwindSafe(|| {
             let run = robot.start_follow(&made(&to_and_fro()), &config()).expect("the arm is at its start");
-            wait_for(&arm, &run, 0.5);
+            wait_for(&arm, &run.handle(), 0.5);
             assert!(!panics, "a bug in the user's program");
         }));
         assert_eq!(end.is_err(), panics);
@@ -216,8 +217,8 @@ fn stopped_without_reserve(stop: impl FnOnce(&RobotStop, &FollowHandle)) -> (End
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
     let handle = robot.stop_handle();
     let run = robot.start_follow(&trajectory, &config()).expect("the arm is at its start");
-    wait_for(&arm, &run, 1.9);
-    stop(&handle, &run);
+    wait_for(&arm, &run.handle(), 1.9);
+    stop(&handle, &run.handle());
     let end = run.wait();
     let (set_points, _) = set_points(&arm);
     let second = |three: &[[f64; 6]]| (three[2][5] - 2.0 * three[1][5] + three[0][5]).abs() / PERIOD.powi(2);
@@ -232,7 +233,7 @@ fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_go
     let (end, last) = stopped_without_reserve(|robot, _| robot.stop().expect("the controller takes it"));
     assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
     assert!(end.rest.was_seen() && last < -20.0, "next to where it turns: {last}");
-    let (end, last) = stopped_without_reserve(|_, run| run.handle().stop().expect("it goes on"));
+    let (end, last) = stopped_without_reserve(|_, run| run.stop().expect("it goes on"));
     // It has stopped at the end, or as good as there.
     assert!(
         !followed(&end).has_left_curve && followed(&end).reached > Duration::from_secs(3) && last > -1.0,
@@ -256,7 +257,7 @@ fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_traj
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
     let stop = robot.stop_handle();
     let run = robot.start_follow(&trajectory, &config()).expect("the arm is at its start");
-    wait_for(&arm, &run, 1.6);
+    wait_for(&arm, &run.handle(), 1.6);
     stop.stop().expect("the controller takes it");
     let (end, (set_points, _)) = (run.wait(), set_points(&arm));
     assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
@@ -317,7 +318,7 @@ fn where_packets_do_not_show_the_joints_none_begins_and_one_that_goes_on_is_brak
     let servo = ServoConfig::new().step_count(CYCLES).rest_timeout(Duration::from_millis(500));
     let curve = to_and_fro().slower(2.0);
     let run = robot.start_follow(&made(&curve), &config().servo(servo)).expect("the arm is at its start");
-    wait_for(&arm, &run, 0.2);
+    wait_for(&arm, &run.handle(), 0.2);
     arm.set_status([("joint_actual_position".to_owned(), Value::from("x"))]);
     let end = run.wait();
     assert_eq!(end.cause(), Cause::NotShown, "{end}");
