@@ -3,18 +3,16 @@
 use std::time::Duration;
 
 use super::Robot;
-#[cfg(feature = "stream")]
 use jaka_motion::Trajectory;
 
 #[cfg(doc)]
 use crate::ErrorKind;
-#[cfg(feature = "stream")]
 use crate::guard::SetPointGuard;
 use crate::planned::GuardedRun;
 use crate::servo_session::ServoSession;
-use crate::{End, Error, Guard, Motion, MotionStatus, ServoConfig};
+use crate::{End, Error, FollowConfig, FollowRun, Guard, Motion, MotionStatus, ServoConfig};
 #[cfg(feature = "stream")]
-use crate::{FollowConfig, FollowRun, Stream, StreamConfig};
+use crate::{Stream, StreamConfig};
 
 impl<S: MotionStatus> Robot<S> {
     /// Runs a motion under a guard: sends it, and waits until it has ended or the guard has tripped, upon which the arm is stopped.
@@ -66,41 +64,6 @@ impl<S: MotionStatus> Robot<S> {
     pub fn enter_servo_mode(&mut self, config: &ServoConfig) -> Result<ServoSession<'_>, Error> {
         ServoSession::enter(self.led(), config, |_, _| Ok(()))
     }
-}
-
-#[cfg(feature = "stream")]
-impl<S: MotionStatus> Robot<S> {
-    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
-    ///
-    /// It begins at rest, where the controller's own answer says that the joints are to be.
-    ///
-    /// # Errors
-    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
-    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
-    /// limits.
-    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
-        Stream::begin(self.led(), config, None)
-    }
-
-    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes
-    /// goes out in the next servo period after the packet.
-    ///
-    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
-    ///
-    /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
-    /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
-    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
-    ///
-    /// # Errors
-    /// As [`stream`](Self::stream). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
-    /// period).
-    pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_>, Error> {
-        let armed = SetPointGuard::new(&self.arm, &guard.into())?;
-        Stream::begin(self.led(), config, Some(armed))
-    }
 
     /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the trajectory where it is not done
     /// by the deadline.
@@ -149,5 +112,40 @@ impl<S: MotionStatus> Robot<S> {
     ) -> Result<FollowRun<'_>, Error> {
         let armed = SetPointGuard::new(&self.arm, &guard.into())?;
         FollowRun::begin(self.led(), (trajectory, config), Some(armed))
+    }
+}
+
+#[cfg(feature = "stream")]
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
+    ///
+    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    ///
+    /// # Errors
+    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
+    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
+    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
+        Stream::begin(self.led(), config, None)
+    }
+
+    /// The same under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first set-point that brakes
+    /// goes out in the next servo period after the packet.
+    ///
+    /// [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    ///
+    /// # A limit of force
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and
+    /// from each set-point on it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with that speed as the limit
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away for three of their periods, 100 ms at least.
+    ///
+    /// # Errors
+    /// As [`stream`](Self::stream). Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
+    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and [`ErrorKind::NotGuarded`] (too few packets have come to know their
+    /// period).
+    pub fn stream_until(&mut self, config: &StreamConfig, guard: impl Into<Guard>) -> Result<Stream<'_>, Error> {
+        let armed = SetPointGuard::new(&self.arm, &guard.into())?;
+        Stream::begin(self.led(), config, Some(armed))
     }
 }
