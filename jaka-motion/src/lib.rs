@@ -19,6 +19,8 @@ mod model;
 mod no_solution;
 mod pace;
 mod piece;
+#[cfg(any(feature = "toml", feature = "trajectory-files"))]
+mod text_file;
 mod trajectory;
 mod transform;
 #[cfg(feature = "generator")]
@@ -38,15 +40,17 @@ pub use frames::Frames;
 pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
-#[cfg(feature = "toml")]
-pub use limits::LimitsFileError;
 pub use limits::{InvalidLimit, Limits, Region, RegionFrame};
 pub use model::{DhMismatch, Model, Point, Singularity, SingularityDistance};
 pub use no_solution::NoSolution;
 pub use pace::{JointPace, TcpPace};
 pub use piece::Sample;
+#[cfg(any(feature = "toml", feature = "trajectory-files"))]
+pub use text_file::FileError;
+#[cfg(feature = "toml")]
+pub use text_file::FileErrors as LimitsFileError;
 #[cfg(feature = "trajectory-files")]
-pub use trajectory::TrajectoryFileError;
+pub use text_file::FileErrors as TrajectoryFileError;
 pub use trajectory::{Passing, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint};
 pub use transform::Transform;
 #[cfg(feature = "generator")]

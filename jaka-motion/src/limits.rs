@@ -12,9 +12,6 @@ pub(crate) use self::clearance::SingularityClearance;
 pub use self::invalid::InvalidLimit;
 pub use self::region::{Region, RegionFrame};
 use crate::model::Model;
-#[cfg(feature = "toml")]
-/// Everything that is wrong with a file of limits, each at its line and column.
-pub use jaka_spec::Errors as LimitsFileError;
 
 /// What an arm may do: joint ranges, joint speeds and accelerations, the speed of the tool, regions, and the distance
 /// from singularities.

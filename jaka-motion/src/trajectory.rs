@@ -21,8 +21,6 @@ use jaka_proto::messages::types::JointPosition;
 
 use self::error::LONGEST_S;
 pub use self::error::TrajectoryError;
-#[cfg(feature = "trajectory-files")]
-pub use self::file::TrajectoryFileError;
 pub use self::through::{Through, Via};
 pub use self::timed::TimedPoint;
 pub use self::way_point::{Passing, WayPoint};

@@ -13,7 +13,6 @@ pub use self::explanation::Explanation;
 pub use self::not_guarded::NotGuarded;
 pub(crate) use self::not_shown::Field;
 pub use self::not_shown::NotShown;
-#[cfg(feature = "stream")]
 pub(crate) use self::not_shown::shown_joints;
 pub(crate) use self::occurrence::Consequence;
 pub use self::occurrence::{Evidence, Occurrence};

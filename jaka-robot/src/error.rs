@@ -18,7 +18,6 @@ pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
 pub(crate) use self::option_name::OptionName;
-#[cfg(feature = "stream")]
 use crate::cause::Occurrence;
 use crate::{Cause, GuardTrip, Remedy};
 
@@ -85,7 +84,6 @@ impl Error {
     }
 
     /// Cause and the evidence for it.
-    #[cfg(feature = "stream")]
     pub(crate) fn occurrence(&self) -> Occurrence {
         Occurrence { cause: self.cause(), evidence: self.kind().evidence() }
     }

@@ -4,7 +4,6 @@ mod armed;
 mod condition;
 mod force;
 mod packet_period;
-#[cfg(feature = "stream")]
 mod set_points;
 mod tcp_box;
 mod watch;
@@ -19,7 +18,6 @@ pub(crate) use self::armed::Armed;
 pub(crate) use self::condition::Condition;
 pub use self::force::{ForceComponent, ForceLimit};
 pub(crate) use self::packet_period::{longest_silence, packet_period};
-#[cfg(feature = "stream")]
 pub(crate) use self::set_points::{MeasuredLag, SetPointGuard};
 pub use self::tcp_box::TcpBox;
 pub(crate) use self::watch::{Watched, watch};

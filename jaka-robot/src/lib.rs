@@ -3,7 +3,6 @@
 mod arm;
 mod cause;
 mod error;
-#[cfg(feature = "stream")]
 mod follow;
 mod guard;
 mod input_wait;
@@ -17,7 +16,6 @@ mod preflight;
 mod report;
 mod robot;
 mod servo_session;
-#[cfg(feature = "stream")]
 mod servo_thread;
 #[cfg(feature = "stream")]
 mod stream;
@@ -35,7 +33,6 @@ pub use cause::{
     TripReason, Unchecked,
 };
 pub use error::{End, Error, ErrorKind, Phase, Rest};
-#[cfg(feature = "stream")]
 pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};
 pub use guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 pub use inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
@@ -43,9 +40,7 @@ pub use limits::LimitPolicy;
 pub use motions::{Guarded, Motion, Path, Run, Target};
 pub use power_steps::PowerStep;
 pub use preflight::{CheckItem, Finding, Preflight, Verdict};
-pub use report::Report;
-#[cfg(feature = "stream")]
-pub use report::{FollowLag, TrajectoryReport};
+pub use report::{FollowLag, Report, TrajectoryReport};
 pub use robot::{Robot, RobotConfig};
 pub use servo_session::{ServoConfig, ServoSession, SessionConfig};
 #[cfg(feature = "stream")]

@@ -30,14 +30,12 @@ pub struct Report {
     pub unanswered: u64,
     /// The most answers that were outstanding at once.
     pub most_outstanding: usize,
-    /// Report of a trajectory; none for other motions. Needs the feature `stream`.
-    #[cfg(feature = "stream")]
+    /// Report of a trajectory; none for other motions.
     pub trajectory: Option<TrajectoryReport>,
     lateness: Histogram,
 }
 
-/// Report of a trajectory that was followed. Needs the feature `stream`.
-#[cfg(feature = "stream")]
+/// Report of a trajectory that was followed.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct TrajectoryReport {
@@ -58,7 +56,6 @@ pub struct TrajectoryReport {
 /// The delay is the one with which set-points and packets agree best, by the sum of the squares of all joints'
 /// differences. It is measured from sending a set-point to receiving a packet: the link's and the packets' own delay are
 /// part of it.
-#[cfg(feature = "stream")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FollowLag {
@@ -90,7 +87,6 @@ impl Report {
     }
 
     /// The same report, of a trajectory.
-    #[cfg(feature = "stream")]
     pub(crate) fn of_trajectory(self, trajectory: TrajectoryReport) -> Self {
         Self { trajectory: Some(trajectory), ..self }
     }

@@ -1,20 +1,16 @@
 //! Servo mode: set-points at the controller's own pace.
 
 mod braking;
-mod course;
-#[cfg(feature = "stream")]
+pub(crate) mod course;
 mod departure;
 mod enter;
-#[cfg(feature = "stream")]
 mod generated;
-#[cfg(feature = "stream")]
 mod lag;
 mod land;
 mod lateness;
 mod leave;
 mod pace;
 mod rates;
-#[cfg(feature = "realtime")]
 mod realtime;
 mod session;
 mod session_config;
@@ -26,19 +22,11 @@ use std::time::Duration;
 
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
-#[cfg(feature = "stream")]
-pub(crate) use self::course::Course;
-#[cfg(feature = "stream")]
-pub(crate) use self::generated::{
-    SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, generator, no_limits, not_generated,
-};
-#[cfg(feature = "stream")]
+pub(crate) use self::generated::{SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, no_limits};
 pub(crate) use self::lag::LagFit;
 pub use self::session::ServoSession;
 pub use self::session_config::SessionConfig;
-#[cfg(feature = "stream")]
 pub(crate) use self::session_end::SessionEnd;
-#[cfg(feature = "stream")]
 pub(crate) use self::set_point::SetPoint;
 use crate::arm::Arm;
 use crate::error::OptionName;
@@ -54,7 +42,6 @@ pub struct ServoConfig {
     pub(crate) busy_wait: Duration,
     pub(crate) max_unanswered: Duration,
     rest_timeout: Duration,
-    #[cfg(feature = "realtime")]
     realtime_priority: Option<u8>,
 }
 
@@ -104,7 +91,6 @@ impl Default for ServoConfig {
             busy_wait: Duration::ZERO,
             max_unanswered: Duration::from_millis(100),
             rest_timeout: Duration::from_secs(1),
-            #[cfg(feature = "realtime")]
             realtime_priority: None,
         }
     }
@@ -159,7 +145,7 @@ impl ServoConfig {
     /// started by this one meanwhile inherit it.
     ///
     /// The session must stay in the thread that has entered it: if it ends in another, the first one keeps the priority. If the system does not
-    /// allow the priority, entering fails with `ErrorKind::RealtimePriority`, and nothing is sent.
+    /// allow the priority, entering fails with [`ErrorKind::RealtimePriority`](crate::ErrorKind::RealtimePriority), and nothing is sent.
     #[cfg(feature = "realtime")]
     pub fn realtime_priority(mut self, priority: u8) -> Self {
         self.realtime_priority = Some(priority);

@@ -12,20 +12,20 @@ use crate::words::nearest;
 
 /// A value and where it stands.
 #[derive(Debug, Clone, Copy)]
-pub struct Placed<'s, T> {
+pub(crate) struct Placed<'s, T> {
     /// Where it stands.
-    pub at: At<'s>,
+    pub(crate) at: At<'s>,
     /// The value.
-    pub value: T,
+    pub(crate) value: T,
 }
 
 /// A table of the file, with a name for error messages such as ``command `jog` ``.
 #[derive(Debug)]
-pub struct Item<'a, 's> {
+pub(crate) struct Item<'a, 's> {
     /// Its name; empty for the file.
-    pub what: String,
+    pub(crate) what: String,
     /// Where it begins.
-    pub at: At<'s>,
+    pub(crate) at: At<'s>,
     table: &'a DeTable<'s>,
     report: &'a Report,
     asked: RefCell<BTreeSet<&'static str>>,
@@ -41,7 +41,7 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// Reports an error about this table, at `at`.
-    pub fn error(&self, at: At<'s>, message: &str) {
+    pub(crate) fn error(&self, at: At<'s>, message: &str) {
         let message = if self.what.is_empty() { message.to_owned() } else { format!("{}: {message}", self.what) };
         self.report.error(at, message);
     }
@@ -77,12 +77,12 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// A text.
-    pub fn text(&self, key: &'static str) -> Option<Placed<'s, String>> {
+    pub(crate) fn text(&self, key: &'static str) -> Option<Placed<'s, String>> {
         self.typed(key, "a string", text)
     }
 
     /// Reports a key that is missing.
-    pub fn require(&self, key: &'static str) {
+    pub(crate) fn require(&self, key: &'static str) {
         if !self.has(key) {
             self.error(self.at, &format!("`{key}` is missing"));
         }
@@ -111,26 +111,8 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// A finite number.
-    pub fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
+    pub(crate) fn number(&self, key: &'static str) -> Option<Placed<'s, f64>> {
         self.typed(key, "a finite number", finite)
-    }
-
-    /// A list of as many numbers; `alone` makes one of a number in its place, if it can.
-    pub fn numbers<const N: usize>(
-        &self,
-        key: &'static str,
-        expected: &str,
-        alone: impl FnOnce(Placed<'s, f64>) -> Option<[Placed<'s, f64>; N]>,
-    ) -> Option<[Placed<'s, f64>; N]> {
-        let (at, _) = self.get(key)?;
-        let placed = |element: &Spanned<DeValue<'_>>| {
-            Some(Placed { at: At::new(self.source(), &element.span()), value: finite(element.get_ref())? })
-        };
-        let numbers = self.typed(key, expected, |value| match value.as_array() {
-            Some(list) => list.iter().map(placed).collect::<Option<Vec<_>>>()?.try_into().ok(),
-            None => finite(value).and_then(|value| alone(Placed { at, value })),
-        });
-        numbers.map(|numbers| numbers.value)
     }
 
     /// A limit; infinity means that there is none.
@@ -148,13 +130,13 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// The tables of `[[… .key]]`, each named by `what` and its own `name` or `wire`.
-    pub fn items(&self, key: &'static str, what: &str) -> Vec<Item<'a, 's>> {
+    pub(crate) fn items(&self, key: &'static str, what: &str) -> Vec<Item<'a, 's>> {
         let tables = self.list(key, "a list of tables", |value| value.as_table());
         tables.into_iter().map(|table| self.child(what, table.at, table.value)).collect()
     }
 
     /// The table of `[… .key]`.
-    pub fn item(&self, key: &'static str, what: &str) -> Option<Item<'a, 's>> {
+    pub(crate) fn item(&self, key: &'static str, what: &str) -> Option<Item<'a, 's>> {
         let table = self.typed(key, "a table", |value| value.as_table())?;
         Some(self.child(what, table.at, table.value))
     }
@@ -192,7 +174,7 @@ impl<'a, 's> Item<'a, 's> {
     }
 
     /// Reports each key that was never asked for.
-    pub fn finish(&self) {
+    pub(crate) fn finish(&self) {
         let asked = self.asked.borrow();
         for key in self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())) {
             let hint = match nearest(key.get_ref(), asked.iter().copied()) {

@@ -25,8 +25,6 @@ pub mod words;
 
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
-#[doc(hidden)]
-pub use item::{Item, Placed};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Refusal, Reply, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
@@ -34,8 +32,6 @@ pub use model::{
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use pack::{Module, Pack, load_pack};
 pub use range::{Advice, Condition, Range};
-#[doc(hidden)]
-pub use report::At;
 pub use report::{Error, Errors};
 pub use scalar::Scalar;
 pub use shape::{Shape, is_floats};
@@ -53,7 +49,7 @@ pub struct Source<'s> {
 impl Source<'_> {
     /// An error at an offset into the text, in bytes.
     pub fn error(self, offset: usize, message: impl Into<String>) -> Error {
-        At { source: self, offset }.error(message)
+        report::At { source: self, offset }.error(message)
     }
 }
 
@@ -68,18 +64,4 @@ pub fn load(sources: &[Source<'_>]) -> Result<Spec, Errors> {
     resolve::check(&index, &report);
     report.finish()?;
     Ok(Spec { topics, types: index.finish() })
-}
-
-/// Reads a TOML file of another kind: for jaka-motion.
-///
-/// # Errors
-/// One [`Error`] for each thing that is wrong, as `read` finds it, and for each key that it does not ask for.
-#[doc(hidden)]
-pub fn read_toml<T>(source: Source<'_>, read: impl FnOnce(&Item<'_, '_>) -> T) -> Result<T, Errors> {
-    let report = report::Report::default();
-    let table = item::parse(source, &report);
-    let file = Item::new(String::new(), At { source, offset: 0 }, table.get_ref(), &report);
-    let found = read(&file);
-    file.finish();
-    report.finish().map(|()| found)
 }

@@ -104,7 +104,7 @@ impl std::error::Error for Errors {}
 
 /// A place in one of the sources.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct At<'s> {
+pub(crate) struct At<'s> {
     pub(crate) source: Source<'s>,
     pub(crate) offset: usize,
 }

@@ -1,10 +1,12 @@
 //! Limits from a TOML file.
 
-use jaka_spec::words::nearest;
-use jaka_spec::{At, Item, Placed, Source};
+mod table;
 
-use super::{InvalidLimit, Limits, LimitsFileError, Region, RegionFrame};
+use self::table::{Placed, Table, read_file};
+use super::{InvalidLimit, Limits, Region, RegionFrame};
+use crate::LimitsFileError;
 use crate::model::{Model, Point};
+use crate::text_file::nearest;
 
 impl Limits {
     /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
@@ -55,29 +57,29 @@ impl Limits {
     /// # Errors
     /// Everything that is wrong, at its line and column.
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, LimitsFileError> {
-        jaka_spec::read_toml(Source { path: file_name, text }, read)
+        read_file((text, file_name), read)
     }
 }
 
 /// Without a model, which is an error, the rest is read for its errors.
-fn read(file: &Item<'_, '_>) -> Limits {
+fn read(file: &Table<'_, '_>) -> Limits {
     let model = model(file);
     let mut limits = model.map_or_else(|| Limits::of(&Model::default()), Limits::of);
     joints(file, model.is_some(), &mut limits);
-    if let Some(tcp) = file.item("tcp", "tcp") {
+    if let Some(tcp) = file.table("tcp") {
         if let Some(speed) = tcp.number("speed_mm_s") {
             apply(file, speed.at, &mut limits, |limits| limits.with_tcp_speed(speed.value));
         }
         tcp.finish();
     }
-    if let Some(singularity) = file.item("singularity", "singularity") {
+    if let Some(singularity) = file.table("singularity") {
         if let Some(least) = singularity.number("least_distance") {
             apply(file, least.at, &mut limits, |limits| limits.with_singularity_distance(least.value));
         }
         singularity.finish();
     }
-    let boxes = file.items("box", "box").into_iter().map(|table| (boxed(&table), table));
-    let half_spaces = file.items("half_space", "half_space").into_iter().map(|table| (half_space(&table), table));
+    let boxes = file.tables("box", "box").into_iter().map(|table| (boxed(&table), table));
+    let half_spaces = file.tables("half_space", "half_space").into_iter().map(|table| (half_space(&table), table));
     for (region, table) in boxes.chain(half_spaces) {
         if let Some(region) = region {
             apply(file, table.at, &mut limits, |limits| limits.with_region(region?));
@@ -87,13 +89,13 @@ fn read(file: &Item<'_, '_>) -> Limits {
     limits
 }
 
-fn model(file: &Item<'_, '_>) -> Option<&'static Model> {
+fn model(file: &Table<'_, '_>) -> Option<&'static Model> {
     file.require("model");
     let name = file.text("model")?;
-    let model = Model::named(&name.value);
+    let model = Model::named(name.value);
     if model.is_none() {
         let names = Model::published().iter().map(Model::name);
-        let hint = match nearest(&name.value, names.clone()) {
+        let hint = match nearest(name.value, names.clone()) {
             Some(near) => format!("is it `{near}`?"),
             None => format!("the arms are {}", names.collect::<Vec<_>>().join(", ")),
         };
@@ -103,8 +105,8 @@ fn model(file: &Item<'_, '_>) -> Option<&'static Model> {
 }
 
 /// Ranges and speeds are compared with the model's, if it is known.
-fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
-    let Some(table) = file.item("joints", "joints") else { return };
+fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
+    let Some(table) = file.table("joints") else { return };
     let six = |key| table.numbers(key, "a finite number, or a list of six", |one| Some([one; 6]));
     let [min, max, speeds, accelerations] = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"].map(six);
     table.finish();
@@ -129,12 +131,12 @@ fn joints(file: &Item<'_, '_>, known: bool, limits: &mut Limits) {
 }
 
 /// One number for each joint.
-type Six<'s> = [Placed<'s, f64>; 6];
+type Six = [Placed<f64>; 6];
 
 /// Applies six numbers one by one, so that an error stands at the one that is wrong.
 fn each(
-    file: &Item<'_, '_>,
-    given: Option<&Six<'_>>,
+    file: &Table<'_, '_>,
+    given: Option<&Six>,
     limits: &mut Limits,
     now: impl Fn(&Limits) -> [f64; 6],
     with: impl Fn(Limits, [f64; 6]) -> Result<Limits, InvalidLimit>,
@@ -151,8 +153,8 @@ fn each(
 
 /// Whether the limit made sense; else an error is reported at its place.
 fn apply(
-    file: &Item<'_, '_>,
-    at: At<'_>,
+    file: &Table<'_, '_>,
+    at: usize,
     limits: &mut Limits,
     with: impl FnOnce(Limits) -> Result<Limits, InvalidLimit>,
 ) -> bool {
@@ -166,7 +168,7 @@ fn apply(
     true
 }
 
-fn boxed(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
+fn boxed(table: &Table<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
     let name = name(table);
     let keep = choice(table, "keep", &[("inside", true), ("outside", false)]);
     let (min, max) = (three(table, "min_mm"), three(table, "max_mm"));
@@ -176,7 +178,7 @@ fn boxed(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
     Some(region.map(|region| region.of(point).seen_from(frame)))
 }
 
-fn half_space(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
+fn half_space(table: &Table<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
     let name = name(table);
     let (border, inward) = (three(table, "point_mm"), three(table, "inward"));
     let (point, frame) = seen(table)?;
@@ -184,26 +186,26 @@ fn half_space(table: &Item<'_, '_>) -> Option<Result<Region, InvalidLimit>> {
     Some(region.map(|region| region.of(point).seen_from(frame)))
 }
 
-fn name(table: &Item<'_, '_>) -> Option<String> {
+fn name(table: &Table<'_, '_>) -> Option<String> {
     table.require("name");
-    table.text("name").map(|name| name.value)
+    table.text("name").map(|name| name.value.to_owned())
 }
 
 /// What a region is of, and from where it is seen. Both must be stated: neither goes without saying.
-fn seen(table: &Item<'_, '_>) -> Option<(Point, RegionFrame)> {
+fn seen(table: &Table<'_, '_>) -> Option<(Point, RegionFrame)> {
     let point = choice(table, "of", &[("tcp", Point::Tcp), ("elbow", Point::Elbow), ("wrist", Point::Wrist)]);
     let frame = choice(table, "frame", &[("base", RegionFrame::ArmBase), ("user", RegionFrame::User)]);
     Some((point?, frame?))
 }
 
-fn three(table: &Item<'_, '_>, key: &'static str) -> Option<[f64; 3]> {
+fn three(table: &Table<'_, '_>, key: &'static str) -> Option<[f64; 3]> {
     table.require(key);
     let numbers = table.numbers(key, "a list of three finite numbers", |_| None)?;
     Some(numbers.map(|number| number.value))
 }
 
 /// One of the words.
-fn choice<T: Copy>(table: &Item<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+fn choice<T: Copy>(table: &Table<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
     table.require(key);
     let text = table.text(key)?;
     let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);

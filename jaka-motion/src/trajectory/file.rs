@@ -3,15 +3,24 @@
 mod columns;
 mod csv;
 mod json;
-mod report;
 mod rows;
 mod write;
 
-use self::report::Report;
 use super::timed::TimedPoint;
+use crate::TrajectoryFileError;
+use crate::text_file::Report;
 
-/// Everything that is wrong with a file of way-points, each at its line and column.
-pub use jaka_spec::Errors as TrajectoryFileError;
+/// Number of characters that are shown at most of what was found.
+const SHOWN: usize = 40;
+
+impl Report<'_> {
+    /// Reports what was found in place of something.
+    fn found(&mut self, at: usize, what: &str, found: &str, expected: &str) {
+        let short: String = found.chars().take(SHOWN).collect();
+        let rest = if short.len() < found.len() { "..." } else { "" };
+        self.error(at, format!("{what}: found `{short}{rest}`, expected {expected}"));
+    }
+}
 
 impl TimedPoint {
     /// The points of a CSV text; `file_name` is what errors name.

@@ -143,9 +143,9 @@ impl Through {
         match speeds
             .chain(jerks)
             .chain([("tcp_speed", self.tcp_speed)])
-            .find(|(_, given)| given.is_nan() || *given <= SLOWEST)
+            .find(|(_, given)| given.is_nan() || *given < SLOWEST)
         {
-            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "above 0.001" }),
+            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" }),
             None => Ok(()),
         }
     }

@@ -26,8 +26,7 @@ jaka_proto::worded! {
         } =>
             "at {speed_mm_s} mm/s the tool goes on for more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
              {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²",
-        /// A trajectory is too fast somewhere. Needs the feature `stream`.
-        #[cfg(feature = "stream")]
+        /// A trajectory is too fast somewhere.
         TooFastAlong {
             /// The last way-point before the contact after which the tool would go on the furthest, counted from 1.
             after: usize,
@@ -51,9 +50,7 @@ jaka_proto::worded! {
             "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, \
              and {overtravel_mm} mm are allowed; permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, \
              {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it",
-        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool on further than the overtravel. Needs the feature
-        /// `stream`.
-        #[cfg(feature = "stream")]
+        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool on further than the overtravel.
         CannotBrake {
             /// The last way-point before, counted from 1.
             after: usize,
@@ -78,9 +75,7 @@ impl NotGuarded {
     /// Remedy.
     pub fn remedy(&self) -> Remedy {
         match self {
-            Self::TooFast { .. } => Remedy::MoveMoreSlowly,
-            #[cfg(feature = "stream")]
-            Self::TooFastAlong { .. } | Self::CannotBrake { .. } => Remedy::MoveMoreSlowly,
+            Self::TooFast { .. } | Self::TooFastAlong { .. } | Self::CannotBrake { .. } => Remedy::MoveMoreSlowly,
             Self::SpeedUnknown => Remedy::MoveOnLine,
             Self::BrakingUnknown => Remedy::GiveAcceleration,
             Self::Moving => Remedy::WaitForMotions,

@@ -2,7 +2,6 @@
 
 use std::error::Error as StdError;
 
-#[cfg(feature = "stream")]
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::wire::DecodeError;
 
@@ -54,7 +53,6 @@ impl NotShown {
 impl StdError for NotShown {}
 
 /// The joints of a packet.
-#[cfg(feature = "stream")]
 pub(crate) fn shown_joints(packet: &Snapshot) -> Result<JointPosition, NotShown> {
     Field { packet, name: "joint_actual_position" }.shown(packet.status.joint_actual_position)
 }

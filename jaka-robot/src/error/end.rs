@@ -90,7 +90,7 @@ impl End {
         if self.occurrence.cause == Cause::NoMotion || self.is_before_start() {
             return Phase::NotSent;
         }
-        let may_move = match (&self.stop, self.is_of_trajectory()) {
+        let may_move = match (&self.stop, self.report.trajectory.is_some()) {
             (Some(accepted), _) => accepted.is_err(),
             (None, true) => !self.rest.was_seen(),
             (None, false) => self.occurrence.consequence().may_move(),
@@ -155,18 +155,7 @@ impl End {
 
     /// True if a trajectory ended by an error that is no trip of its guard alone.
     fn has_failed(&self) -> bool {
-        self.is_of_trajectory() && self.error.as_ref().is_some_and(|error| !error.is_trip())
-    }
-
-    #[cfg(feature = "stream")]
-    fn is_of_trajectory(&self) -> bool {
-        self.report.trajectory.is_some()
-    }
-
-    #[cfg(not(feature = "stream"))]
-    #[expect(clippy::unused_self, reason = "trajectories need the feature")]
-    fn is_of_trajectory(&self) -> bool {
-        false
+        self.report.trajectory.is_some() && self.error.as_ref().is_some_and(|error| !error.is_trip())
     }
 
     pub(super) fn source(&self) -> Option<&(dyn StdError + 'static)> {
@@ -193,12 +182,11 @@ impl End {
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.error {
-            Some(error) if self.is_of_trajectory() => {
+            Some(error) if self.report.trajectory.is_some() => {
                 f.write_str(&with_fact(self.cause(), error.kind().event()))?;
             }
             _ => f.write_str(&self.planned())?,
         }
-        #[cfg(feature = "stream")]
         if let Some(trajectory) = self.report.trajectory.as_ref().filter(|_| self.occurrence.cause != Cause::Reached) {
             let rest = if self.rest.was_seen() { "is at rest" } else { "was not seen at rest" };
             let (reached, duration) = (trajectory.reached.as_secs_f64(), trajectory.duration.as_secs_f64());

@@ -11,9 +11,9 @@ use jaka_sync::layer::{Failure, seat_hint};
 use super::Error;
 use super::end::{End, Phase};
 use super::line::{Line, STOP_NOT_ACCEPTED, Sequence, with_fact};
-#[cfg(feature = "stream")]
-use crate::Evidence;
-use crate::{Cause, Disconnect, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
+use crate::{
+    Cause, Disconnect, Evidence, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem,
+};
 
 jaka_proto::worded! {
     /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
@@ -138,15 +138,13 @@ jaka_proto::worded! {
             /// How far they differ.
             source: jaka_motion::FitError,
         } => "the limits are not those of this robot: its controller computes other poses than their model",
-        /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was sent. Needs the feature `stream`.
-        #[cfg(feature = "stream")]
+        /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was sent.
         Trajectory {
             /// Which limit, and where: the way-point before, the time, the joint.
             source: jaka_motion::TrajectoryError,
         } => "the trajectory was not started: {source}",
         /// A trajectory was not started, because the arm is not where it starts: move it there first, or set
-        /// [`FollowConfig::approach`](crate::FollowConfig::approach). Nothing that moves the arm was sent. Needs the feature `stream`.
-        #[cfg(feature = "stream")]
+        /// [`FollowConfig::approach`](crate::FollowConfig::approach). Nothing that moves the arm was sent.
         NotAtStart {
             /// The joint that is the furthest away, 1 to 6.
             joint: usize,
@@ -155,8 +153,7 @@ jaka_proto::worded! {
             /// Where the trajectory has it at the start, in degrees.
             start_deg: f64,
         } => (not_at_start(*joint, *at_deg, *start_deg)),
-        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds it. Needs the feature `stream`.
-        #[cfg(feature = "stream")]
+        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds it.
         Departed {
             /// The joint, 1 to 6.
             joint: usize,
@@ -180,7 +177,6 @@ jaka_proto::worded! {
             source: io::Error,
         } => "the system has no thread for this",
         /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs the feature `realtime`.
-        #[cfg(feature = "realtime")]
         RealtimePriority {
             /// The priority that was asked for.
             priority: u8,
@@ -272,7 +268,6 @@ impl ErrorKind {
             Self::Connection(error) => of_connection(error),
             Self::SetPointsUnanswered { .. } => Cause::Unanswered,
             Self::CommandsLost { .. } => Cause::CommandsLost,
-            Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::NotReached { end } => end.cause(),
             Self::WaitEnded { .. } | Self::StatusUnknown { .. } => Cause::StatusLost,
             Self::NotShown { .. } | Self::NotGuarded { .. } => Cause::NotShown,
@@ -280,22 +275,19 @@ impl ErrorKind {
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).cause(),
             Self::SetPointLate { .. } => Cause::SetPointLate,
             Self::SessionEnded { cause, .. } => *cause,
-            Self::NotAcknowledged { occurrence } => occurrence.cause,
+            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).cause(),
             Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
             Self::NotLanded { first, landing } => Sequence::new(first, landing).cause(),
-            Self::InvalidOption { .. } | Self::PortInAddress { .. } | Self::Thread { .. } => Cause::Failed,
-            Self::BeyondLimit { .. } | Self::NotChecked { .. } => Cause::BeyondLimit,
-            Self::ModelMismatch { .. } => Cause::Failed,
-            #[cfg(feature = "stream")]
-            Self::Trajectory { .. } => Cause::BeyondLimit,
-            #[cfg(feature = "stream")]
+            Self::InvalidOption { .. }
+            | Self::PortInAddress { .. }
+            | Self::Thread { .. }
+            | Self::ModelMismatch { .. }
+            | Self::RealtimePriority { .. } => Cause::Failed,
+            Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::Trajectory { .. } => Cause::BeyondLimit,
             Self::NotAtStart { .. } => Cause::NotAtStart,
-            #[cfg(feature = "stream")]
             Self::Departed { .. } => Cause::Departed,
-            #[cfg(feature = "realtime")]
-            Self::RealtimePriority { .. } => Cause::Failed,
         }
     }
 
@@ -325,7 +317,6 @@ impl ErrorKind {
     }
 
     /// Evidence for the cause, besides the error.
-    #[cfg(feature = "stream")]
     pub(super) fn evidence(&self) -> Evidence {
         match self {
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
@@ -359,24 +350,23 @@ impl ErrorKind {
             | Self::CommandsLost { .. }
             | Self::SetPointLate { .. }
             | Self::SetPointsUnanswered { .. }
+            | Self::Departed { .. }
+            | Self::NotAtStart { .. }
             | Self::Stopped { .. }
             | Self::RestNotSeen { first: None, .. } => self.cause().remedy(),
             Self::Connection(error) => error.remedy().into(),
             Self::PortInAddress { .. } => Remedy::LeaveOutPort,
             Self::NotChecked { reason, .. } => reason.remedy(),
-            // The fact says all that is known.
-            Self::InvalidOption { .. } | Self::Thread { .. } => Remedy::None,
-            Self::BeyondLimit { .. } | Self::ModelMismatch { .. } => Remedy::None,
-            #[cfg(feature = "stream")]
-            Self::Departed { .. } | Self::NotAtStart { .. } => self.cause().remedy(),
-            #[cfg(feature = "stream")]
-            Self::Trajectory { .. } => Remedy::None,
-            #[cfg(feature = "realtime")]
             Self::RealtimePriority { source, .. } if source.kind() == io::ErrorKind::PermissionDenied => {
                 Remedy::AllowRealtimePriority
             }
-            #[cfg(feature = "realtime")]
-            Self::RealtimePriority { .. } => Remedy::None,
+            // The fact says all that is known.
+            Self::InvalidOption { .. }
+            | Self::Thread { .. }
+            | Self::BeyondLimit { .. }
+            | Self::ModelMismatch { .. }
+            | Self::Trajectory { .. }
+            | Self::RealtimePriority { .. } => Remedy::None,
         }
     }
 
@@ -405,21 +395,19 @@ impl ErrorKind {
                 (Group::Other, false, occurrence.source())
             }
             Self::NotReached { end } => (Group::of(end.cause()), end.phase() != Phase::NotSent, end.source()),
-            Self::Thread { source } => (Group::Other, false, Some(source)),
             Self::NotReady { .. }
             | Self::SetPointLate { .. }
             | Self::SessionEnded { .. }
             | Self::NotShown { .. }
             | Self::NotGuarded { .. }
+            | Self::NotAtStart { .. }
+            | Self::Departed { .. }
+            | Self::BeyondLimit { .. }
+            | Self::NotChecked { .. }
             | Self::Stopped { .. } => (Group::Other, false, None),
-            Self::BeyondLimit { .. } | Self::NotChecked { .. } => (Group::Other, false, None),
             Self::ModelMismatch { source } => (Group::Other, false, Some(source)),
-            #[cfg(feature = "stream")]
             Self::Trajectory { source } => (Group::Other, false, source.source()),
-            #[cfg(feature = "stream")]
-            Self::NotAtStart { .. } | Self::Departed { .. } => (Group::Other, false, None),
-            #[cfg(feature = "realtime")]
-            Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
+            Self::Thread { source } | Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
         }
     }
 }
@@ -463,7 +451,6 @@ fn of_connection(error: &jaka_sync::Error) -> Cause {
 }
 
 /// Evidence that an error of the connection has.
-#[cfg(feature = "stream")]
 fn evidence(error: &jaka_sync::Error) -> Evidence {
     match error.kind() {
         jaka_sync::ErrorKind::Disconnected { address, command: Some(_), cause, .. } => {
@@ -512,7 +499,6 @@ fn named(commands: &[String]) -> String {
     commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
 }
 
-#[cfg(feature = "stream")]
 fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {
     let off_deg = (start_deg - at_deg).abs();
     let digits = if off_deg < 1e-3 { 6 } else { 3 };
@@ -522,7 +508,6 @@ fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {
     )
 }
 
-#[cfg(feature = "realtime")]
 fn no_priority(priority: u8, source: &io::Error) -> String {
     if source.kind() == io::ErrorKind::PermissionDenied {
         return format!("the system does not allow this thread the real-time priority {priority}");

@@ -1,38 +1,34 @@
 //! The way to where a trajectory starts.
 
-use jaka_motion::{Bound, Checker, Dynamics, Generator, Goal};
+use jaka_motion::{Checker, Follower, Stopping, Trajectory, TrajectoryError};
 use jaka_proto::messages::types::JointPosition;
 
-use super::{FollowConfig, start};
-use crate::Error;
-use crate::error::OptionName;
 use crate::guard::SetPointGuard;
-use crate::servo_session::{beyond_limit, generator, not_generated};
+use crate::servo_session::beyond_limit;
+use crate::{Error, ErrorKind};
 
-/// The way to where a trajectory starts, which is held for two periods there or more, so that the trajectory begins from a standstill at its start exactly.
+/// Trajectory to where another one starts, straight in joint space. The arm is held there for two periods or more, so that
+/// the other one begins from a standstill at its start exactly.
 #[derive(Debug)]
 pub(super) struct Approach {
-    generator: Generator,
+    /// None where the arm is at the start.
+    follower: Option<Follower>,
     start: JointPosition,
     held: u32,
-    /// For how many periods the start is to be held.
+    /// Number of periods for which the start is to be held.
     hold: u32,
-    /// True if the arm stands and does not get to the start.
-    pub(super) is_blocked: bool,
-    /// What slowed the last set-point.
-    bound: Option<Bound>,
 }
 
-/// How fast the last hundredth of a degree is gone that counts as being there, in deg/s.
+/// Speed in deg/s for the last hundredth of a degree, within which the arm counts as being there.
 const NEXT_TO_NOTHING: f64 = 1.0;
-/// How near the generator gets to its goal, in degrees; with some room.
-const THERE: f64 = 2e-6;
+/// Distance in degrees that is no way.
+const THERE: f64 = 1e-6;
 const PERIODS_HELD: u32 = 2;
-
-/// What asks for it.
-const OPTION: OptionName = FollowConfig::option("approach");
+/// Speed of the tool in mm/s below which no slower one is tried.
+const SLOWEST_MM_S: f64 = 0.01;
 
 impl Approach {
+    /// Plans the way, and checks it against all limits and the guard.
     pub(super) fn new(
         checker: &Checker,
         [from, start]: [JointPosition; 2],
@@ -40,14 +36,12 @@ impl Approach {
         period_s: f64,
         guard: Option<&SetPointGuard>,
     ) -> Result<Self, Error> {
-        let speed = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
-        let speeds = checker.limits().joint_speeds().map(|most| most.min(speed));
-        let dynamics =
-            Dynamics::of(checker.limits()).with_speeds(speeds).map_err(|error| not_generated(error, OPTION))?;
-        let generator = generator(checker, (dynamics, OPTION), from, period_s, guard)?;
+        let speed_deg_s = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
+        let is_there = from.max_distance(&start) <= THERE;
+        let follower = if is_there { None } else { Some(plan(checker, [from, start], speed_deg_s, period_s, guard)?) };
         // What is touched on the way is known before the trajectory begins.
         let hold = PERIODS_HELD + guard.map_or(0, |guard| guard.periods_unknown(period_s));
-        Ok(Self { generator, start, held: 0, hold, is_blocked: false, bound: None })
+        Ok(Self { follower, start, held: 0, hold })
     }
 
     /// True once the start was held for so long that the trajectory can begin.
@@ -55,51 +49,68 @@ impl Approach {
         self.held >= self.hold
     }
 
-    /// Fails where it is blocked, with what is in the way, as far as that is known.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        match &self.bound {
-            _ if !self.is_blocked => Ok(()),
-            Some(Bound::Limit(beyond)) => Err(beyond_limit(beyond.clone())),
-            _ => Err(start::not_at_start(self.generator.joints(), self.start)),
-        }
-    }
-
     pub(super) fn is_at_rest(&self) -> bool {
-        self.generator.is_at_rest()
+        self.follower.as_ref().is_none_or(Follower::is_at_rest)
     }
 
-    /// The next set-point on the way.
+    /// The way, unless the arm was at the start from the beginning.
+    pub(super) fn follower(&mut self) -> Option<&mut Follower> {
+        self.follower.as_mut()
+    }
+
+    /// Looks ahead at a stop on the way.
+    pub(super) fn stopping(&self) -> Option<Stopping> {
+        self.follower.as_ref().map(Follower::stopping)
+    }
+
+    /// Returns the next set-point.
     pub(super) fn advance(&mut self) -> JointPosition {
-        if self.is_there() {
-            self.held += 1;
-            return self.start;
+        match &mut self.follower {
+            Some(follower) if !follower.is_at_end() => follower.advance(),
+            _ => {
+                self.held += 1;
+                self.start
+            }
         }
-        let stood_at = self.is_at_rest().then(|| self.generator.joints());
-        let step = self.generator.next(&Goal::Joints(self.start));
-        // Whatever keeps it there: it would stand for ever.
-        self.is_blocked = self.is_at_rest() && stood_at == Some(step.joints) && !self.is_there();
-        self.bound = step.bound;
-        step.joints
-    }
-
-    /// The next set-point on the way to a standstill.
-    pub(super) fn brake(&mut self) -> JointPosition {
-        if self.held > 0 { self.start } else { self.generator.next(&Goal::Rest).joints }
-    }
-
-    pub(super) fn paused(&mut self) {
-        self.generator.paused();
     }
 
     pub(super) fn take_back(&mut self) {
         if self.held > 0 {
             self.held -= 1;
-        } else {
-            self.generator.take_back();
+        } else if let Some(follower) = &mut self.follower {
+            follower.take_back();
         }
     }
+}
 
-    fn is_there(&self) -> bool {
-        self.is_at_rest() && self.generator.joints().max_distance(&self.start) <= THERE
+/// Plans the way from rest to rest. The tool is so slow that the guard permits it.
+fn plan(
+    checker: &Checker,
+    from_to: [JointPosition; 2],
+    speed_deg_s: f64,
+    period_s: f64,
+    guard: Option<&SetPointGuard>,
+) -> Result<Follower, Error> {
+    let through = Trajectory::through(from_to).joint_speeds([speed_deg_s; 6]);
+    let tool_stop = guard.and_then(|guard| guard.tool_stop(period_s));
+    let mut tcp_speed = tool_stop.map_or(f64::INFINITY, |[speed_mm_s, _]| speed_mm_s.max(SLOWEST_MM_S));
+    loop {
+        let trajectory = through.clone().tcp_speed(tcp_speed).build(checker).map_err(not_planned)?;
+        let mut follower = Follower::new(trajectory, checker.limits(), period_s);
+        match guard.map_or(Ok(()), |guard| guard.check_trajectory(&follower, checker)) {
+            Err(_) if tcp_speed > SLOWEST_MM_S => tcp_speed = (0.5 * tcp_speed).max(SLOWEST_MM_S),
+            fits => {
+                // Nothing has moved yet.
+                follower.set_scale(0.0);
+                return fits.map(|()| follower);
+            }
+        }
+    }
+}
+
+fn not_planned(error: TrajectoryError) -> Error {
+    match error {
+        TrajectoryError::Place { beyond, .. } | TrajectoryError::Beyond { beyond, .. } => beyond_limit(*beyond),
+        source => ErrorKind::Trajectory { source }.into(),
     }
 }

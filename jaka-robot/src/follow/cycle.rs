@@ -84,14 +84,10 @@ impl<'o> Way<'o> {
         if known_by != Some(checker) {
             start::check_limits(checker, trajectory, config, guard)?;
         }
-        start::check_start(checker, at, trajectory, config)?;
-        let period = config.servo.period();
-        let (from_to, speed) = ([at, trajectory.start()], config.approach_deg_s);
-        let approach = Approach::new(checker, from_to, speed, period.as_secs_f64(), guard)?;
         Ok(Self {
             guard,
-            approach: Some(approach),
-            follower: Follower::new(trajectory.clone(), checker.limits(), period.as_secs_f64()),
+            approach: Some(start::check_start(checker, at, trajectory, (config, guard))?),
+            follower: Follower::new(trajectory.clone(), checker.limits(), config.servo.period().as_secs_f64()),
             orders,
             is_overdue: false,
             last: at,
@@ -101,7 +97,7 @@ impl<'o> Way<'o> {
 
     /// Brings the arm to rest after the last set-point, and tells how the run has ended.
     fn ended(mut self, mut session: ServoSession<'_>, ended: Result<(), Error>, supervision: &Supervision<'_>) -> End {
-        let (error, has_left_curve) = match ended.and_then(|()| self.check_approach()) {
+        let (error, has_left_curve) = match ended {
             Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
             Err(error) => {
                 let (error, has_left_curve) = self.braked(&mut session, error);
@@ -154,18 +150,13 @@ impl<'o> Way<'o> {
         (error, is_off && is_straight_on)
     }
 
-    /// Fails where something is in the way to the start.
-    fn check_approach(&self) -> Result<(), Error> {
-        self.approach.as_ref().map_or(Ok(()), Approach::check)
-    }
-
     /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop
     /// waits, if one does.
     fn look_ahead(&self, straight_on: u32, left: Option<Duration>) -> LookAhead {
         let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
         let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));
-        // An approach is braked straight on as it is.
-        LookAhead { stopping: self.approach.is_none().then(|| self.follower.stopping()), most }
+        let stopping = self.approach.as_ref().map_or_else(|| Some(self.follower.stopping()), Approach::stopping);
+        LookAhead { stopping, most }
     }
 
     fn periods_in(&self, time_s: f64) -> u32 {
@@ -182,25 +173,30 @@ impl<'o> Way<'o> {
     fn brake(&mut self) -> Option<SetPoint> {
         // The one before was sent.
         self.tell();
-        let joints = match &mut self.approach {
-            Some(approach) if approach.is_at_rest() => return None,
-            Some(approach) => approach.brake(),
-            None if self.follower.is_at_rest() => return None,
-            None => {
-                self.slow_down();
-                self.follower.advance()
-            }
-        };
-        Some(SetPoint::Joints(joints))
+        let is_at_rest = self.approach.as_ref().map_or_else(|| self.follower.is_at_rest(), Approach::is_at_rest);
+        if is_at_rest {
+            return None;
+        }
+        self.slow_down();
+        Some(SetPoint::Joints(self.advance()))
     }
 
-    /// To a standstill on the trajectory; under a limit of force, as soon as it can be done.
+    /// To a standstill on the trajectory, or on the way to it; under a limit of force, as soon as it can be done.
     fn slow_down(&mut self) {
         if self.guard.is_some_and(SetPointGuard::has_force_limits) {
-            self.follower.brake();
+            self.leading().brake();
         } else {
-            self.follower.set_scale(0.0);
+            self.leading().set_scale(0.0);
         }
+    }
+
+    /// Follower of the approach, as long as there is one, and then that of the trajectory.
+    fn leading(&mut self) -> &mut Follower {
+        self.approach.as_mut().and_then(Approach::follower).unwrap_or(&mut self.follower)
+    }
+
+    fn advance(&mut self) -> JointPosition {
+        self.approach.as_mut().map_or_else(|| self.follower.advance(), Approach::advance)
     }
 
     fn tell(&self) {
@@ -247,29 +243,22 @@ impl SetPoints for Way<'_> {
             self.approach = None;
         }
         match &self.approach {
-            Some(approach) => approach.is_blocked || self.orders.is_stopped() && approach.is_at_rest(),
+            Some(approach) => self.orders.is_stopped() && approach.is_at_rest(),
             None => self.follower.is_at_end() || self.orders.is_stopped() && self.follower.is_at_rest(),
         }
     }
 
     fn next(&mut self) -> JointPosition {
         let scale = self.orders.scale();
-        self.last = match &mut self.approach {
-            Some(approach) if scale > 0.0 => approach.advance(),
-            Some(approach) => approach.brake(),
-            None => {
-                self.follower.set_scale(scale);
-                self.follower.advance()
-            }
-        };
+        // An approach has its own speed, whatever that of the trajectory.
+        let scale = if self.approach.is_some() && scale > 0.0 { 1.0 } else { scale };
+        self.leading().set_scale(scale);
+        self.last = self.advance();
         self.last
     }
 
     fn paused(&mut self) {
-        match &mut self.approach {
-            Some(approach) => approach.paused(),
-            None => self.follower.paused(),
-        }
+        self.leading().paused();
         self.tell();
     }
 

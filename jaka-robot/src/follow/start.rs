@@ -4,6 +4,7 @@ use jaka_motion::{Checker, Follower, JointPace, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
+use super::approach::Approach;
 use crate::arm::Arm;
 use crate::guard::SetPointGuard;
 use crate::limits::LimitChecks;
@@ -30,7 +31,7 @@ pub(super) fn check(
     limits.prepare_set_points(arm, (at, pose), timeout)?;
     let checker = limits.checker().ok_or_else(no_limits)?;
     check_limits(checker, trajectory, config, guard)?;
-    check_start(checker, at, trajectory, config)?;
+    check_start(checker, at, trajectory, (config, guard))?;
     guard.map_or(Ok(()), SetPointGuard::check_before_start)?;
     Ok(checker.clone())
 }
@@ -48,28 +49,29 @@ pub(super) fn check_limits(
     guard.check_trajectory(&follower, checker)
 }
 
-/// Checks where the arm is, and the way from there to the start of the trajectory.
+/// Checks where the arm is, and plans the way from there to the start of the trajectory.
 pub(super) fn check_start(
     checker: &Checker,
     at: JointPosition,
     trajectory: &Trajectory,
-    config: &FollowConfig,
-) -> Result<(), Error> {
+    (config, guard): (&FollowConfig, Option<&SetPointGuard>),
+) -> Result<Approach, Error> {
     let start = trajectory.start();
     match config.approach_deg_s {
-        _ if at.max_distance(&start) <= AT_START_DEG => Ok(()),
-        None => Err(not_at_start(at, start)),
+        _ if at.max_distance(&start) <= AT_START_DEG => {}
+        None => return Err(not_at_start(at, start)),
         Some(speed_deg_s) => {
             let accelerations = checker.limits().joint_accelerations();
             let least = accelerations.iter().copied().fold(f64::INFINITY, f64::min);
             let pace = JointPace { speed_deg_s: slowest(checker).min(speed_deg_s), acceleration_deg_s2: Some(least) };
-            checker.check_joint_way(at, start, pace).map_err(beyond_limit)
+            checker.check_joint_way(at, start, pace).map_err(beyond_limit)?;
         }
     }
+    Approach::new(checker, [at, start], config.approach_deg_s, config.servo.period().as_secs_f64(), guard)
 }
 
 /// Names the joint that is the furthest from where it is to be.
-pub(super) fn not_at_start(at: JointPosition, start: JointPosition) -> Error {
+fn not_at_start(at: JointPosition, start: JointPosition) -> Error {
     let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
     let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });
     let (at_deg, start_deg) = (at.0[worst], start.0[worst]);

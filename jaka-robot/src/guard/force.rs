@@ -3,7 +3,6 @@
 use std::fmt;
 use std::time::Duration;
 
-#[cfg(feature = "stream")]
 use jaka_motion::Overtravel;
 use jaka_proto::wire::{DecodeError, Typed};
 
@@ -26,7 +25,7 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from
 /// rest. All of it is about the tool centre point; other points of a tool that turns may be faster.
 ///
-/// Trajectories and streams (feature `stream`) are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
+/// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
 /// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `FollowConfig::guard` and `StreamConfig::guard` say how. What such an arm
 /// lags behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
 ///
@@ -122,7 +121,7 @@ impl ForceLimit {
     }
 
     /// Name of one of its options.
-    pub(super) const fn option(name: &'static str) -> OptionName {
+    pub(crate) const fn option(name: &'static str) -> OptionName {
         OptionName::new("ForceLimit", name)
     }
 
@@ -178,7 +177,6 @@ impl ForceLimit {
 }
 
 /// For set-points, which brake the tool themselves.
-#[cfg(feature = "stream")]
 impl ForceLimit {
     /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and set-points each `cycle_s`: until a
     /// packet shows it, the next set-point goes out and the reaction is over; and the arm is a set-point behind.

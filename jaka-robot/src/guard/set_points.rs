@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_motion::{Checker, Follower, Generator};
+use jaka_motion::{Checker, Follower};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 
@@ -34,7 +34,8 @@ struct Force {
     period: Duration,
 }
 
-/// For how much of the overtravel set-points of a stream may brake: what the tool does at its highest speed in this time, in seconds. Ours.
+/// Part of the overtravel that is left for braking: the way of the tool at its highest speed in this time, in seconds.
+/// Ours.
 const BRAKING_S: f64 = 0.1;
 
 impl SetPointGuard {
@@ -124,17 +125,15 @@ impl SetPointGuard {
         })
     }
 
-    /// A generator so slow that the tool goes on for no longer than is allowed after a contact: at its highest speed while nothing is known of it, and then on its way to
-    /// rest.
-    pub(crate) fn slowed(&self, generator: Generator) -> Result<Generator, Error> {
-        let Some(force) = &self.force else { return Ok(generator) };
-        let all = || force.unbraked_s(generator.period_s());
-        let speed =
-            all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S)).fold(f64::INFINITY, f64::min);
-        let within = all().map(|(limit, time_s)| limit.overtravel_mm - speed * time_s).fold(f64::INFINITY, f64::min);
-        let least = all().map(|(limit, _)| limit.overtravel_mm).fold(f64::INFINITY, f64::min);
-        let too_short = |error| ForceLimit::option("overtravel").refuse(least, format!("more ({error})"));
-        generator.with_tool_stop(speed, within).map_err(too_short)
+    /// Highest speed of the tool, in mm/s, at which a limit of force leaves room to brake after a contact, and the way
+    /// in mm that is left for braking; none without such a limit.
+    pub(crate) fn tool_stop(&self, cycle_s: f64) -> Option<[f64; 2]> {
+        let force = self.force.as_ref()?;
+        let all = || force.unbraked_s(cycle_s);
+        let speeds = all().map(|(limit, time_s)| limit.overtravel_mm / (time_s + BRAKING_S));
+        let speed_mm_s = speeds.fold(f64::INFINITY, f64::min);
+        let ways = all().map(|(limit, time_s)| limit.overtravel_mm - speed_mm_s * time_s);
+        Some([speed_mm_s, ways.fold(f64::INFINITY, f64::min)])
     }
 
     /// For how many periods of so many seconds an arm must rest until a contact before is known.

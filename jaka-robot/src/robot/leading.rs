@@ -1,17 +1,16 @@
-//! Motions under guards, servo sessions, streams and trajectories of a robot.
+//! Servo sessions, streams and trajectories of a robot.
 
 use std::time::Duration;
 
-use super::Robot;
-#[cfg(feature = "stream")]
 use jaka_motion::Trajectory;
 
+use super::Robot;
 #[cfg(doc)]
 use crate::ErrorKind;
 use crate::servo_session::ServoSession;
+use crate::{End, Error, FollowConfig, FollowRun, MotionStatus, SessionConfig};
 #[cfg(feature = "stream")]
-use crate::{End, FollowConfig, FollowRun, Stream, StreamConfig};
-use crate::{Error, MotionStatus, SessionConfig};
+use crate::{Stream, StreamConfig};
 
 impl<S: MotionStatus> Robot<S> {
     /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
@@ -20,22 +19,6 @@ impl<S: MotionStatus> Robot<S> {
     /// As [`ServoSession`] says at "Entering".
     pub fn enter_servo_mode(&mut self, config: impl Into<SessionConfig>) -> Result<ServoSession<'_>, Error> {
         ServoSession::enter(self.led(), config.into())
-    }
-}
-
-#[cfg(feature = "stream")]
-impl<S: MotionStatus> Robot<S> {
-    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
-    ///
-    /// It begins at rest, where the controller's own answer says that the joints are to be.
-    ///
-    /// # Errors
-    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
-    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
-    /// limits.
-    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
-        Stream::begin(self.led(), config)
     }
 
     /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the trajectory where it is not done
@@ -61,5 +44,21 @@ impl<S: MotionStatus> Robot<S> {
     /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take.
     pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_>, Error> {
         FollowRun::begin(self.led(), trajectory, config)
+    }
+}
+
+#[cfg(feature = "stream")]
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
+    ///
+    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    ///
+    /// # Errors
+    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no limits, by which a stream knows the arm,
+    /// [`ErrorKind::NotShown`] if packets do not show the joints, by which it is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
+    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
+        Stream::begin(self.led(), config)
     }
 }

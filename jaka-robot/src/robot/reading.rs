@@ -116,8 +116,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops, events, frames,
     /// payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is changed on the controller.
     ///
-    /// With the feature `motion` also the arm's model, which is that of its limits or else any published one, compared with what
-    /// the controller computes (`kine_forward`, which moves nothing), and where the arm is against the limits.
+    /// Also compares the arm's model, which is that of its limits or else any published one, with what
+    /// the controller computes (`kine_forward`, which moves nothing), and where the arm is with the limits.
     ///
     /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries one after the other,
     /// the rest of what it tells is [not checked](Verdict::NotChecked).

@@ -32,14 +32,14 @@ impl Braking {
             | ErrorKind::WaitBroken { .. }
             | ErrorKind::NotGuarded { .. }
             | ErrorKind::PortInAddress { .. }
-            | ErrorKind::Thread { .. } => Self::Land,
-            ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. } | ErrorKind::ModelMismatch { .. } => {
-                Self::Land
-            }
-            #[cfg(feature = "stream")]
-            ErrorKind::Departed { .. } | ErrorKind::NotAtStart { .. } | ErrorKind::Trajectory { .. } => Self::Land,
-            #[cfg(feature = "realtime")]
-            ErrorKind::RealtimePriority { .. } => Self::Land,
+            | ErrorKind::BeyondLimit { .. }
+            | ErrorKind::NotChecked { .. }
+            | ErrorKind::ModelMismatch { .. }
+            | ErrorKind::Departed { .. }
+            | ErrorKind::NotAtStart { .. }
+            | ErrorKind::Trajectory { .. }
+            | ErrorKind::Thread { .. }
+            | ErrorKind::RealtimePriority { .. } => Self::Land,
             // A protective or an emergency stop that the newest packet shows.
             ErrorKind::NotReady { .. }
             // Set-points would accumulate, and move the arm later.

@@ -51,14 +51,8 @@ impl Course {
     }
 
     /// The last two set-points, in joint positions, where they are known.
-    pub(super) fn last_joints(&self) -> Option<[JointPosition; 2]> {
+    pub(crate) fn last_joints(&self) -> Option<[JointPosition; 2]> {
         self.joints.both()
-    }
-
-    /// Joint positions of the last set-point, where they are known.
-    #[cfg(feature = "stream")]
-    pub(crate) fn joints(&self) -> Option<JointPosition> {
-        self.joints.last
     }
 
     /// Where the joints are to be at the last set-point, if that is one of joints, and where it is known.

@@ -40,7 +40,6 @@ impl<'r> ServoSession<'r> {
         let Led { arm, limits, has_motions } = led;
         check_step_count(config)?;
         rates.check_themselves()?;
-        #[cfg(feature = "realtime")]
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
@@ -67,7 +66,6 @@ impl<'r> ServoSession<'r> {
             begun: None,
             is_open: true,
             ended: None,
-            #[cfg(feature = "realtime")]
             priority,
         };
         match session.switch_on() {

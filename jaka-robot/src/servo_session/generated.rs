@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jaka_motion::{Beyond, Checker, Dynamics, Generator, GeneratorError};
+use jaka_motion::{Beyond, Checker};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 use jaka_proto::messages::types::JointPosition;
@@ -171,35 +171,6 @@ impl ServoSession<'_> {
     /// The newest packet, unless it has this number.
     fn packet_after(&self, number: u64) -> Option<Arc<Snapshot>> {
         self.arm.state.newest_packet().filter(|packet| packet.number != number)
-    }
-}
-
-/// A generator that is slow enough for the guard, if there is one. `option` is where its dynamics come from.
-pub(crate) fn generator(
-    checker: &Checker,
-    (dynamics, option): (Dynamics, OptionName),
-    start: JointPosition,
-    period_s: f64,
-    guard: Option<&SetPointGuard>,
-) -> Result<Generator, Error> {
-    let generator = Generator::new(checker, dynamics, start, period_s).map_err(|error| not_generated(error, option))?;
-    match guard {
-        Some(guard) => guard.slowed(generator),
-        None => Ok(generator),
-    }
-}
-
-/// Why there is no generator for what an option asks for.
-pub(crate) fn not_generated(error: GeneratorError, option: OptionName) -> Error {
-    match error {
-        GeneratorError::Start(beyond) => beyond_limit(beyond),
-        GeneratorError::TooLittle { what, unit, joint, given, least } => option
-            .refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), format!("at least {least} {unit}")),
-        GeneratorError::BeyondLimit { what, unit, joint, given, limit } => {
-            let expected = format!("at most {limit} {unit}, the arm's limit");
-            option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)
-        }
-        other => option.refuse(other, "what the robot's limits allow"),
     }
 }
 

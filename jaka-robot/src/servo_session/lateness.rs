@@ -21,7 +21,6 @@ impl ServoConfig {
     /// does not allow the priority.
     pub fn measure_lateness(&self, time: Duration) -> Result<Vec<Duration>, Error> {
         check_step_count(self)?;
-        #[cfg(feature = "realtime")]
         let _priority = self.take_priority()?;
         let clock = Clock::default();
         let mut pace = Pace::new(&clock, self.period(), self.busy_wait);

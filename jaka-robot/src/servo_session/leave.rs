@@ -10,7 +10,6 @@ use jaka_proto::recording::MotionStep;
 use jaka_sync::layer::{ClientParts as _, Sent};
 
 use super::ServoSession;
-#[cfg(feature = "stream")]
 use super::Supervision;
 use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
@@ -42,7 +41,6 @@ impl ServoSession<'_> {
     }
 
     /// The same, braked in another way. A guard that trips before the arm is at rest is an error, too.
-    #[cfg(feature = "stream")]
     pub(crate) fn land_by(&mut self, braking: BrakingPath<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
         self.leave_landed(landed, supervision.check_tripped().err())
@@ -117,7 +115,6 @@ impl ServoSession<'_> {
         };
         self.ended = Some(SessionEnd::of(&error));
         self.arm.link().record_motion(MotionStep::Failed, || error.kind().to_string());
-        #[cfg(feature = "realtime")]
         drop(self.priority.take());
         error
     }

@@ -1,26 +1,25 @@
 //! A real-time priority for the thread that sends set-points.
 
-#[cfg(target_os = "linux")]
-mod scheduling;
-#[cfg(not(target_os = "linux"))]
-#[path = "realtime/no_scheduling.rs"]
+#[cfg(all(feature = "realtime", target_os = "linux"))]
 mod scheduling;
 
 use std::thread::{self, ThreadId};
+use std::{fmt, io};
 
-use self::scheduling::Scheduling;
 use super::ServoConfig;
 use crate::{Error, ErrorKind};
 
-/// The real-time priority of this thread, which has its own again when this is dropped.
-#[derive(Debug)]
+/// Real-time priority of this thread, which has its own again when this is dropped.
 pub(super) struct RealtimePriority {
     thread: ThreadId,
-    own: Scheduling,
+    restore: Restore,
 }
 
+/// Gives the thread that calls it the scheduling that it had before.
+type Restore = Box<dyn Fn() -> io::Result<()> + Send + Sync>;
+
 impl ServoConfig {
-    /// The real-time priority for this thread, where one is asked for.
+    /// Takes the real-time priority for this thread, where one is asked for.
     pub(super) fn take_priority(&self) -> Result<Option<RealtimePriority>, Error> {
         self.realtime_priority.map(RealtimePriority::take).transpose()
     }
@@ -31,11 +30,20 @@ impl RealtimePriority {
         if !(1..=99).contains(&priority) {
             return Err(ServoConfig::option("realtime_priority").refuse(priority, "1 to 99"));
         }
-        let taken = Scheduling::of_this_thread().and_then(|own| Scheduling::set_realtime(priority).map(|()| own));
-        match taken {
-            Ok(own) => Ok(Self { thread: thread::current().id(), own }),
+        #[cfg(all(feature = "realtime", target_os = "linux"))]
+        let set = scheduling::set_realtime(priority);
+        #[cfg(not(all(feature = "realtime", target_os = "linux")))]
+        let set: io::Result<Restore> = Err(io::Error::new(io::ErrorKind::Unsupported, "only supported on Linux"));
+        match set {
+            Ok(restore) => Ok(Self { thread: thread::current().id(), restore }),
             Err(source) => Err(ErrorKind::RealtimePriority { priority, source }.into()),
         }
+    }
+}
+
+impl fmt::Debug for RealtimePriority {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RealtimePriority").field("thread", &self.thread).finish_non_exhaustive()
     }
 }
 
@@ -43,7 +51,7 @@ impl Drop for RealtimePriority {
     fn drop(&mut self) {
         if thread::current().id() != self.thread {
             log::warn!(target: "jaka_robot", "a servo session has ended in another thread than the one that entered it, which keeps its real-time priority");
-        } else if let Err(error) = self.own.set() {
+        } else if let Err(error) = (self.restore)() {
             log::warn!(target: "jaka_robot", "the thread keeps the real-time priority of its servo session: {error}");
         }
     }

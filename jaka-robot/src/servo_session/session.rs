@@ -15,7 +15,6 @@ use super::ServoConfig;
 use super::course::Course;
 use super::pace::{Cycle, Pace};
 use super::rates::Rates;
-#[cfg(feature = "realtime")]
 use super::realtime::RealtimePriority;
 use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
@@ -102,7 +101,6 @@ pub struct ServoSession<'r> {
     /// Why no more set-points go out, if so.
     pub(super) ended: Option<SessionEnd>,
     /// That of this thread, until the session ends.
-    #[cfg(feature = "realtime")]
     pub(super) priority: Option<RealtimePriority>,
 }
 

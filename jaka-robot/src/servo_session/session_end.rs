@@ -1,6 +1,5 @@
 //! Ends of sessions, for the calls after them.
 
-#[cfg(feature = "stream")]
 use crate::End;
 use crate::{Cause, Error, ErrorKind, Remedy};
 
@@ -14,7 +13,6 @@ pub(crate) struct SessionEnd {
 
 impl SessionEnd {
     /// End that needs no remedy.
-    #[cfg(feature = "stream")]
     pub(crate) fn new(cause: Cause, because: impl Into<String>) -> Self {
         Self { cause, because: because.into(), remedy: Remedy::None }
     }
@@ -25,7 +23,6 @@ impl SessionEnd {
     }
 
     /// End of a trajectory.
-    #[cfg(feature = "stream")]
     pub(crate) fn of_trajectory(end: &End) -> Self {
         Self { cause: end.cause(), because: end.to_string(), remedy: end.remedy() }
     }

@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
-use jaka_motion::{Dynamics, Generator, Goal, Step};
+use jaka_motion::{Dynamics, Generator, GeneratorError, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::arm::Arm;
-use crate::guard::SetPointGuard;
+use crate::guard::{ForceLimit, SetPointGuard};
 use crate::limits::LimitChecks;
+use crate::servo_session::course::Course;
 use crate::servo_session::{
-    Course, LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, check_shows_joints, generator, no_limits,
+    LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, beyond_limit, check_shows_joints, no_limits,
 };
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, ServoSession};
@@ -55,7 +56,7 @@ pub(super) fn run(
         targets.land_because(SessionEnd::of(error));
     }
     let rest = &mut |course: &Course| {
-        targets.landing(course.joints());
+        targets.landing(course.last_joints().map(|[_, last]| last));
         (!generator.is_at_rest()).then(|| SetPoint::Joints(generator.next(&Goal::Rest).joints))
     };
     let result = match ended {
@@ -76,7 +77,30 @@ fn generator_at_start(
 ) -> Result<Generator, Error> {
     let (checker, start) = session.checker_and_start().ok_or_else(no_limits)?;
     let dynamics = config.dynamics.unwrap_or_else(|| Dynamics::of(checker.limits()));
-    generator(checker, (dynamics, StreamConfig::option("dynamics")), start, config.servo.period().as_secs_f64(), guard)
+    let period_s = config.servo.period().as_secs_f64();
+    let generator = Generator::new(checker, dynamics, start, period_s).map_err(not_generated)?;
+    match guard.and_then(|guard| guard.tool_stop(period_s)) {
+        Some([speed_mm_s, within_mm]) => {
+            let too_short = |error| ForceLimit::option("overtravel").refuse(within_mm, format!("more ({error})"));
+            generator.with_tool_stop(speed_mm_s, within_mm).map_err(too_short)
+        }
+        None => Ok(generator),
+    }
+}
+
+/// Error of a stream that its dynamics or the place of the arm do not allow.
+fn not_generated(error: GeneratorError) -> Error {
+    let option = StreamConfig::option("dynamics");
+    match error {
+        GeneratorError::Start(beyond) => beyond_limit(beyond),
+        GeneratorError::TooLittle { what, unit, joint, given, least } => option
+            .refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), format!("at least {least} {unit}")),
+        GeneratorError::BeyondLimit { what, unit, joint, given, limit } => {
+            let expected = format!("at most {limit} {unit}, the arm's limit");
+            option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)
+        }
+        other => option.refuse(other, "what the robot's limits allow"),
+    }
 }
 
 /// What the generator makes of the orders of the handles.

@@ -11,7 +11,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-proto-derive", &["jaka-spec"]),
     ("jaka-proto", &["jaka-proto-derive"]),
     ("jaka-dynamic", &["jaka-proto", "jaka-spec"]),
-    ("jaka-motion", &["jaka-proto", "jaka-spec"]),
+    ("jaka-motion", &["jaka-proto"]),
     ("jaka-clock", &[]),
     ("jaka-sync", &["jaka-clock", "jaka-proto", "jaka-proto-derive"]),
     ("jaka-robot", &["jaka-motion", "jaka-proto", "jaka-sync"]),

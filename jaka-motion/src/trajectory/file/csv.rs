@@ -1,10 +1,8 @@
 //! CSV.
 
-use jaka_spec::words::nearest;
-
 use super::columns::{Column, Kind, Unit, number};
-use super::report::Report;
 use super::rows::{Row, Rows};
+use crate::text_file::{Report, nearest};
 use crate::trajectory::timed::TimedPoint;
 
 /// A field and its offset in the text.

@@ -3,12 +3,11 @@
 use std::borrow::Cow;
 
 use jaka_proto::wire::{DecodeError, Reader};
-use jaka_spec::words::nearest;
 use serde_json::value::RawValue;
 
 use super::columns::{Column, Kind, Unit, number};
-use super::report::Report;
 use super::rows::{Row, Rows};
+use crate::text_file::{Report, nearest};
 use crate::trajectory::timed::TimedPoint;
 
 /// The entries of an object in their order, with the texts of their values.
@@ -22,10 +21,13 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     let whole = match serde_json::from_str::<&RawValue>(text) {
         Ok(whole) => whole.get(),
         Err(error) => {
-            let text = error.to_string();
+            let said = error.to_string();
             // The place is said already.
-            let reason = text.rsplit_once(" at line ").map_or(text.as_str(), |(reason, _)| reason);
-            report.error_at(error.line().max(1), error.column().max(1), format!("not valid JSON: {reason}"));
+            let reason = said.rsplit_once(" at line ").map_or(said.as_str(), |(reason, _)| reason);
+            let lines = text.split_inclusive('\n').map(str::len);
+            let line_start: usize = lines.take(error.line().saturating_sub(1)).sum();
+            let at = line_start + error.column().saturating_sub(1);
+            report.error(at, format!("not valid JSON: {reason}"));
             return Vec::new();
         }
     };

@@ -1,7 +1,7 @@
 //! The points of a file, one by one.
 
 use super::columns::{Column, Kind};
-use super::report::Report;
+use crate::text_file::Report;
 use crate::trajectory::timed::TimedPoint;
 
 /// What a row or an object says, as far as it could be read.

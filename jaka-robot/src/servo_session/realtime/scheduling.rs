@@ -7,16 +7,26 @@ use thread_priority::{
     thread_native_id, thread_schedule_policy_param,
 };
 
+use super::Restore;
+
+/// Gives this thread a real-time priority. Returns what gives it its own scheduling again; fails if it could not.
+pub(super) fn set_realtime(priority: u8) -> io::Result<Restore> {
+    let own = Scheduling::of_this_thread()?;
+    let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
+    let priority = ThreadPriority::try_from(priority).map_err(io::Error::other)?;
+    Scheduling { policy, priority }.set()?;
+    Ok(Box::new(move || own.set()))
+}
+
 /// A policy, and the priority in it: of one without real-time priorities, the nice value.
-#[derive(Debug)]
-pub(super) struct Scheduling {
+struct Scheduling {
     policy: ThreadSchedulePolicy,
     priority: ThreadPriority,
 }
 
 impl Scheduling {
     /// That of this thread. Fails if it could not be set again.
-    pub(super) fn of_this_thread() -> io::Result<Self> {
+    fn of_this_thread() -> io::Result<Self> {
         let (policy, parameters) = thread_schedule_policy_param(thread_native_id()).map_err(in_words)?;
         let number = match policy {
             ThreadSchedulePolicy::Normal(_) => nice_value()?,
@@ -28,15 +38,8 @@ impl Scheduling {
         Ok(Self { policy, priority })
     }
 
-    /// Gives this thread a real-time priority.
-    pub(super) fn set_realtime(priority: u8) -> io::Result<()> {
-        let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
-        let priority = ThreadPriority::try_from(priority).map_err(io::Error::other)?;
-        Self { policy, priority }.set()
-    }
-
     /// Gives this thread the policy and the priority.
-    pub(super) fn set(&self) -> io::Result<()> {
+    fn set(&self) -> io::Result<()> {
         set_thread_priority_and_policy(thread_native_id(), self.priority, self.policy).map_err(in_words)
     }
 }

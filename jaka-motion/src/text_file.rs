@@ -1,0 +1,136 @@
+//! Errors of text files, each at its line and column.
+
+use std::fmt;
+
+use jaka_proto::text::Visible;
+
+/// One thing that is wrong with a file, and where.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FileError {
+    /// Name of the file, as it was given.
+    pub path: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// Everything that is wrong with a file, each at its line and column: the first hundred errors that were found, in the
+/// order of the lines, and the number of the others.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct FileErrors {
+    first: Vec<FileError>,
+    more: usize,
+}
+
+/// Errors of a file so far.
+#[derive(Debug)]
+pub(crate) struct Report<'t> {
+    text: &'t str,
+    file_name: &'t str,
+    /// Where lines start, so that many errors do not take long.
+    lines: Vec<usize>,
+    errors: FileErrors,
+}
+
+impl FileErrors {
+    /// Number of errors that are kept.
+    pub const MOST: usize = 100;
+
+    /// Errors one by one: the first hundred that were found.
+    pub fn iter(&self) -> std::slice::Iter<'_, FileError> {
+        self.first.iter()
+    }
+
+    /// Number of errors beyond the first hundred.
+    pub fn more(&self) -> usize {
+        self.more
+    }
+}
+
+impl<'t> Report<'t> {
+    pub(crate) fn new(text: &'t str, file_name: &'t str) -> Self {
+        let after_breaks = text.match_indices('\n').map(|(at, _)| at + 1);
+        let lines = std::iter::once(0).chain(after_breaks).collect();
+        Self { text, file_name, lines, errors: FileErrors::default() }
+    }
+
+    /// Reports an error at an offset in bytes; within a character, at its start.
+    pub(crate) fn error(&mut self, at: usize, message: impl Into<String>) {
+        let FileErrors { first, more } = &mut self.errors;
+        if first.len() == FileErrors::MOST {
+            *more += 1;
+            return;
+        }
+        let line = self.lines.partition_point(|start| *start <= at).max(1);
+        let start = self.lines[line - 1];
+        let before = (start..=at).rev().find_map(|end| self.text.get(start..end)).unwrap_or_default();
+        let (path, column) = (self.file_name.to_owned(), before.chars().count() + 1);
+        let error = FileError { path, line, column, message: message.into() };
+        if !first.contains(&error) {
+            first.push(error);
+        }
+    }
+
+    /// What was read, if nothing is wrong.
+    pub(crate) fn finish<T>(mut self, read: T) -> Result<T, FileErrors> {
+        self.errors.first.sort();
+        if self.errors.first.is_empty() { Ok(read) } else { Err(self.errors) }
+    }
+}
+
+/// The known name that is most like `name`, if one is at all: by at most a third of its length.
+pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let most = name.len().div_ceil(3);
+    let length = name.chars().count();
+    // No name is nearer than the difference of the lengths: a very long one is excluded immediately.
+    let known = known.filter(|known| known.chars().count().abs_diff(length) <= most);
+    let distances = known.map(|known| (distance(name, known), known));
+    distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)
+}
+
+/// Number of characters to put in, take out or change to turn one name into the other.
+fn distance(one: &str, other: &str) -> usize {
+    let mut row: Vec<usize> = (0..=other.chars().count()).collect();
+    for (i, a) in one.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, b) in other.chars().enumerate() {
+            let changed = diagonal + usize::from(!a.eq_ignore_ascii_case(&b));
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+/// In one line, whatever the file holds.
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, line, column, message } = self;
+        write!(f, "{}:{line}:{column}: {}", Visible(path), Visible(message))
+    }
+}
+
+impl fmt::Display for FileErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<_> = self.first.iter().map(FileError::to_string).collect();
+        f.write_str(&lines.join("\n"))?;
+        if self.more > 0 { write!(f, "\nand {} more errors", self.more) } else { Ok(()) }
+    }
+}
+
+impl std::error::Error for FileError {}
+
+impl std::error::Error for FileErrors {}
+
+impl<'a> IntoIterator for &'a FileErrors {
+    type Item = &'a FileError;
+    type IntoIter = std::slice::Iter<'a, FileError>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
