@@ -242,6 +242,8 @@ fn acknowledging_a_stop_that_is_on_its_way_lets_no_motion_pass() {
             let stop = with(&state, move |state| {
                 let (under_way, number) = UnderWay::begin(state);
                 begun.note();
+                state.wait_until_braked();
+                state.lock().stops.send(number);
                 let was_acknowledged = acknowledged.holds();
                 state.take_answer(number, is_accepted);
                 over.note();
@@ -278,7 +280,7 @@ struct Notes {
     acknowledged_before: Fact,
     /// The acknowledgement began after the second packet.
     asked_after: Fact,
-    /// A motion passed after the acknowledgement and before the second packet.
+    /// A motion passed before the second packet, and after the acknowledgement: it had ended, or the first packet had come.
     moved_between: Fact,
 }
 
@@ -310,7 +312,7 @@ impl Notes {
         if moves(state) {
             assert!(!first || self.asked.holds(), "a stop was shown");
             assert!(!second || !self.acknowledged_before.holds(), "a stop was shown after the acknowledgement");
-            if acknowledged && !self.second.holds() {
+            if (acknowledged || first) && !self.second.holds() {
                 self.moved_between.note();
             }
         }
@@ -345,8 +347,7 @@ fn shown_twice(second: fn(&ArmState), judge: fn(&Notes, &ArmState)) {
 fn no_motion_passes_after_a_packet_with_a_stop_until_it_is_acknowledged() {
     let second = |state: &ArmState| take(state, &shows_emergency_stop(4));
     shown_twice(second, |notes, state| {
-        // While the packet was the newest, nothing passed: it came after the motion, which came after the
-        // acknowledgement.
+        // Nothing passes while the packet is the newest: it came after the motion, which came after the acknowledgement.
         assert!(!notes.moved_between.holds() || !moves(state), "the acknowledgement came before the second packet");
     });
 }
@@ -356,17 +357,17 @@ fn no_motion_passes_after_a_late_packet_with_a_stop_until_it_is_acknowledged() {
     shown_twice(|state| take_late(state, &shows_emergency_stop(4)), |_, _| ());
 }
 
-/// A guard that trips by the second packet.
+/// A guard that trips by the next packet.
 #[derive(Debug)]
-struct TripsBySecond {
+struct Trips {
     state: Arc<ArmState>,
     guard: u64,
     calls_for_stop: Fact,
 }
 
-impl PacketObserver for TripsBySecond {
+impl PacketObserver for Trips {
     fn observe(&self, packet: &Arc<Snapshot>) {
-        let trip = (packet.number == 2).then(|| GuardTrip {
+        let trip = GuardTrip {
             condition: 0,
             text: String::new(),
             reason: TripReason::Holds,
@@ -375,8 +376,8 @@ impl PacketObserver for TripsBySecond {
             is_before_start: false,
             is_at_rest: false,
             lag: None,
-        });
-        if self.state.progress(self.guard, |progress| progress.take(Ok(trip))) {
+        };
+        if self.state.progress(self.guard, |progress| progress.take(Ok(Some(trip)))) {
             self.calls_for_stop.note();
         }
     }
@@ -386,27 +387,26 @@ impl PacketObserver for TripsBySecond {
 /// watches.
 #[test]
 fn a_trip_keeps_the_motion_back_or_calls_for_its_stop() {
-    check(|| {
-        let state = moving();
-        let guard = state.guard_number();
-        let observer = Arc::new(TripsBySecond { state: Arc::clone(&state), guard, calls_for_stop: Fact::default() });
-        let armed: Arc<dyn PacketObserver> = Arc::<TripsBySecond>::clone(&observer);
-        state.arm_guard(guard, Arc::downgrade(&armed));
-        let packets = with(&state, |state| {
-            take_late(state, &packet(2));
-            take(state, &packet(3));
+    for take in [take, take_late] {
+        check(move || {
+            let state = moving();
+            let guard = state.guard_number();
+            let observer = Arc::new(Trips { state: Arc::clone(&state), guard, calls_for_stop: Fact::default() });
+            let armed: Arc<dyn PacketObserver> = Arc::<Trips>::clone(&observer);
+            state.arm_guard(guard, Arc::downgrade(&armed));
+            let trips = with(&state, move |state| take(state, &packet(2)));
+            let watches = with(&state, move |state| {
+                let has_tripped = || state.progress(guard, |progress| progress.trip().is_some());
+                let found = state.watch(LONG, |_| has_tripped().then_some(()));
+                assert!(matches!(found, Ok(Some(()))), "{found:?}");
+                state.progress(guard, |progress| progress.shut(None))
+            });
+            let sent = state.may_send(Sending::Motion).and_then(|()| state.progress(guard, Progress::let_out));
+            join(trips);
+            assert_eq!(sent.is_ok(), observer.calls_for_stop.holds(), "{sent:?}");
+            assert_eq!(sent.is_ok(), join(watches), "{sent:?}");
         });
-        let watching = with(&state, move |state| {
-            let has_tripped = || state.progress(guard, |progress| progress.trip().is_some());
-            let found = state.watch(LONG, |_| has_tripped().then_some(()));
-            assert!(matches!(found, Ok(Some(()))), "{found:?}");
-            state.progress(guard, |progress| progress.shut(None))
-        });
-        let sent = state.may_send(Sending::Motion).and_then(|()| state.progress(guard, Progress::let_out));
-        join(packets);
-        assert_eq!(sent.is_ok(), observer.calls_for_stop.holds(), "{sent:?}");
-        assert_eq!(sent.is_ok(), join(watching), "{sent:?}");
-    });
+    }
 }
 
 #[test]
