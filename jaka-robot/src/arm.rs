@@ -10,6 +10,9 @@ mod stop_handle;
 mod stops;
 mod trouble;
 
+#[cfg(all(test, shuttle))]
+mod interleavings;
+
 use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;

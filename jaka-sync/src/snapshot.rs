@@ -56,6 +56,17 @@ impl Snapshot {
     }
 }
 
+#[cfg(shuttle)]
+impl<S> Snapshot<S> {
+    /// Packet that comes now, without a connection: for tests of interleavings.
+    #[doc(hidden)]
+    pub fn arriving(status: S, number: u64) -> std::sync::Arc<Self> {
+        let clock = Clock::default();
+        let (received, unfit, follows_silence) = (clock.now(), Vec::new(), false);
+        std::sync::Arc::new(Self { status, received, number, unfit, follows_silence, clock })
+    }
+}
+
 impl<S> Snapshot<S> {
     /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
     ///

@@ -1,4 +1,7 @@
-//! State that threads share, by the locks and signals of std; with `--cfg shuttle` by those whose interleavings a test goes through.
+//! State that threads share, by the locks and signals of std; in tests with `--cfg shuttle` by those of shuttle.
+//!
+//! The tests of jaka-robot with `--cfg shuttle` include this file, too: shuttle would be in the lock files of all users if
+//! it were a dependency of this library.
 
 use std::sync::PoisonError;
 use std::sync::TryLockError;
@@ -45,7 +48,8 @@ impl Wakeup {
         }
     }
 
-    fn sleepers(&self) -> usize {
+    /// Number of threads that wait.
+    pub(crate) fn sleepers(&self) -> usize {
         self.sleepers.load(Ordering::Relaxed)
     }
 }

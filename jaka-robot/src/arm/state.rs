@@ -5,12 +5,16 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-use jaka_sync::layer::{Clock, MonitorParts as _, StatusNews, Wakeup, Watched};
+use jaka_sync::layer::{Clock, MonitorParts as _, StatusNews};
+#[cfg(not(all(test, shuttle)))]
+use jaka_sync::layer::{Wakeup, Watched};
 
 use super::guards::{Guards, PacketObserver, Progress};
 use super::status::{Status, check_stops, unknown};
 use super::stops::Stops;
 use super::trouble;
+#[cfg(all(test, shuttle))]
+use crate::sync::{Wakeup, Watched};
 use crate::{Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem};
 
 /// What is to be sent to an arm.
@@ -61,17 +65,7 @@ pub(crate) struct Known {
 impl ArmState {
     /// State that follows a monitor, for as long as it lives.
     pub(crate) fn new<S: MotionStatus>(monitor: &Monitor<S>, clock: &Clock, needs_status: bool) -> Arc<Self> {
-        let known = Known {
-            status: Status::new(monitor.address(), monitor.stale_after()),
-            latched: None,
-            stops: Stops::default(),
-            guards: Guards::default(),
-            unjudged: Vec::new(),
-            needs_status,
-            wakes: 0,
-        };
-        let (known, braked) = (Watched::new(clock, known), Wakeup::new(clock));
-        let state = Arc::new(Self { known, braked, stale_after: monitor.stale_after() });
+        let state = Arc::new(Self::before_news(monitor.address(), monitor.stale_after(), clock, needs_status));
         let weak = Arc::downgrade(&state);
         monitor.listen(move |news| take_into::<S>(&weak, news));
         // What came before keeps nothing back by itself, and is known already where packets have come meanwhile.
@@ -82,13 +76,27 @@ impl ArmState {
         state
     }
 
+    /// State before any news of a status port at this address, whose packets are stale after this time.
+    pub(super) fn before_news(address: String, stale_after: Duration, clock: &Clock, needs_status: bool) -> Self {
+        let known = Known {
+            status: Status::new(address, stale_after),
+            latched: None,
+            stops: Stops::default(),
+            guards: Guards::default(),
+            unjudged: Vec::new(),
+            needs_status,
+            wakes: 0,
+        };
+        Self { known: Watched::new(clock, known), braked: Wakeup::new(clock), stale_after }
+    }
+
     fn begin_with(&self, packet: Arc<Snapshot>) {
         let mut known = self.lock();
         known.status.begin(packet);
     }
 
     /// Takes news of the status port.
-    fn take<S: MotionStatus>(&self, news: StatusNews<'_, S>) {
+    pub(super) fn take<S: MotionStatus>(&self, news: StatusNews<'_, S>) {
         match news {
             StatusNews::Packet { packet, is_newest } => return self.take_packet(&S::snapshot(packet), is_newest),
             StatusNews::Shown => self.judge(),
@@ -321,6 +329,22 @@ impl ArmState {
             known = self.known.wait_on(&self.braked, known, left);
         }
         known.stops.no_longer_waits();
+    }
+
+    /// Number of the stops that sleep in [`wait_until_braked`](Self::wait_until_braked).
+    #[cfg(all(test, shuttle))]
+    pub(super) fn sleeping_stops(&self) -> usize {
+        self.braked.sleepers()
+    }
+
+    /// Takes the answer of the controller to a stop, and wakes the threads in [`watch`](Self::watch) if it has accepted it.
+    pub(super) fn take_answer(&self, stop: u64, is_accepted: bool) {
+        if is_accepted {
+            self.lock().stops.take(stop);
+            self.wake();
+        } else {
+            self.lock().stops.fail();
+        }
     }
 
     /// Time that a stop waits yet for a servo session to brake; none where none waits.

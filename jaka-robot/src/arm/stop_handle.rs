@@ -14,10 +14,11 @@ const LONGEST_BRAKING: Duration = Duration::from_secs(3);
 
 /// A stop on its way, until it is dropped.
 #[derive(Debug)]
-struct UnderWay(Arc<ArmState>);
+pub(super) struct UnderWay(Arc<ArmState>);
 
 impl UnderWay {
-    fn begin(state: &Arc<ArmState>) -> (Self, u64) {
+    /// Begins a stop, and returns its number: from here on no motion is sent.
+    pub(super) fn begin(state: &Arc<ArmState>) -> (Self, u64) {
         let number = state.lock().stops.begin(state.clock().now() + LONGEST_BRAKING);
         (Self(Arc::clone(state)), number)
     }
@@ -79,7 +80,6 @@ impl RobotStop {
 
     /// The same, and what is known of the stop.
     pub(crate) fn stop_and_tell(&self) -> Sent {
-        // From here on no motion is sent.
         let (_under_way, number) = UnderWay::begin(&self.state);
         self.state.wait_until_braked();
         self.state.lock().stops.send(number);
@@ -112,12 +112,7 @@ impl RobotStop {
     }
 
     fn answered(&self, number: u64, written: Option<Instant>, accepted: Result<(), Error>) -> Sent {
-        if accepted.is_ok() {
-            self.state.lock().stops.take(number);
-            self.state.wake();
-        } else {
-            self.state.lock().stops.fail();
-        }
+        self.state.take_answer(number, accepted.is_ok());
         Sent { number, written, accepted }
     }
 }

@@ -1,17 +1,15 @@
 //! Interleavings of threads that share a monitor's board: a thread that waits is always woken.
 //!
-//! `RUSTFLAGS="--cfg shuttle" cargo test -p jaka-sync --lib --target-dir target/shuttle interleavings`
-//!
-//! Under shuttle a wait never times out, so a wake-up that is lost is a deadlock, which it reports with the schedule that leads to it.
+//! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a wake-up that is lost is a deadlock,
+//! which it reports with the schedule that leads to it.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use shuttle::thread;
 
 use super::thread::Worker;
 use super::{Board, Monitor, State};
-use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect, Snapshot};
 
@@ -38,9 +36,7 @@ fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
 fn two_packets(mut worker: Worker<i64>) {
     for packet in 1..=2 {
         worker.number += 1;
-        let (received, number) = (Instant::now(), worker.number);
-        let (unfit, follows_silence, clock) = (Vec::new(), false, Clock::default());
-        worker.post(Ok(Arc::new(Snapshot { status: packet, received, number, unfit, follows_silence, clock })));
+        worker.post(Ok(Snapshot::arriving(packet, worker.number)));
     }
     assert!(worker.reconnect(Disconnect::Closed { partial: 0 }).is_none());
     worker.end();

@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_robot::motion::JointMove;
 use jaka_robot::status::RobotStatus;
-use jaka_robot::{ErrorKind, Explanation, Guard, Monitor, Motion as _, MotionStatus, Robot, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Guard, Monitor, Motion as _, MotionStatus, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG};
 
 /// How long a state of another thread is asked for again.
@@ -68,7 +68,7 @@ fn a_slow_question_of_a_guard_keeps_no_gate_from_a_stop_that_was_read() {
         drop(go_on);
         error
     });
-    assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ProtectiveStop }), "{error:?}");
+    assert_eq!(error.cause(), Cause::ProtectiveStop, "{error:?}");
     assert_eq!(sent(&other, "joint_move"), 0);
 }
 

@@ -1,0 +1,435 @@
+//! Interleavings of threads that share the state of an arm: each that waits is woken, and no motion passes that must not.
+//!
+//! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a wake-up that is lost is a deadlock,
+//! which it reports with the schedule that leads to it. No test depends on real time: nothing becomes due or stale.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::{Clock, StatusNews};
+use shuttle::sync::Mutex;
+use shuttle::thread::{self, JoinHandle};
+
+use super::guards::{PacketObserver, Progress};
+use super::state::{ArmState, Sending};
+use super::stop_handle::UnderWay;
+use crate::{Cause, Disconnect, GuardTrip, Occurrence, Snapshot, TripReason};
+
+/// Number of schedules of each test: at random, and with a few switches of threads anywhere.
+const SCHEDULES: usize = 5000;
+const SWITCHES: usize = 3;
+
+/// Longer than any test.
+const LONG: Duration = Duration::from_secs(3600);
+
+fn check(test: impl Fn() + Send + Sync + Copy + 'static) {
+    shuttle::check_random(test, SCHEDULES);
+    shuttle::check_pct(test, SCHEDULES, SWITCHES);
+}
+
+/// Fact that threads note and read. Shuttle does not switch threads at an atomic of std, so that notes are exact.
+#[derive(Debug, Default)]
+struct Fact(AtomicBool);
+
+impl Fact {
+    fn note(&self) {
+        self.0.store(true, Ordering::SeqCst);
+    }
+
+    fn holds(&self) -> bool {
+        self.0.load(Ordering::SeqCst)
+    }
+}
+
+/// State of an arm that moves: a packet without a stop has come.
+fn moving() -> Arc<ArmState> {
+    let state = ArmState::before_news(String::new(), LONG, &Clock::default(), true);
+    take(&state, &packet(1));
+    assert!(state.may_send(Sending::Motion, None).is_ok());
+    Arc::new(state)
+}
+
+/// Packet that shows no stop.
+fn packet(number: u64) -> Arc<Snapshot> {
+    shows(number, |_| ())
+}
+
+fn shows(number: u64, change: impl FnOnce(&mut RobotStatus)) -> Arc<Snapshot> {
+    let mut status = RobotStatus::default();
+    (status.emergency_stop, status.protective_stop) = (Some(false), Some(false));
+    (status.powered_on, status.enabled) = (Some(true), Some(true));
+    change(&mut status);
+    Snapshot::arriving(status, number)
+}
+
+fn shows_protective_stop(number: u64) -> Arc<Snapshot> {
+    shows(number, |status| status.protective_stop = Some(true))
+}
+
+fn shows_emergency_stop(number: u64) -> Arc<Snapshot> {
+    shows(number, |status| status.emergency_stop = Some(true))
+}
+
+/// Takes the newest packet.
+fn take(state: &ArmState, packet: &Arc<Snapshot>) {
+    state.take(StatusNews::Packet { packet, is_newest: true });
+    state.take::<RobotStatus>(StatusNews::Shown);
+}
+
+/// Takes a packet after which a newer one has come already.
+fn take_late(state: &ArmState, packet: &Arc<Snapshot>) {
+    state.take(StatusNews::Packet { packet, is_newest: false });
+    state.take::<RobotStatus>(StatusNews::Shown);
+}
+
+fn end(state: &ArmState) {
+    state.take::<RobotStatus>(StatusNews::Ended(&Arc::new(Disconnect::Closed { partial: 0 })));
+}
+
+fn moves(state: &ArmState) -> bool {
+    state.may_send(Sending::Motion, None).is_ok()
+}
+
+/// Starts a thread with the state.
+fn with<T: Send + 'static>(
+    state: &Arc<ArmState>,
+    act: impl FnOnce(&Arc<ArmState>) -> T + Send + 'static,
+) -> JoinHandle<T> {
+    let state = Arc::clone(state);
+    thread::spawn(move || act(&state))
+}
+
+fn join<T>(thread: JoinHandle<T>) -> T {
+    thread.join().expect("it does not panic")
+}
+
+#[test]
+fn each_watch_is_woken_by_its_packet() {
+    check(|| {
+        let state = moving();
+        let watches = [2, 3].map(|number| {
+            with(&state, move |state| {
+                let mut seen = Vec::new();
+                let found = state.watch(LONG, |packet| {
+                    seen.extend(packet.map(|packet| packet.number));
+                    packet.is_some_and(|packet| packet.number >= number).then_some(())
+                });
+                assert!(matches!(found, Ok(Some(()))) && seen.is_sorted_by(|a, b| a < b), "{found:?} {seen:?}");
+            })
+        });
+        take(&state, &packet(2));
+        take(&state, &packet(3));
+        watches.into_iter().for_each(join);
+    });
+}
+
+#[test]
+fn each_watch_is_woken_by_a_stop_that_was_accepted() {
+    check(|| {
+        let state = moving();
+        let watch = |state: &Arc<ArmState>| {
+            let found = state.watch(LONG, |_| state.lock().stops.has_unreported().then_some(()));
+            assert!(matches!(found, Ok(Some(()))), "{found:?}");
+        };
+        let watches = [with(&state, watch), with(&state, watch)];
+        let (_under_way, stop) = UnderWay::begin(&state);
+        state.take_answer(stop, true);
+        watches.into_iter().for_each(join);
+    });
+}
+
+#[test]
+fn each_watch_is_woken_by_the_end_of_the_port() {
+    check(|| {
+        let state = moving();
+        let watch = |state: &Arc<ArmState>| state.watch(LONG, |_| None::<()>).expect_err("the port ends");
+        let watches = [with(&state, watch), with(&state, watch)];
+        take(&state, &packet(2));
+        end(&state);
+        for cause in watches.map(join) {
+            assert!(matches!(*cause, Disconnect::Closed { .. }), "{cause:?}");
+        }
+    });
+}
+
+/// A stop that waits for a session to brake, for as long as it takes. True if the session had said so when it went out.
+fn stop_after_braking(state: &ArmState, has_braked: &Fact) -> bool {
+    let number = state.lock().stops.begin(state.clock().now() + LONG);
+    state.wait_until_braked();
+    let braked = has_braked.holds();
+    state.lock().stops.send(number);
+    braked
+}
+
+#[test]
+fn stops_that_wait_go_out_once_the_session_has_braked() {
+    check(|| {
+        let (state, has_braked) = (moving(), Arc::new(Fact::default()));
+        state.expect_set_point(Some(LONG));
+        let stops = [(); 2].map(|()| {
+            let has_braked = Arc::clone(&has_braked);
+            with(&state, move |state| stop_after_braking(state, &has_braked))
+        });
+        let packets = with(&state, |state| take(state, &packet(2)));
+        state.expect_set_point(Some(LONG));
+        has_braked.note();
+        state.expect_set_point(None);
+        assert_eq!(stops.map(join), [true, true]);
+        join(packets);
+        assert!(state.time_to_brake().is_none() && state.lock().stops.has_sent(None));
+    });
+}
+
+/// A stop that woke would see that the set-point is overdue, and go out.
+#[test]
+fn packets_do_not_wake_a_stop_that_waits() {
+    check(|| {
+        let (state, has_braked) = (moving(), Arc::new(Fact::default()));
+        state.expect_set_point(Some(LONG));
+        let noted = Arc::clone(&has_braked);
+        let stop = with(&state, move |state| stop_after_braking(state, &noted));
+        while state.sleeping_stops() == 0 {
+            thread::yield_now();
+        }
+        state.expect_set_point(Some(Duration::ZERO));
+        take(&state, &packet(2));
+        take(&state, &shows_protective_stop(3));
+        has_braked.note();
+        state.expect_set_point(None);
+        assert!(join(stop), "a packet has woken it");
+    });
+}
+
+/// A gate runs while the connection is locked, and what passes is written before it is unlocked.
+#[test]
+fn no_motion_is_written_after_a_stop_has_begun() {
+    for is_accepted in [true, false] {
+        check(move || {
+            let (state, wire, has_begun) = (moving(), Arc::new(Mutex::new(Vec::new())), Arc::new(Fact::default()));
+            let (written, begun) = (Arc::clone(&wire), Arc::clone(&has_begun));
+            let stop = with(&state, move |state| {
+                let (_under_way, number) = UnderWay::begin(state);
+                begun.note();
+                state.wait_until_braked();
+                state.lock().stops.send(number);
+                written.lock().expect("no thread panics").push("stop");
+                state.take_answer(number, is_accepted);
+            });
+            for _ in 0..3 {
+                let had_begun = has_begun.holds();
+                let mut wire = wire.lock().expect("no thread panics");
+                if moves(&state) {
+                    assert!(!had_begun, "the stop had begun");
+                    wire.push("motion");
+                }
+            }
+            join(stop);
+            assert_eq!(wire.lock().expect("no thread panics").last(), Some(&"stop"));
+            assert!(!moves(&state), "the stop has not been acknowledged");
+            state.acknowledge();
+            assert!(moves(&state));
+        });
+    }
+}
+
+#[test]
+fn acknowledging_a_stop_that_is_on_its_way_lets_no_motion_pass() {
+    for is_accepted in [true, false] {
+        check(move || {
+            let state = moving();
+            let [has_begun, is_over, is_acknowledged] = [(); 3].map(|()| Arc::new(Fact::default()));
+            let (begun, over, acknowledged) = (has_begun.clone(), is_over.clone(), is_acknowledged.clone());
+            let stop = with(&state, move |state| {
+                let (under_way, number) = UnderWay::begin(state);
+                begun.note();
+                state.wait_until_braked();
+                state.lock().stops.send(number);
+                let was_acknowledged = acknowledged.holds();
+                state.take_answer(number, is_accepted);
+                over.note();
+                drop(under_way);
+                was_acknowledged
+            });
+            let acknowledging = with(&state, move |state| {
+                state.acknowledge();
+                is_acknowledged.note();
+            });
+            for _ in 0..3 {
+                let had_begun = has_begun.holds();
+                let passes = moves(&state);
+                assert!(!passes || !had_begun || is_over.holds(), "a stop is on its way");
+            }
+            join(acknowledging);
+            if join(stop) && !is_accepted {
+                assert!(!moves(&state), "nobody could know that the stop would not be accepted");
+            }
+            state.acknowledge();
+            assert!(moves(&state));
+        });
+    }
+}
+
+/// The notes of one run with two packets that show a stop, of which one acknowledgement may come at any time.
+#[derive(Debug, Default)]
+struct Notes {
+    first: Fact,
+    second: Fact,
+    asked: Fact,
+    acknowledged: Fact,
+    /// The acknowledgement had ended when the second packet came.
+    acknowledged_before: Fact,
+    /// The acknowledgement began after the second packet.
+    asked_after: Fact,
+    /// A motion passed before the second packet, and after the acknowledgement: it had ended, or the first packet had come.
+    moved_between: Fact,
+}
+
+impl Notes {
+    /// Two packets that show a stop, each of which is followed by one that shows none.
+    fn packets(&self, state: &ArmState, second: fn(&ArmState)) {
+        take(state, &shows_protective_stop(2));
+        self.first.note();
+        take(state, &packet(3));
+        if self.acknowledged.holds() {
+            self.acknowledged_before.note();
+        }
+        second(state);
+        self.second.note();
+        take(state, &packet(5));
+    }
+
+    fn acknowledge(&self, state: &ArmState) {
+        self.asked.note();
+        if self.second.holds() {
+            self.asked_after.note();
+        }
+        state.acknowledge();
+        self.acknowledged.note();
+    }
+
+    fn motion(&self, state: &ArmState) {
+        let (first, second, acknowledged) = (self.first.holds(), self.second.holds(), self.acknowledged.holds());
+        if moves(state) {
+            assert!(!first || self.asked.holds(), "a stop was shown");
+            assert!(!second || !self.acknowledged_before.holds(), "a stop was shown after the acknowledgement");
+            if (acknowledged || first) && !self.second.holds() {
+                self.moved_between.note();
+            }
+        }
+    }
+}
+
+/// A run, after which its notes are judged.
+fn shown_twice(second: fn(&ArmState), judge: fn(&Notes, &ArmState)) {
+    check(move || {
+        let (state, notes) = (moving(), Arc::new(Notes::default()));
+        let (of_packets, of_acknowledging) = (Arc::clone(&notes), Arc::clone(&notes));
+        let packets = with(&state, move |state| of_packets.packets(state, second));
+        let acknowledging = with(&state, move |state| of_acknowledging.acknowledge(state));
+        for _ in 0..3 {
+            notes.motion(&state);
+        }
+        join(packets);
+        join(acknowledging);
+        if notes.acknowledged_before.holds() {
+            assert!(!moves(&state), "a stop was shown after the acknowledgement");
+        }
+        if notes.asked_after.holds() {
+            assert!(moves(&state), "both were acknowledged");
+        }
+        judge(&notes, &state);
+        state.acknowledge();
+        assert!(moves(&state));
+    });
+}
+
+#[test]
+fn no_motion_passes_after_a_packet_with_a_stop_until_it_is_acknowledged() {
+    let second = |state: &ArmState| take(state, &shows_emergency_stop(4));
+    shown_twice(second, |notes, state| {
+        // Nothing passes while the packet is the newest: it came after the motion, which came after the acknowledgement.
+        assert!(!notes.moved_between.holds() || !moves(state), "the acknowledgement came before the second packet");
+    });
+}
+
+#[test]
+fn no_motion_passes_after_a_late_packet_with_a_stop_until_it_is_acknowledged() {
+    shown_twice(|state| take_late(state, &shows_emergency_stop(4)), |_, _| ());
+}
+
+/// A guard that trips by the next packet.
+#[derive(Debug)]
+struct Trips {
+    state: Arc<ArmState>,
+    guard: u64,
+    calls_for_stop: Fact,
+}
+
+impl PacketObserver for Trips {
+    fn observe(&self, packet: &Arc<Snapshot>) {
+        let trip = GuardTrip {
+            condition: 0,
+            text: String::new(),
+            reason: TripReason::Holds,
+            packet: Arc::clone(packet),
+            reaction: None,
+            is_before_start: false,
+            is_at_rest: false,
+            lag: None,
+        };
+        if self.state.progress(self.guard, |progress| progress.take(Ok(Some(trip)))) {
+            self.calls_for_stop.note();
+        }
+    }
+}
+
+/// As a motion under a guard has it: the gate lets it out, the monitor's thread judges packets, and the guard's own thread
+/// watches.
+#[test]
+fn a_trip_keeps_the_motion_back_or_calls_for_its_stop() {
+    for take in [take, take_late] {
+        check(move || {
+            let state = moving();
+            let guard = state.guard_number();
+            let observer = Arc::new(Trips { state: Arc::clone(&state), guard, calls_for_stop: Fact::default() });
+            let armed: Arc<dyn PacketObserver> = Arc::<Trips>::clone(&observer);
+            state.arm_guard(guard, Arc::downgrade(&armed));
+            let trips = with(&state, move |state| take(state, &packet(2)));
+            let watches = with(&state, move |state| {
+                let has_tripped = || state.progress(guard, |progress| progress.trip().is_some());
+                let found = state.watch(LONG, |_| has_tripped().then_some(()));
+                assert!(matches!(found, Ok(Some(()))), "{found:?}");
+                state.progress(guard, |progress| progress.shut(None))
+            });
+            let sent = state.may_send(Sending::Motion, None).and_then(|()| state.progress(guard, Progress::let_out));
+            join(trips);
+            assert_eq!(sent.is_ok(), observer.calls_for_stop.holds(), "{sent:?}");
+            assert_eq!(sent.is_ok(), join(watches), "{sent:?}");
+        });
+    }
+}
+
+#[test]
+fn a_stop_that_a_packet_shows_must_be_acknowledged_whether_the_status_was_lost_before_or_after() {
+    for take in [take, take_late] {
+        check(move || {
+            let state = moving();
+            let packets = with(&state, move |state| {
+                take(state, &shows_protective_stop(2));
+                take(state, &packet(3));
+            });
+            let lost = || with(&state, |state| state.latch(&Occurrence::status_lost(None, None)));
+            let lost = [lost(), lost()];
+            join(packets);
+            lost.into_iter().for_each(join);
+            for found in [state.unacknowledged(None), state.unacknowledged_stop(None)] {
+                assert!(found.as_ref().is_some_and(|found| found.cause == Cause::ProtectiveStop), "{found:?}");
+            }
+            assert!(state.may_send(Sending::Holding, None).is_err());
+            state.acknowledge();
+            assert!(state.unacknowledged(None).is_none() && moves(&state));
+        });
+    }
+}
