@@ -91,7 +91,7 @@ impl Way {
         let mut robot = Robot::new(Client::connect(robot.commands)?, monitor);
         robot.configure(&RobotConfig::new().allow_motion_without_status())?;
         let mut session =
-            robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
+            robot.enter_servo_mode(ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
         let (cpu, start) = (process::thread_cpu(), Instant::now());
         let mut late = Vec::new();
         while session.time() < time {

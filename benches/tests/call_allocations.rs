@@ -61,7 +61,7 @@ fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
     (0..100).try_for_each(|_| pipeline.send(&set_point())).expect("it answers");
     pipeline.finish().expect("it answers");
     let mut session =
-        robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("it answers");
+        robot.enter_servo_mode(ServoConfig::new().max_unanswered(Duration::from_secs(30))).expect("it answers");
     let mut send = |count| (0..count).try_for_each(|_| session.send_joint_offset([0.0; 6])).expect("it answers");
     // The report's list has room for 128 then.
     send(65);

@@ -236,7 +236,7 @@ fn late_set_points_ends_of_motions_and_stops_are_told() {
     let ((), recording) = recorded(Arm::simulated(), |arm| {
         let mut robot = arm.robot();
         robot.power_up(LONG).expect("it has power");
-        late(&mut robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest"), arm);
+        late(&mut robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest"), arm);
         let to = |angle| JointMove::absolute([angle, 90.0, 90.0, 90.0, -90.0, 0.0], 20.0).acceleration(60.0);
         robot.run(&to(10.0), LONG).expect("it is accepted").reached().expect("nothing is in its way");
         robot.start(&to(40.0)).expect("it is accepted");
@@ -276,7 +276,7 @@ fn ends_of_trajectories_and_of_landings_are_told() {
         arm.clock().sleep(Duration::from_millis(500));
         run.handle().stop().expect("it runs");
         assert_eq!(run.wait().cause(), Cause::Stopped);
-        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
         session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]).expect("it is sent");
         arm.link(Port::Status).to_client().hold();
         session.land().expect_err("no packet shows rest").kind().to_string()

@@ -27,7 +27,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     robot.power_up(Duration::from_secs(60))?;
     println!("powered up after {:?}", clock.elapsed());
 
-    let mut session = robot.enter_servo_mode(&ServoConfig::new())?;
+    let mut session = robot.enter_servo_mode(ServoConfig::new())?;
     let since = clock.elapsed();
     let start = controller.state().joint_position.0;
     for cycle in 0..minutes * 60 * 125 {

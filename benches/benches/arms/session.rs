@@ -29,7 +29,7 @@ fn connect(robot: Addresses) -> Result<Robot, jaka_robot::Error> {
 }
 
 fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_robot::Error> {
-    let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
+    let mut session = robot.enter_servo_mode(ServoConfig::new().max_unanswered(Duration::from_secs(30)))?;
     let since = Instant::now();
     while since.elapsed() < time {
         session.send_joint_offset([0.0; 6])?;

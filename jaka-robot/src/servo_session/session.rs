@@ -71,7 +71,7 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 /// ```no_run
 /// # use jaka_robot::{Robot, ServoConfig};
 /// let mut robot = Robot::connect("10.5.5.100")?;
-/// let mut session = robot.enter_servo_mode(&ServoConfig::new())?;
+/// let mut session = robot.enter_servo_mode(ServoConfig::new())?;
 /// for _ in 0..125 {
 ///     session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0])?;
 /// }

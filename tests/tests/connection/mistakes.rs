@@ -72,7 +72,7 @@ fn servo_mode() -> Vec<String> {
     let (_controller, mut robot) = robot(true, true);
     let set_point = robot.client().servo_j(&ServoJ::relative([0.1, 0.0, 0.0, 0.0, 0.0, 0.0]));
     robot.client().set_servo_mode(Switch::On).expect("it is entered at rest");
-    vec![refusal(set_point), refusal(robot.enter_servo_mode(&ServoConfig::new()).map(drop))]
+    vec![refusal(set_point), refusal(robot.enter_servo_mode(ServoConfig::new()).map(drop))]
 }
 
 fn unit_of_speed() -> Vec<String> {
@@ -104,7 +104,7 @@ fn collision() -> Vec<String> {
 fn forgot_to_wait() -> Vec<String> {
     let (_controller, mut robot) = robot(true, true);
     robot.start(&turn(60.0, 5.0)).expect("it is accepted");
-    vec![refusal(robot.enter_servo_mode(&ServoConfig::new()).map(drop))]
+    vec![refusal(robot.enter_servo_mode(ServoConfig::new()).map(drop))]
 }
 
 fn dropped_client() -> Vec<String> {

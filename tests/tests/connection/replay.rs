@@ -81,7 +81,7 @@ fn motions_and_servo_sessions_of_a_robot_are_replayed() {
         robot.power_up(LONG).expect("it powers up at once");
         let request = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0);
         robot.run(&request, LONG).expect("it is sent").reached().expect("nothing is in the way");
-        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
         (0..25).try_for_each(|_| session.send_joint_offset([0.01; 6])).expect("set-points are sent");
         let report = session.land().expect("servo mode is left").report;
         // How often the arm is held at the end depends on when packets come.

@@ -33,7 +33,7 @@ fn a_wait_that_saw_the_arm_at_rest_is_not_enough_for_servo_mode() {
     let (arm, mut robot) = Arm::simulated().with_robot();
     robot.run(&to(5.0, 40.0), LONG).expect("it is reachable").reached().expect("it ends there");
     let before = sent(&arm, "get_joint_pos");
-    let session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm rests");
+    let session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm rests");
     let asked = sent(&arm, "get_joint_pos") - before;
     drop(session);
     assert_eq!(asked, 3, "two answers that agree, and where it begins");

@@ -202,7 +202,7 @@ fn limits_of_another_arm_are_refused() {
 #[test]
 fn a_set_point_beyond_a_limit_ends_the_session() {
     let (arm, mut robot) = with_limits(limits().with_joint_range(6, -1.0, 1.0).expect("a range"));
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
     let mut sent = 0;
     let error = loop {
         match session.send_joint_offset([0.0, 0.0, 0.0, 0.0, 0.0, 0.004]) {

@@ -242,7 +242,7 @@ fn no_motion_is_sent_after_its_deadline() {
 fn a_session_on_a_broken_connection_says_that_servo_mode_may_be_on() {
     let (arm, mut robot) = ready();
     let error = {
-        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("it enters");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("it enters");
         for _ in 0..10 {
             session.send_joint_offset([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("fine");
         }
@@ -356,7 +356,7 @@ fn servo_mode_is_not_entered_while_the_arm_moves() {
     delayed(&arm, ms(1500));
     robot.client().joint_move(&to(40.0, 20.0)).expect("accepted");
     arm.clock().sleep(ms(300));
-    let session = robot.enter_servo_mode(&ServoConfig::new());
+    let session = robot.enter_servo_mode(ServoConfig::new());
     let state = arm.state();
     drop(session);
     assert!(state.at_rest || !state.servo_mode, "servo mode was entered while the arm moved");

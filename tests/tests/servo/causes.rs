@@ -162,7 +162,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, late_after: Option<Duration>) -> 
         Way::Run => robot.run(&motion, LONG).map_or_else(of, motion_end),
         Way::GuardedRun => robot.run(&motion.guard(guard()), LONG).map_or_else(of, motion_end),
         Way::Session => {
-            let mut session = match robot.enter_servo_mode(&servo()) {
+            let mut session = match robot.enter_servo_mode(servo()) {
                 Ok(session) => session,
                 Err(error) => return of(error),
             };

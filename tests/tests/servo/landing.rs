@@ -39,7 +39,7 @@ fn servo() -> ServoConfig {
 }
 
 fn entered(robot: &mut Robot) -> ServoSession<'_> {
-    robot.enter_servo_mode(&config()).expect("the arm is enabled")
+    robot.enter_servo_mode(config()).expect("the arm is enabled")
 }
 
 /// Moves joint 3 by a step.
@@ -364,7 +364,7 @@ fn rest_that_no_packet_shows_is_an_error_that_says_so() {
 #[test]
 fn a_refusal_and_rest_that_no_packet_shows_are_both_told() {
     let (arm, mut robot) = arm().with_robot();
-    let mut session = robot.enter_servo_mode(&servo().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(servo().rest_timeout(Duration::ZERO)).expect("the arm is enabled");
     arm.inject_for("servo_j", refusal());
     session.send_joint_offset([0.001; 6]).expect("a small step");
     let error = session.land().expect_err("it was refused");
@@ -422,7 +422,7 @@ fn set_points_that_are_poses_are_compared_and_braked_along_their_line() {
 #[test]
 fn set_points_may_jump_where_the_program_says_so() -> Result<(), Error> {
     let (arm, mut robot) = arm().with_robot();
-    let mut session = robot.enter_servo_mode(&config().unchecked())?;
+    let mut session = robot.enter_servo_mode(config().unchecked())?;
     for _ in 0..5 {
         send(&mut session, 0.8)?;
     }

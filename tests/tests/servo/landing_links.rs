@@ -44,7 +44,7 @@ fn send(session: &mut ServoSession<'_>, step: f64) -> Result<(), jaka_robot::Err
 
 /// A session at 16 deg/s.
 fn at_speed(robot: &mut Robot) -> ServoSession<'_> {
-    let mut session = robot.enter_servo_mode(&config()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(config()).expect("the arm is at rest");
     for n in 1..=RAMP {
         send(&mut session, step(n)).expect("answers come");
     }
@@ -76,7 +76,7 @@ fn in_servo_mode(is_on: bool) -> Fault {
 #[test]
 fn servo_mode_counts_as_left_once_the_controller_says_so() {
     let (arm, mut robot) = ready();
-    let session = robot.enter_servo_mode(&config()).expect("the arm is at rest");
+    let session = robot.enter_servo_mode(config()).expect("the arm is at rest");
     let asked = count(&arm, "is_in_servomove");
     for _ in 0..5 {
         arm.inject_for("is_in_servomove", in_servo_mode(true));
@@ -166,7 +166,7 @@ fn a_stop_goes_out_as_soon_as_the_arm_is_braked_and_no_set_point_after_it() {
 fn no_set_point_that_holds_the_arm_follows_a_stop() {
     let (arm, mut robot) = Arm::simulated().status_period(Duration::from_millis(400)).with_robot();
     let (clock, stop) = (arm.clock().clone(), robot.stop_handle());
-    let mut session = robot.enter_servo_mode(&config()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(config()).expect("the arm is at rest");
     send(&mut session, 0.001).expect("answers come");
     let stops = || {
         // In the middle of a cycle.
@@ -187,7 +187,7 @@ fn rest_is_seen_by_two_packets_that_came_while_the_arm_was_held() {
     let period = Duration::from_millis(200);
     let (arm, mut robot) = Arm::simulated().status_period(period).with_robot();
     let monitor = Arc::clone(robot.monitor());
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     send(&mut session, 0.001).expect("answers come");
     let before = monitor.statistics().packets;
     let since = arm.clock().elapsed();
@@ -201,7 +201,7 @@ fn rest_is_seen_by_two_packets_that_came_while_the_arm_was_held() {
 #[test]
 fn an_arm_that_stands_somewhere_else_than_it_is_held_is_not_seen_at_rest() {
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     send(&mut session, 0.001).expect("answers come");
     let mut elsewhere = arm.state().joint_position.0;
     elsewhere[2] += 1.0;
@@ -217,7 +217,7 @@ fn servo_mode_that_was_refused_is_not_left() {
     let (arm, mut robot) = ready();
     let refusal = br#"{"errorCode": "2", "errorMsg": "call servo_move failed", "cmdName": "servo_move"}"#;
     arm.inject_for("servo_move", Fault::Instead(refusal.to_vec()));
-    let error = robot.enter_servo_mode(&config()).map(drop).expect_err("it is refused");
+    let error = robot.enter_servo_mode(config()).map(drop).expect_err("it is refused");
     assert!(error.is_refused(), "{error:?}");
     assert_eq!(count(&arm, "servo_move"), 1);
 }
@@ -252,7 +252,7 @@ fn a_landing_without_packets_says_that_rest_was_not_seen() {
         } else {
             robot
         };
-        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
         arm.link(Port::Status).to_client().hold();
         send(&mut session, 0.001).expect("the last packet is fresh");
         let since = arm.clock().elapsed();
@@ -307,7 +307,7 @@ struct Stopped {
 fn stopped_without_replies(held: Duration, go_on: impl FnOnce(ServoSession<'_>)) -> Stopped {
     let (arm, mut robot) = ready();
     let (clock, stop) = (arm.clock().clone(), robot.stop_handle());
-    let mut session = robot.enter_servo_mode(&config()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(config()).expect("the arm is at rest");
     for _ in 0..10 {
         send(&mut session, 0.001).expect("answers come");
     }

@@ -55,7 +55,7 @@ const SLOW: [Course; 2] = [
 /// session's report by then, and what the controller got after the gap.
 fn late(course: &Course) -> (Result<(), Error>, Report, Vec<f64>) {
     let (clock, controller, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
     (course.send)(&mut session, course.first).expect("it is sent");
     (0..20).try_for_each(|_| (course.send)(&mut session, course.then)).expect("they are sent");
     let paused_at = clock.now();
@@ -101,7 +101,7 @@ fn a_slow_arm_goes_on_after_a_gap() {
 #[test]
 fn a_gap_just_too_short_is_none() {
     let (clock, _controller, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
     joint(&mut session, 0.04).expect("it is sent");
     for _ in 0..5 {
         joint(&mut session, 0.08).expect("it is sent");

@@ -38,12 +38,12 @@ const STEP: [f64; 6] = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
 fn a_session_does_not_begin_where_servo_mode_is_on() {
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.servo_mode = true);
-    let error = robot.enter_servo_mode(&unchecked()).expect_err("it is on");
+    let error = robot.enter_servo_mode(unchecked()).expect_err("it is on");
     assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ServoModeOn }), "{error}");
     assert!(arm.state().servo_mode, "what another program needs is left as it is");
     assert!(!arm.requests().iter().any(|request| request.contains("servo_move")), "nothing was sent to change it");
     robot.client().set_servo_mode(Switch::Off).expect("it is left");
-    drop(robot.enter_servo_mode(&unchecked()).expect("it is off"));
+    drop(robot.enter_servo_mode(unchecked()).expect("it is off"));
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_closure_gives_set_points_until_it_breaks() {
 fn the_tool_centre_point_follows_set_points_too() {
     let (arm, mut robot) = ready();
     let start = arm.state().tcp_pose;
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     for n in 1..=20 {
         session.send_pose(Pose { z: start.z + 0.1 * f64::from(n), ..start }).expect("servo mode is on");
     }
@@ -138,7 +138,7 @@ fn a_step_that_is_too_fast_is_not_sent() {
 #[test]
 fn a_refusal_is_reported_soon_and_servo_mode_is_left() {
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
     // The controller has taken that one.
     arm.clock().sleep(CYCLE / 2);
@@ -159,13 +159,13 @@ fn a_refusal_is_reported_soon_and_servo_mode_is_left() {
 fn answers_that_another_call_reads_count_too() {
     let (arm, mut robot) = ready();
     let stop = robot.client().stop_handle();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
     stop.stop().expect("its reply comes after that of the set-point");
     let report = session.land().expect("the set-point was accepted").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1 + report.landing_cycles, 0));
 
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     arm.set_state(|state| state.servo_mode = false);
     session.send_joint_offset(STEP).expect("its answer has not come");
     stop.stop().expect("its reply comes after that of the set-point");
@@ -176,11 +176,11 @@ fn answers_that_another_call_reads_count_too() {
 #[test]
 fn servo_mode_is_left_on_drop_and_on_panic() {
     let (arm, mut robot) = ready();
-    drop(robot.enter_servo_mode(&unchecked()).expect("the arm is enabled"));
+    drop(robot.enter_servo_mode(unchecked()).expect("the arm is enabled"));
     assert_eq!(last_change(&arm.requests()), LEFT);
     robot.client().is_in_servomove().expect("it answers");
     let panicked = catch_unwind(AssertUnwindSafe(|| {
-        let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+        let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
         session.send_joint_offset(STEP).expect("servo mode is on");
         panic!("a bug in the user's program");
     }));
@@ -191,7 +191,7 @@ fn servo_mode_is_left_on_drop_and_on_panic() {
 #[test]
 fn answers_that_never_come_are_counted_and_hold_nothing_up() {
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     for _ in 0..3 {
         arm.inject_for("servo_j", Fault::Drop);
     }
@@ -207,7 +207,7 @@ fn answers_that_never_come_are_counted_and_hold_nothing_up() {
 fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
     let (arm, mut robot) = ready();
     let stop = robot.client().stop_handle();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     arm.inject_for("servo_j", Fault::Drop);
     session.send_joint_offset(STEP).expect("servo mode is on");
     stop.stop().expect("its reply comes, and that to the set-point does not");
@@ -218,16 +218,16 @@ fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
 #[test]
 fn a_stop_or_a_lost_connection_ends_the_session() {
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     arm.collide();
     session.send_joint_offset(STEP).expect("its answer is taken with the next one");
     let error = session.send_joint_offset(STEP).expect_err("the stop is noticed");
     assert!(error.is_refused() && error.cause() == Cause::ProtectiveStop, "{error:?}");
     drop(session);
-    assert!(robot.enter_servo_mode(&unchecked()).is_err(), "nobody has looked");
+    assert!(robot.enter_servo_mode(unchecked()).is_err(), "nobody has looked");
 
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&unchecked()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
     arm.disconnect();
     let error = session.send_joint_offset(STEP).expect_err("the connection is lost");

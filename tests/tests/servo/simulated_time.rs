@@ -54,7 +54,7 @@ fn no_cycle_of_a_long_session_is_late_or_missing() {
         move |cycle: u64, joints: [f64; 6]| (joints[5] - swing(cycle.min(cycles - 1))).abs() < tolerance(cycle);
     let wire = SetPoints::watch(arm.clock(), arm.command_addr(), expected);
     let mut robot = watched(&arm, &wire);
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     let mut memory = None;
     for cycle in 0..cycles {
         session.send_joints([START[0], START[1], START[2], START[3], START[4], swing(cycle)]).expect("answers come");

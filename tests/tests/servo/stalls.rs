@@ -190,7 +190,7 @@ fn no_motion_is_sent_while_the_status_is_stale_or_gone() {
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }) && !error.may_have_run(), "{error:?}");
     assert!(
         robot
-            .enter_servo_mode(&ServoConfig::new())
+            .enter_servo_mode(ServoConfig::new())
             .is_err_and(|error| matches!(error.kind(), ErrorKind::StatusUnknown { .. }))
     );
     // Nor is a question sent, such as that of where a motion by an offset begins.
@@ -268,7 +268,7 @@ fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
     for _ in 0..1000 {
         arm.inject_for("is_in_servomove", Fault::Instead(not_in.to_vec()));
     }
-    let entered = robot.enter_servo_mode(&ServoConfig::new().enter_timeout(Duration::from_millis(300)));
+    let entered = robot.enter_servo_mode(ServoConfig::new().enter_timeout(Duration::from_millis(300)));
     let error = entered.expect_err("the controller says that it is not in servo mode");
     assert!(
         matches!(error.kind(), ErrorKind::NotReady { .. }) && error.to_string().contains("did not enter"),
@@ -281,7 +281,7 @@ fn servo_mode_that_is_acknowledged_and_not_entered_is_an_error() {
 #[test]
 fn servo_mode_that_the_controller_says_is_still_on_has_not_been_left() {
     let (arm, mut robot) = ready();
-    let session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     let still_in = br#"{"errorCode": "0", "errorMsg": "", "in_servomove": true, "cmdName": "is_in_servomove"}"#;
     for _ in 0..1000 {
         arm.inject_for("is_in_servomove", Fault::Instead(still_in.to_vec()));
@@ -336,7 +336,7 @@ fn moves_on(arm: &Arm, for_time: Duration) -> f64 {
 fn set_points_do_not_accumulate_on_a_link_that_is_held() {
     const STEP: f64 = 0.04;
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     let slow = |session: &mut jaka_robot::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
     for _ in 0..20 {
         slow(&mut session).expect("answers come");
@@ -357,7 +357,7 @@ fn set_points_do_not_accumulate_on_a_link_that_is_held() {
 #[test]
 fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
     let (arm, mut robot) = ready();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     arm.link(Port::Command).hold();
     let clock = arm.clock();
     let release = || {
@@ -375,7 +375,7 @@ fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
 #[test]
 fn set_points_end_with_the_status() {
     let (arm, mut robot) = arm().config(|config| config.stale_after(Duration::from_millis(300))).with_robot();
-    let mut session = robot.enter_servo_mode(&ServoConfig::new().max_unanswered(LONG)).expect("the arm is at rest");
+    let mut session = robot.enter_servo_mode(ServoConfig::new().max_unanswered(LONG)).expect("the arm is at rest");
     arm.link(Port::Status).to_client().hold();
     let error = (0..2000).find_map(|_| session.send_joint_offset([0.001; 6]).err()).expect("the status is stale");
     assert!(matches!(error.kind(), ErrorKind::StatusUnknown { .. }), "{error:?}");
@@ -388,7 +388,7 @@ fn servo_mode_is_left_where_entering_it_was_not_answered() {
         let impatient = |config: Config| config.reply_timeout(Duration::from_millis(300)).stale_after(LONG);
         let (arm, mut robot) = arm().config(impatient).with_robot();
         arm.inject_for("servo_move", fault.clone());
-        let error = robot.enter_servo_mode(&ServoConfig::new()).expect_err("its reply does not come in time");
+        let error = robot.enter_servo_mode(ServoConfig::new()).expect_err("its reply does not come in time");
         assert!(error.may_have_run(), "{fault}: {error:?}");
         let is_left = !arm.state().servo_mode;
         assert!(is_left || matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }), "{fault}: {error:?}");
@@ -401,7 +401,7 @@ fn servo_mode_is_left_where_entering_it_was_not_answered() {
 #[test]
 fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
     let (arm, mut robot) = ready();
-    let session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is at rest");
+    let session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
     drop(session);
     let requests = arm.requests();
     let first = |part: &str| requests.iter().position(|request| request.contains(part)).expect("it was sent");
@@ -409,7 +409,7 @@ fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
     // Before it, whether the arm is at rest; in it, where it is.
     assert!(first("get_joint_pos") < first("servo_move"), "{requests:?}");
     assert!(first("is_in_servomove") < last("get_joint_pos"), "{requests:?}");
-    let error = robot.enter_servo_mode(&ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
+    let error = robot.enter_servo_mode(ServoConfig::new().step_count(1000)).expect_err("a period of 8 s");
     assert!(error.is_invalid_argument(), "{error:?}");
 }
 
@@ -417,7 +417,7 @@ fn the_first_set_point_is_checked_against_where_the_arm_is_in_servo_mode() {
 fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     let (arm, mut robot) = ready();
     robot.start(&to(20.0, 40.0)).expect("it is reachable");
-    let error = robot.enter_servo_mode(&ServoConfig::new()).expect_err("a motion has not been waited for");
+    let error = robot.enter_servo_mode(ServoConfig::new()).expect_err("a motion has not been waited for");
     assert!(matches!(error.kind(), ErrorKind::NotReady { .. }), "{error:?}");
     assert!(!arm.requests().iter().any(|request| request.contains("servo_move")));
     assert_there(&arm, &robot.wait(LONG), 20.0);
@@ -431,7 +431,7 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
     assert!((0..1000).any(packet_of_motion), "the arm moves");
     drop(robot);
     let mut robot = Robot::new(arm.client(), monitor);
-    drop(robot.enter_servo_mode(&ServoConfig::new()).expect("the arm has come to rest"));
+    drop(robot.enter_servo_mode(ServoConfig::new()).expect("the arm has come to rest"));
     assert!((joint_1(&arm) - 30.0).abs() < 0.01);
 }
 

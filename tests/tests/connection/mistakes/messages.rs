@@ -84,7 +84,7 @@ fn of_ends() -> Vec<String> {
     let (accepted, not_sent) = (vec!["power_on".to_owned()], vec!["enable_robot".to_owned()]);
     let stopped = ErrorKind::Stopped { accepted, not_sent };
     let late = ErrorKind::SetPointLate { late: Duration::from_millis(120) };
-    let step_count = refusal(robot(true, true).1.enter_servo_mode(&ServoConfig::new().step_count(99)));
+    let step_count = refusal(robot(true, true).1.enter_servo_mode(ServoConfig::new().step_count(99)));
     let denied = io::ErrorKind::PermissionDenied.into();
     let priority = ErrorKind::RealtimePriority { priority: 20, source: denied };
     let ends = ends.map(Occurrence::from).into_iter().chain([lost, seat_lost]).map(|end| end.to_string());

@@ -23,7 +23,7 @@ fn the_branch_that_a_controller_names_must_lead_to_the_pose() {
 #[test]
 fn a_set_point_after_a_pause_starts_from_standstill() {
     let (arm, mut robot) = with_limits(limits());
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is enabled");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
     let mut at = START;
     // 0.5 deg/s: a faster arm ends its session after such a pause.
     at[0] += 0.5 * 0.008;

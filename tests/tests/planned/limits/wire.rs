@@ -207,7 +207,7 @@ impl Cell {
     fn session(&mut self) {
         let (count, size) = (self.random.below(20) + 1, self.random.mostly_small(0.5));
         let starting_speed = self.rig.bounds.accelerations[0] * PERIOD * PERIOD;
-        let mut session = self.robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is ready");
+        let mut session = self.robot.enter_servo_mode(ServoConfig::new()).expect("the arm is ready");
         let (mut before, mut refusal) = ([self.at; 2], None::<(Error, Excess)>);
         for _ in 0..count {
             let [earlier, last] = before;
