@@ -18,7 +18,7 @@ use super::stop_handle::UnderWay;
 use crate::{Cause, Disconnect, GuardTrip, Occurrence, Snapshot, TripReason};
 
 /// Number of schedules of each test: at random, and with a few switches of threads anywhere.
-const SCHEDULES: usize = 5000;
+const SCHEDULES: usize = 2000;
 const SWITCHES: usize = 3;
 
 /// Longer than any test.

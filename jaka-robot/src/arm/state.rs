@@ -132,7 +132,9 @@ impl ArmState {
         let (packets, guards) = (mem::take(&mut known.unjudged), known.guards.armed());
         drop(known);
         for guard in guards {
-            packets.iter().for_each(|packet| guard.observe(packet));
+            for packet in &packets {
+                guard.observe(packet);
+            }
         }
     }
 

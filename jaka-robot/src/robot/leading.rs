@@ -18,7 +18,7 @@ impl<S: MotionStatus> Robot<S> {
     /// # Errors
     /// As [`ServoSession`] says at "Entering".
     pub fn enter_servo_mode(&mut self, config: impl Into<SessionConfig>) -> Result<ServoSession<'_>, Error> {
-        ServoSession::enter(self.led(), config.into())
+        ServoSession::enter(self.led(), &config.into())
     }
 
     /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the trajectory where it is not done

@@ -17,7 +17,7 @@ use crate::{Error, Explanation, Report, Rest};
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.
-    pub(crate) fn enter(led: Led<'r>, config: SessionConfig) -> Result<Self, Error> {
+    pub(crate) fn enter(led: Led<'r>, config: &SessionConfig) -> Result<Self, Error> {
         Self::enter_if(led, (&config.servo, config.rates), |_, _| Ok(()))
     }
 
