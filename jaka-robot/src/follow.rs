@@ -22,7 +22,7 @@ use crate::servo_session::{Led, LentArm};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error};
 
-/// A robot that follows a [`Trajectory`], from [`Robot::start_follow`].
+/// A robot that follows a [`Trajectory`], from [`Robot::start_follow`](crate::Robot::start_follow).
 ///
 /// A thread of its own sends a set-point in each servo period, as `servo_j` (4.15). Each is where the trajectory is at some time of it:
 /// [`Follower`](jaka_motion::Follower) tells how that time passes and what is promised of the set-points. A pause, another speed and a stop, by [handles](FollowHandle),
@@ -30,7 +30,7 @@ use crate::{End, Error};
 ///
 /// # How it ends
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
-/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`] that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
 ///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
 ///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.

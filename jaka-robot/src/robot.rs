@@ -224,7 +224,7 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent all the same
-    /// ([`LimitPolicy::Warn`]).
+    /// ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
     pub fn limit_warning(&self) -> Option<String> {
         self.limits.warning()
     }

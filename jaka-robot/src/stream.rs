@@ -107,7 +107,7 @@ impl StreamConfig {
     }
 }
 
-/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`].
+/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`](crate::Robot::stream).
 ///
 /// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of [`StreamConfig::dynamics`] and the robot's
 /// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.

@@ -47,7 +47,7 @@ pub(crate) struct Sent {
 }
 
 /// Stops the arm of a [`Robot`](crate::Robot) from another thread, and ends its wait as soon as the controller has accepted the
-/// stop. Unless an [`End`](crate::End) has reported the stop by [`Cause::Stopped`], the next motion is refused until
+/// stop. Unless an [`End`](crate::End) has reported the stop by [`Cause::Stopped`](crate::Cause::Stopped), the next motion is refused until
 /// [`Robot::acknowledge`](crate::Robot::acknowledge). While a stop is on its way, every motion is refused.
 ///
 /// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then fails.

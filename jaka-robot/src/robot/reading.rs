@@ -120,7 +120,7 @@ impl<S: MotionStatus> Robot<S> {
     /// the controller computes (`kine_forward`, which moves nothing), and where the arm is with the limits.
     ///
     /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries one after the other,
-    /// the rest of what it tells is [not checked](Verdict::NotChecked).
+    /// the rest of what it tells is [not checked](crate::Verdict::NotChecked).
     ///
     /// ```
     /// use jaka_sim::Controller;
