@@ -37,8 +37,10 @@ struct Limited {
     warning: Option<Error>,
     /// Where the last motion that was accepted ends, by its check.
     planned: Option<JointPosition>,
-    /// How many stops had gone out by then: after another one the arm ends elsewhere.
+    /// How many stops had gone out by then, and how many commands of other handles that may have changed something: after
+    /// another one the arm ends elsewhere.
     stops: u64,
+    changes_by_others: u64,
     /// Motions were given up that the arm may not have begun yet.
     is_unsettled: bool,
     /// How often this program had changed frames when the frames of the checker were compared with the controller's.
@@ -54,8 +56,17 @@ impl LimitChecks {
     pub(crate) fn new(arm: &mut Arm, limits: Limits, policy: LimitPolicy) -> Result<Self, Error> {
         let (frames, frame_changes) = fitted_frames(arm, limits.model(), None)?;
         let checker = Checker::new(limits, frames);
-        let (warning, planned, stops, is_unsettled) = (None, None, 0, false);
-        Ok(Self(Some(Box::new(Limited { checker, policy, warning, planned, stops, is_unsettled, frame_changes }))))
+        let (warning, planned, stops, changes_by_others, is_unsettled) = (None, None, 0, 0, false);
+        Ok(Self(Some(Box::new(Limited {
+            checker,
+            policy,
+            warning,
+            planned,
+            stops,
+            changes_by_others,
+            is_unsettled,
+            frame_changes,
+        }))))
     }
 
     /// The same for another thread.
@@ -95,9 +106,9 @@ impl LimitChecks {
 
     /// The last motion that was accepted ends there.
     pub(crate) fn plan(&mut self, arm: &Arm, end: Option<JointPosition>) {
-        let stops = arm.link().stop_count();
         if let Some(limited) = &mut self.0 {
-            (limited.planned, limited.stops, limited.is_unsettled) = (end, stops, false);
+            (limited.planned, limited.stops, limited.is_unsettled) = (end, arm.link().stop_count(), false);
+            limited.changes_by_others = arm.link().changes_by_others();
         }
     }
 

@@ -15,7 +15,7 @@ use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Dispatched, Gate, Link, OPEN, Outgoing, SendError, unexpected};
+use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 
 /// A connection to a controller's command port.
@@ -41,7 +41,8 @@ pub struct Client {
     /// The firmware that requests are checked against, if any.
     firmware: Option<FirmwareVersion>,
     reply: String,
-    /// True for the client that was connected, which closes the connection when it is dropped.
+    handle: Handle,
+    /// True if its drop closes the connection.
     owns_link: bool,
 }
 
@@ -61,16 +62,55 @@ impl Client {
     pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
         let (stream, tap) = connection::connect(&address.to_string(), Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
-        Ok(Self { link, config: config.clone(), firmware: None, reply: String::new(), owns_link: true })
+        Ok(Self {
+            link,
+            config: config.clone(),
+            firmware: None,
+            reply: String::new(),
+            handle: Handle::First,
+            owns_link: true,
+        })
     }
 
-    /// Another client of the same connection, for a thread that this one outlives.
+    /// Another handle of the same connection, for another thread or for use beside a [`Pipeline`](crate::Pipeline).
+    ///
+    /// One request of a connection is on its way to the controller at a time: a handle that sends much keeps the others
+    /// waiting for as long as the network takes it. Replies reach the handle that has asked. The first client owns the
+    /// connection: its drop closes it for all handles, whose calls fail then; the drop of another handle closes nothing.
+    ///
+    /// While a servo session, a stream or a trajectory of jaka-robot leads the arm, only outputs, short queries and
+    /// `stop_program` (4.23) pass by such a handle: all else is [`ErrorKind::KeptBack`].
+    ///
+    /// ```no_run
+    /// use jaka_sync::Client;
+    ///
+    /// let mut robot = Client::connect("10.5.5.100")?;
+    /// let mut other = robot.try_clone()?;
+    /// let watching = std::thread::spawn(move || other.get_robot_state());
+    /// println!("{:?}", robot.get_joint_pos()?);
+    /// println!("{:?}", watching.join().expect("it does not panic")?);
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ErrorKind::Disconnected`] if the connection is broken.
+    pub fn try_clone(&self) -> Result<Self, Error> {
+        self.link.check_open("try_clone")?;
+        Ok(self.lent_as(Handle::Other))
+    }
+
+    /// The same for a thread that this one outlives, and that takes its place.
     pub(crate) fn lent(&self) -> Self {
+        self.lent_as(self.handle)
+    }
+
+    fn lent_as(&self, handle: Handle) -> Self {
         Self {
             link: Arc::clone(&self.link),
             config: self.config.clone(),
             firmware: self.firmware,
             reply: String::new(),
+            handle,
             owns_link: false,
         }
     }
@@ -138,7 +178,7 @@ impl Client {
         write: &mut dyn FnMut(&mut Writer),
         reader: &mut dyn ReadReply,
     ) -> Result<(), SendError<R>> {
-        let outgoing = Outgoing::of(&self.link.clock, info, timeout);
+        let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle);
         self.link.call(&outgoing, gate, write, &mut self.reply, reader)?;
         if info.ends_session {
             self.link.end(info);
@@ -174,7 +214,7 @@ impl Client {
         commands: &[C],
     ) -> Result<Dispatched, SendError<R>> {
         let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
-        self.link.post(C::INFO.name, self.config.reply_timeout, gate, commands.len(), write)
+        self.link.post((C::INFO.name, self.handle), self.config.reply_timeout, gate, commands.len(), write)
     }
 
     /// Checks commands against the spec and the firmware.
@@ -238,7 +278,8 @@ impl Client {
             command,
             Cow::Owned(command.trim().to_owned()),
             self.config.reply_timeout,
-        );
+        )
+        .of_handle(self.handle);
         self.link.call(&outgoing, OPEN, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
         let mut reader = Reader::new(&self.reply);
         let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
@@ -259,7 +300,8 @@ impl Client {
             let excerpt: String = request.chars().take(80).collect();
             return Err(InvalidArgument::new("call_text", "request", excerpt, "a JSON object with `cmdName`").into());
         };
-        let outgoing = Outgoing::named(&self.link.clock, command, Cow::Owned(command.to_owned()), timeout);
+        let name = Cow::Owned(command.to_owned());
+        let outgoing = Outgoing::named(&self.link.clock, command, name, timeout).of_handle(self.handle);
         self.link.call(&outgoing, OPEN, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
         Ok(&self.reply)
     }

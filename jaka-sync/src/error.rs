@@ -68,6 +68,14 @@ jaka_proto::worded! {
             /// The controller's own words.
             refusal: Refusal,
         } => "{refusal}",
+        /// The command of another handle ([`Client::try_clone`](crate::Client::try_clone)) was kept back, because a part of
+        /// the program has the connection for itself. It did not run.
+        KeptBack {
+            /// `cmdName` of the command.
+            command: String,
+            /// Reason.
+            because: &'static str,
+        } => "`{command}` was not sent: {because}",
         /// No reply came in time. The command may have run; read the robot's state before you go on.
         ///
         /// The connection can still be used: the reply is discarded if it comes later.
@@ -168,6 +176,7 @@ impl Error {
             | ErrorKind::NotInFirmware(_)
             | ErrorKind::Connect { .. }
             | ErrorKind::Refused { .. }
+            | ErrorKind::KeptBack { .. }
             | ErrorKind::Timeout { .. }
             | ErrorKind::NotSentInTime { .. }
             | ErrorKind::ReplyLost { .. }
@@ -187,6 +196,7 @@ impl Error {
             | ErrorKind::NotInFirmware(_)
             | ErrorKind::Connect { .. }
             | ErrorKind::Refused { .. }
+            | ErrorKind::KeptBack { .. }
             | ErrorKind::NotSentInTime { .. }
             | ErrorKind::StateTimeout { .. }
             | ErrorKind::StatusUnknown { .. }
@@ -279,6 +289,7 @@ impl StdError for Error {
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
             | ErrorKind::Refused { .. }
+            | ErrorKind::KeptBack { .. }
             | ErrorKind::Timeout { .. }
             | ErrorKind::NotSentInTime { .. }
             | ErrorKind::ReplyLost { .. }

@@ -11,6 +11,7 @@ mod outbound;
 mod outgoing;
 mod posted;
 mod question;
+mod reservation;
 mod reset;
 mod state;
 mod turn;
@@ -36,9 +37,10 @@ pub use self::failure::unexpected;
 use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
 pub use self::outgoing::{Gate, SendError};
-pub(crate) use self::outgoing::{OPEN, Outgoing, Right};
+pub(crate) use self::outgoing::{Handle, OPEN, Outgoing, Right};
 pub use self::posted::Answers;
 pub(crate) use self::posted::MOST_OUTSTANDING;
+pub use self::reservation::{Reservation, Reserved};
 use self::state::{Mode, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
@@ -226,13 +228,13 @@ impl Link {
     /// are outstanding. `write` writes the request with an index.
     pub(crate) fn post<R>(
         &self,
-        command: &'static str,
+        (command, by): (&'static str, Handle),
         timeout: Duration,
         gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, SendError<R>> {
-        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout);
+        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).of_handle(by);
         self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
     }
 

@@ -33,8 +33,9 @@ pub(crate) struct Position {
     reply_timeout: Duration,
     /// The query that has not been answered.
     query: Option<Query>,
-    /// True if the last wait saw the arm at rest by the controller's answers, and nothing was sent since.
-    rests: bool,
+    /// Number of the changes by other handles when a wait saw the arm at rest by the controller's answers, if nothing was
+    /// sent since by this one.
+    rests: Option<u64>,
 }
 
 /// A query whose answer has not been taken.
@@ -55,7 +56,7 @@ pub(crate) struct Answer {
 
 impl Position {
     pub(super) fn new(link: &Arc<Link>, reply_timeout: Duration) -> Self {
-        Self { link: Arc::clone(link), reply_timeout, query: None, rests: false }
+        Self { link: Arc::clone(link), reply_timeout, query: None, rests: None }
     }
 
     /// The same for another thread, which this one outlives.
@@ -66,7 +67,7 @@ impl Position {
 
     /// Notes whether the arm was seen at rest by answers. What is sent ends that.
     pub(crate) fn is_at_rest(&mut self, rests: bool) {
-        self.rests = rests;
+        self.rests = rests.then(|| self.link.changes_by_others());
     }
 
     /// True while a query is outstanding.
@@ -154,7 +155,11 @@ impl Position {
     /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
     /// where the controller does not say it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        if self.rests { self.place(quantity, timeout) } else { self.place_still_for(quantity, QUERY_PERIOD, timeout) }
+        if self.rests == Some(self.link.changes_by_others()) {
+            self.place(quantity, timeout)
+        } else {
+            self.place_still_for(quantity, QUERY_PERIOD, timeout)
+        }
     }
 
     /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it, or the arm moves.

@@ -136,10 +136,11 @@ impl Check<'_> {
     }
 
     fn start_in_queue(&self) -> Result<JointPosition, Error> {
-        let (changes, stops) = (self.arm.link().frame_changes(), self.arm.link().stop_count());
-        match self.limited.planned {
-            _ if self.limited.frame_changes != changes => Err(self.not_checked(Unchecked::FramesInQueue)),
-            Some(planned) if self.limited.stops == stops => Ok(planned),
+        let (limited, link) = (&self.limited, self.arm.link());
+        let is_as_planned = limited.stops == link.stop_count() && limited.changes_by_others == link.changes_by_others();
+        match limited.planned {
+            _ if limited.frame_changes != link.frame_changes() => Err(self.not_checked(Unchecked::FramesInQueue)),
+            Some(planned) if is_as_planned => Ok(planned),
             _ => Err(self.not_checked(Unchecked::Start)),
         }
     }

@@ -3,9 +3,16 @@
 use std::time::Duration;
 
 use jaka_proto::Command;
+use jaka_proto::messages::collision::ProtectiveStopStatus;
+use jaka_proto::messages::io::{
+    GetDigitalInputStatus, GetExtioStatus, GetFuncdiStatus, SetAnalogOutput, SetDigitalOutput,
+};
+use jaka_proto::messages::kinematics::{GetJointPos, GetTcpPos};
+use jaka_proto::messages::power::GetRobotState;
+use jaka_proto::messages::program::{GetProgramState, StopProgram};
 use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
-use jaka_sync::layer::ClientParts as _;
+use jaka_sync::layer::{ClientParts as _, Reservation};
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
@@ -14,6 +21,28 @@ use super::{Led, MOST_STEPS, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
+
+/// What other handles may send while a session leads the arm: outputs, and queries that a controller answers at once. A stop
+/// passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a stop brakes it.
+const MEANWHILE: Reservation = Reservation {
+    because: "a servo session, a stream or a trajectory leads the arm, and only outputs, short queries and stops pass",
+    lets_pass: |command| PASSING.contains(&command),
+};
+
+/// Commands that pass.
+const PASSING: [&str; 11] = [
+    StopProgram::INFO.name,
+    SetDigitalOutput::INFO.name,
+    SetAnalogOutput::INFO.name,
+    GetDigitalInputStatus::INFO.name,
+    GetExtioStatus::INFO.name,
+    GetFuncdiStatus::INFO.name,
+    GetRobotState::INFO.name,
+    GetProgramState::INFO.name,
+    GetJointPos::INFO.name,
+    GetTcpPos::INFO.name,
+    ProtectiveStopStatus::INFO.name,
+];
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.
@@ -42,6 +71,7 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
+        let reserved = Some(arm.link().reserve(MEANWHILE));
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
         }
@@ -57,6 +87,7 @@ impl<'r> ServoSession<'r> {
             since: arm.clock().stopwatch(),
             arm,
             limits,
+            reserved,
             config: config.clone(),
             rates,
             course: Course::unknown(),

@@ -114,6 +114,7 @@ impl ServoSession<'_> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(SessionEnd::of(&error));
+        drop(self.reserved.take());
         self.arm.link().record_motion(MotionStep::Failed, || error.kind().to_string());
         drop(self.priority.take());
         error
@@ -151,6 +152,7 @@ impl ServoSession<'_> {
         let off = link.ask(SetServoMode::INFO, &mut |out| off.write_request(out))?;
         let left = self.wait_until_left(&off, unanswered);
         self.arm.link().forget(&off);
+        drop(self.reserved.take());
         left
     }
 

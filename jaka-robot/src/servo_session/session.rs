@@ -9,7 +9,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{Answers, ClientParts as _, Gate, Stopwatch};
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Reserved, Stopwatch};
 
 use super::ServoConfig;
 use super::course::Course;
@@ -83,6 +83,8 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 pub struct ServoSession<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
+    /// Keeps back what other handles send, until the session ends.
+    pub(super) reserved: Option<Reserved>,
     pub(super) config: ServoConfig,
     pub(super) rates: Rates,
     pub(super) pace: Pace,

@@ -81,6 +81,7 @@ impl Link {
         };
         // After a panic in code that writes, nothing that was not sent is left.
         outbound.compose(count, write);
+        state.check_reserved(outgoing).map_err(|error| self.attach(error))?;
         gate.map_or(Ok(()), |gate| gate()).map_err(SendError::KeptBack)?;
         self.enter(&mut state, outbound, outgoing);
         drop(state);
@@ -109,6 +110,7 @@ impl Link {
             };
             state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*outgoing.name));
             state.stops += u64::from(outgoing.right != Right::Usual);
+            state.count_change(outgoing);
         }
     }
 

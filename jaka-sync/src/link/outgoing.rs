@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::convert::Infallible;
 use std::time::Duration;
 
-use jaka_proto::CommandInfo;
+use jaka_proto::{CommandInfo, Effect};
 
 use super::failure::not_sent_in_time;
 use crate::Error;
@@ -16,6 +16,15 @@ pub(crate) enum Right {
     Usual,
     /// A stop passes all others.
     Stop,
+}
+
+/// Which handle of a connection sends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Handle {
+    /// The first one, or a stop handle.
+    First,
+    /// One of [`Client::try_clone`](crate::Client::try_clone).
+    Other,
 }
 
 /// Question that the thread whose turn it is to send asks as the last thing before a command goes out: its error, the
@@ -63,20 +72,37 @@ pub(crate) struct Outgoing<'o> {
     pub(super) right: Right,
     /// Whether the outcomes are counted, with no thread waiting for one in particular.
     pub(super) is_posted: bool,
+    pub(super) by: Handle,
+    /// True where it changes nothing.
+    pub(super) is_query: bool,
 }
 
 impl<'o> Outgoing<'o> {
     /// A command of the spec, whose time begins now.
     pub(crate) fn of(clock: &Clock, info: &'static CommandInfo, timeout: Duration) -> Self {
-        Self::named(clock, info.name, Cow::Borrowed(info.name), timeout)
+        let is_query = info.effect == Effect::Query;
+        Self { is_query, ..Self::named(clock, info.name, Cow::Borrowed(info.name), timeout) }
     }
 
     /// Any command, whose time begins now; `name` is the name that its reply has.
     pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
-        Self { command, name, since: clock.stopwatch(), timeout, right: Right::Usual, is_posted: false }
+        Self {
+            command,
+            name,
+            since: clock.stopwatch(),
+            timeout,
+            right: Right::Usual,
+            is_posted: false,
+            by: Handle::First,
+            is_query: false,
+        }
     }
 
     /// The same by another right of way.
+    pub(crate) fn of_handle(self, by: Handle) -> Self {
+        Self { by, ..self }
+    }
+
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
     }

@@ -6,6 +6,7 @@ use jaka_proto::Request;
 use jaka_proto::exchange::Exchange;
 
 use super::halves::{Inbound, Outbound};
+use super::reservation::Reservation;
 use crate::Disconnect;
 use crate::socket::Socket;
 
@@ -26,6 +27,10 @@ pub(super) struct State {
     pub(super) frame_changes: u64,
     /// How many stops have gone out.
     pub(super) stops: u64,
+    /// What keeps commands of other handles back, if something does.
+    pub(super) reservation: Option<Reservation>,
+    /// Number of commands of other handles that may have changed something.
+    pub(super) changes_by_others: u64,
 }
 
 /// Whether the socket blocks.
@@ -46,6 +51,8 @@ impl State {
             broken: None,
             frame_changes: 0,
             stops: 0,
+            reservation: None,
+            changes_by_others: 0,
         }
     }
 }

@@ -35,7 +35,7 @@ fn arm() -> ArmBuilder {
     Arm::simulated().at(START).status_period(Duration::from_millis(10))
 }
 
-fn ready() -> (Arm, Robot) {
+pub(crate) fn ready() -> (Arm, Robot) {
     ready_with(arm(), limits())
 }
 

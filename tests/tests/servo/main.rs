@@ -4,6 +4,7 @@ mod braking_delay;
 mod causes;
 mod follow;
 mod generator;
+mod handles;
 mod held_up;
 mod landing;
 mod landing_links;
