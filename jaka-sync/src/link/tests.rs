@@ -49,7 +49,8 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
 fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {
-        let posting = link.post("x", timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+        let posting =
+            link.post(("x", Handle::First), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
         (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
     Ok(outstanding)
