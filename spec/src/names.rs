@@ -71,6 +71,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "start_follow",
     "stop_handle",
     "stream",
+    "try_clone",
     "try_into",
     "unacknowledged",
     "wait",

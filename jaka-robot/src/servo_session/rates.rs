@@ -6,10 +6,10 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
-use super::SessionConfig;
 use super::set_point::{SetPoint, Step};
 use super::turn::length;
 use crate::Error;
+use crate::error::OptionName;
 
 /// How fast set-points may be, and how fast that may change: so the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +99,7 @@ impl Rates {
         ];
         let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
         wrong.map_or(Ok(()), |(name, rate, unit)| {
-            Err(SessionConfig::option(name).refuse(rate, format!("a number above 0 {unit}")))
+            Err(OptionName::new("SessionConfig", name).refuse(rate, format!("a number above 0 {unit}")))
         })
     }
 

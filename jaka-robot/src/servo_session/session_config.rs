@@ -2,7 +2,6 @@
 
 use super::ServoConfig;
 use super::rates::Rates;
-use crate::error::OptionName;
 
 /// How a [`ServoSession`](crate::ServoSession) runs: how its set-points go out, and how far they may be from each other.
 ///
@@ -75,10 +74,5 @@ impl SessionConfig {
     pub fn unchecked(mut self) -> Self {
         self.rates.are_checked = false;
         self
-    }
-
-    /// Name of one of its options.
-    pub(super) const fn option(name: &'static str) -> OptionName {
-        OptionName::new("SessionConfig", name)
     }
 }

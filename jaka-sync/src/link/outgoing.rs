@@ -27,6 +27,15 @@ pub(crate) enum Handle {
     Other,
 }
 
+/// What other handles of a connection may send while a part of the program has it for itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Reservation {
+    /// Reason for the error of what is kept back.
+    pub because: &'static str,
+    /// Whether a command passes, by its `cmdName`.
+    pub lets_pass: fn(&str) -> bool,
+}
+
 /// Question that the thread whose turn it is to send asks as the last thing before a command goes out: its error, the
 /// reason, keeps the command back. What another thread sends meanwhile goes out after it, or has gone out before.
 ///

@@ -3,18 +3,9 @@
 use std::sync::Arc;
 
 use super::Link;
-use super::outgoing::{Handle, Outgoing};
+use super::outgoing::{Handle, Outgoing, Reservation};
 use super::state::State;
 use crate::{Error, ErrorKind};
-
-/// What other handles of a connection may send while a part of the program has it for itself.
-#[derive(Debug, Clone, Copy)]
-pub struct Reservation {
-    /// Reason for the error of what is kept back.
-    pub because: &'static str,
-    /// Whether a command passes, by its `cmdName`.
-    pub lets_pass: fn(&str) -> bool,
-}
 
 /// A reservation, until it is dropped.
 #[derive(Debug)]

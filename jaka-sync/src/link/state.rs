@@ -6,7 +6,7 @@ use jaka_proto::Request;
 use jaka_proto::exchange::Exchange;
 
 use super::halves::{Inbound, Outbound};
-use super::reservation::Reservation;
+use super::outgoing::Reservation;
 use crate::Disconnect;
 use crate::socket::Socket;
 

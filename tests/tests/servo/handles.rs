@@ -21,7 +21,7 @@ fn output() -> SetDigitalOutput {
 }
 
 fn turn() -> JointMove {
-    JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 20.0).acceleration(100.0)
+    JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 20.0).acceleration(50.0)
 }
 
 /// A robot with limits, and another handle of its connection.
@@ -115,7 +115,7 @@ fn what_another_handle_sends_is_known_where_motions_are_checked() {
     other.call(&output()).expect("an output");
     let error = robot.start(&turn()).expect_err("it may have been a motion");
     assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
-    robot.wait(LONG).reached().expect("they end");
+    robot.wait(LONG).at_rest().expect("they end");
     // Nor is the arm taken to rest any more.
     let asked = |arm: &Arm| names(arm).iter().filter(|name| *name == "get_joint_pos").count();
     let before = asked(&arm);
@@ -145,7 +145,7 @@ fn the_first_handle_closes_the_connection_and_no_other_does() {
 fn a_long_request_of_another_handle_ends_no_session() {
     let (_arm, mut robot, mut other) = ready();
     let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm rests");
-    let long = format!(r#"{{"cmdName":"get_joint_pos","pad":"{}"}}"#, "x".repeat(64 << 10));
+    let long = format!(r#"{{"cmdName":"get_joint_pos","pad":"{}"}}"#, "x".repeat(60_000));
     for number in 0..50 {
         session.send_joint_offset([0.0; 6]).expect("the arm stands");
         if number % 10 == 5 {
