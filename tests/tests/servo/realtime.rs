@@ -57,7 +57,7 @@ fn config(priority: u8) -> ServoConfig {
 
 /// The session, unless the system does not allow the priority.
 fn entered<'r>(controller: &Controller, robot: &'r mut Robot) -> Option<ServoSession<'r>> {
-    match robot.enter_servo_mode(&config(PRIORITY)) {
+    match robot.enter_servo_mode(config(PRIORITY)) {
         Ok(session) => Some(session),
         Err(error) => {
             assert_is_refusal(&error, PRIORITY);
@@ -122,7 +122,7 @@ fn a_session_that_is_not_entered_leaves_the_thread_as_it_was() {
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.enabled = false);
     let own = Scheduling::own();
-    robot.enter_servo_mode(&config(PRIORITY)).expect_err("the arm is not enabled");
+    robot.enter_servo_mode(config(PRIORITY)).expect_err("the arm is not enabled");
     assert_eq!(Scheduling::own(), own);
 }
 
@@ -163,7 +163,7 @@ fn a_stream_s_thread_has_the_priority_and_no_other() {
 fn priorities_are_from_1_to_99() {
     let (arm, mut robot) = ready();
     for priority in [0, 100] {
-        let error = robot.enter_servo_mode(&config(priority)).expect_err("it is not one");
+        let error = robot.enter_servo_mode(config(priority)).expect_err("it is not one");
         assert!(error.is_invalid_argument(), "{error}");
         assert!(config(priority).measure_lateness(Duration::ZERO).expect_err("it is not one").is_invalid_argument());
     }
