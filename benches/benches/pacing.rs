@@ -12,7 +12,7 @@ use jaka_benches::system::child::{Addresses, Server};
 use jaka_benches::system::figures::median;
 use jaka_benches::system::report::{self, Target};
 use jaka_benches::system::{options, process};
-use jaka_robot::{RobotConfig, Client, Config, Monitor, Report, Robot, ServoConfig};
+use jaka_robot::{Client, Config, Monitor, Report, Robot, RobotConfig, ServoConfig};
 
 const PERIOD: Duration = Duration::from_millis(8);
 

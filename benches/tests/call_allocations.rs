@@ -6,9 +6,8 @@ use std::time::Duration;
 
 use allocation_counter::measure;
 use jaka_benches::system::canned;
-use jaka_tests::Configured as _;
 use jaka_robot::servo::ServoJ;
-use jaka_robot::{RobotConfig, Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::{Client, Config, Monitor, Robot, RobotConfig, ServoConfig};
 
 /// Where a server with printed answers takes commands.
 fn commands() -> SocketAddr {

@@ -5,7 +5,7 @@ use std::error::Error;
 use std::time::Duration;
 
 use jaka_robot::servo::ServoJ;
-use jaka_robot::{RobotConfig, Client, Config, Monitor, Robot, ServoConfig};
+use jaka_robot::{Client, Config, Monitor, Robot, RobotConfig, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<_> = std::env::args().skip(1).collect();

@@ -4,7 +4,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{SessionConfig, Cause, Config, Robot, ServoConfig};
+use jaka_robot::{Cause, Config, Robot, ServoConfig, SessionConfig};
 use jaka_sim::{Controller, Delays};
 
 /// Timeout for what must happen, however busy the machine is.
