@@ -10,10 +10,11 @@ use std::time::Duration;
 use clap::Args;
 use itertools::Itertools as _;
 use jaka_motion::Limits;
+use jaka_robot::preflight::Preflight;
 use jaka_robot::proto::wire::Decode;
 use jaka_robot::recording::Port;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Client, Config, Monitor, Preflight, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
+use jaka_robot::{Client, Config, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
 use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;

@@ -12,7 +12,7 @@ mod motions;
 mod place;
 mod planned;
 mod power_steps;
-mod preflight;
+pub mod preflight;
 mod report;
 mod robot;
 mod servo_session;
@@ -50,7 +50,6 @@ pub use inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering}
 pub use limits::LimitPolicy;
 pub use motions::{Guarded, Motion, Path, Run, Target};
 pub use power_steps::PowerStep;
-pub use preflight::{CheckItem, Finding, Preflight, Verdict};
 pub use report::{FollowLag, Report, TrajectoryReport};
 pub use robot::{Robot, RobotConfig};
 pub use servo_session::{ServoConfig, ServoSession, SessionConfig};

@@ -1,8 +1,6 @@
 //! A robot: a client and a monitor together.
 
 mod config;
-mod leading;
-mod reading;
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -20,7 +18,8 @@ use crate::limits::LimitChecks;
 use crate::planned::{Moving, Planned};
 use crate::servo_session::Led;
 use crate::{
-    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, RobotStop, Run,
+    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, PowerStep,
+    RobotStop, Run, power_steps,
 };
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
@@ -140,6 +139,71 @@ impl<S: MotionStatus> Robot<S> {
         Ok(())
     }
 
+    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`,
+    /// 4.12), and waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged
+    /// (`log::info!`).
+    ///
+    /// # Errors
+    /// As [`power_up_with`](Self::power_up_with).
+    #[doc(alias = "enable_robot")]
+    #[doc(alias = "power_on")]
+    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_up_with(timeout, |_| {})
+    }
+
+    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when
+    /// it is done.
+    ///
+    /// A step that is done already is left out. The observer runs in this thread, between the steps.
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_robot::Robot::connect("10.5.5.100")?;
+    /// robot.power_up_with(std::time::Duration::from_secs(60), |step| match step.took {
+    ///     None => println!("{} …", step.command),
+    ///     Some(took) => println!("{} done after {took:.1?}", step.command),
+    /// })?;
+    /// # Ok::<(), jaka_robot::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
+    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
+    ///   without this field passes: then only the controller refuses.
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
+    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
+    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
+    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    pub fn power_up_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        power_steps::up(&mut self.arm, timeout, &mut observer)
+    }
+
+    /// Disables the arm and switches its power off, each step when the controller says that the one before is done (`get_robot_state`,
+    /// 4.12), and waits until the status packets say so, too. A step that is done already is left out.
+    ///
+    /// # Errors
+    /// As [`power_down_with`](Self::power_down_with).
+    #[doc(alias = "disable_robot")]
+    #[doc(alias = "power_off")]
+    pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_down_with(timeout, |_| {})
+    }
+
+    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer`
+    /// before each step and when it is done.
+    ///
+    /// # Errors
+    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
+    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
+    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        power_steps::down(&mut self.arm, timeout, &mut observer)
+    }
+
     /// Sends a motion and waits for its end; [under a guard](Motion::guard) also for its trip.
     ///
     /// # Errors
@@ -248,3 +312,7 @@ impl<S: MotionStatus> Call for Robot<S> {
         self.client().call(command)
     }
 }
+
+// Their methods stand below those above in the documentation.
+mod leading;
+mod reading;

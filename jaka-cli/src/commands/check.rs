@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use jaka_motion::{Limits, Model};
-use jaka_robot::{Finding, Preflight, Verdict};
+use jaka_robot::preflight::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;

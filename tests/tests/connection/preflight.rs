@@ -4,7 +4,8 @@
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, Model, Region};
-use jaka_robot::{CheckItem, Preflight, Robot, RobotConfig, Verdict};
+use jaka_robot::preflight::{CheckItem, Finding, Preflight, Verdict};
+use jaka_robot::{Robot, RobotConfig};
 use jaka_sim::{Fault, Firmware, Port, StatusFault};
 use jaka_spec::Effect;
 use jaka_tests::simulated::beside;
@@ -24,7 +25,7 @@ fn connect(arm: &Arm) -> Robot {
 /// The items with this verdict.
 fn with(preflight: &Preflight, verdict: Verdict) -> Vec<CheckItem> {
     let findings = preflight.findings().iter().filter(|finding| finding.verdict() == verdict);
-    findings.map(jaka_robot::Finding::item).collect()
+    findings.map(Finding::item).collect()
 }
 
 #[test]
@@ -53,7 +54,7 @@ fn each_item_has_one_finding_and_what_is_found_has_advice() {
     let controller = healthy(Firmware::default());
     controller.cut_power();
     let preflight = connect(&controller).preflight();
-    let items: Vec<_> = preflight.findings().iter().map(jaka_robot::Finding::item).collect();
+    let items: Vec<_> = preflight.findings().iter().map(Finding::item).collect();
     assert!(items.is_sorted_by(|before, after| before < after), "{items:?}");
     assert_eq!(items.first().zip(items.last()), Some((&CheckItem::CommandPort, &CheckItem::Limits)));
     for finding in preflight.findings() {
