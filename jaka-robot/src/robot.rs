@@ -1,26 +1,24 @@
 //! A robot: a client and a monitor together.
 
+// In the order of the documentation.
 mod config;
+mod connecting;
+mod leading;
 
-use std::fmt::Display;
 use std::sync::Arc;
-use std::time::Duration;
 
-use jaka_motion::Checker;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::{ClientParts as _, names_a_port};
 
 pub use self::config::RobotConfig;
 #[cfg(doc)]
-use crate::Cause;
+use crate::Client;
+#[cfg(doc)]
+use crate::ErrorKind;
 use crate::arm::Arm;
 use crate::limits::LimitChecks;
 use crate::planned::{Moving, Planned};
 use crate::servo_session::Led;
-use crate::{
-    Call, Client, Command, Config, End, Error, ErrorKind, Monitor, Motion, MotionStatus, Occurrence, PowerStep,
-    RobotStop, Run, power_steps,
-};
+use crate::{Call, Command, Monitor, MotionStatus};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -61,238 +59,7 @@ pub struct Robot<S: MotionStatus = RobotStatus> {
     planned: Planned,
 }
 
-impl Robot<RobotStatus> {
-    /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
-    ///
-    /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which can be only one of
-    /// the two. [`connect_at`](Self::connect_at) takes two addresses.
-    pub fn connect(address: impl Display) -> Result<Self, Error> {
-        Self::connect_with(&Config::new(), address)
-    }
-
-    /// Connects to a controller at the protocol's ports, 10001 and 10000, by a configuration.
-    ///
-    /// # Errors
-    /// As [`connect`](Self::connect).
-    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
-        let address = address.to_string();
-        if names_a_port(&address) {
-            return Err(ErrorKind::PortInAddress { address }.into());
-        }
-        Self::connect_at(config, &address, &address)
-    }
-
-    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
-    ///
-    /// ```
-    /// use jaka_sim::Controller;
-    /// use jaka_robot::{Config, Robot};
-    ///
-    /// let controller = Controller::start()?;
-    /// let robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
-    /// # drop(robot);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`].
-    pub fn connect_at(
-        config: &Config,
-        commands_address: impl Display,
-        status_address: impl Display,
-    ) -> Result<Self, Error> {
-        let monitor = Monitor::connect_with(config, status_address)?;
-        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor))
-    }
-
-    /// A robot of two connections to the same controller.
-    ///
-    /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
-    pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
-        Self::with_monitor(client, monitor)
-    }
-}
-
 impl<S: MotionStatus> Robot<S> {
-    /// The same with a monitor of another type of status packets, such as the one of a [pack](crate::pack!):
-    /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
-    pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
-        let monitor = monitor.into();
-        let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
-        let (arm, planned) = (Arm::new(client, &monitor, needs_status), Planned::new(grace, silence));
-        Self { monitor, arm, limits: LimitChecks::default(), planned }
-    }
-
-    /// Applies options. Those that are not set in `config` are the defaults.
-    ///
-    /// # Errors
-    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`];
-    /// nothing has changed then.
-    pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
-        self.limits = match &config.limits {
-            Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
-            None => LimitChecks::default(),
-        };
-        (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
-        self.arm.state.set_needs_status(config.needs_status);
-        Ok(())
-    }
-
-    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`,
-    /// 4.12), and waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged
-    /// (`log::info!`).
-    ///
-    /// # Errors
-    /// As [`power_up_with`](Self::power_up_with).
-    #[doc(alias = "enable_robot")]
-    #[doc(alias = "power_on")]
-    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
-        self.power_up_with(timeout, |_| {})
-    }
-
-    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when
-    /// it is done.
-    ///
-    /// A step that is done already is left out. The observer runs in this thread, between the steps.
-    ///
-    /// ```no_run
-    /// # let mut robot = jaka_robot::Robot::connect("10.5.5.100")?;
-    /// robot.power_up_with(std::time::Duration::from_secs(60), |step| match step.took {
-    ///     None => println!("{} …", step.command),
-    ///     Some(took) => println!("{} done after {took:.1?}", step.command),
-    /// })?;
-    /// # Ok::<(), jaka_robot::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
-    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
-    ///   without this field passes: then only the controller refuses.
-    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
-    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
-    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
-    ///   packet says.
-    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
-    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
-    pub fn power_up_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
-        power_steps::up(&mut self.arm, timeout, &mut observer)
-    }
-
-    /// Disables the arm and switches its power off, each step when the controller says that the one before is done (`get_robot_state`,
-    /// 4.12), and waits until the status packets say so, too. A step that is done already is left out.
-    ///
-    /// # Errors
-    /// As [`power_down_with`](Self::power_down_with).
-    #[doc(alias = "disable_robot")]
-    #[doc(alias = "power_off")]
-    pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
-        self.power_down_with(timeout, |_| {})
-    }
-
-    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer`
-    /// before each step and when it is done.
-    ///
-    /// # Errors
-    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
-    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
-    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
-    ///   packet says.
-    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
-    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
-    pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
-        power_steps::down(&mut self.arm, timeout, &mut observer)
-    }
-
-    /// Sends a motion and waits for its end; [under a guard](Motion::guard) also for its trip.
-    ///
-    /// # Errors
-    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
-    /// was accepted is reported by the [`End`]. Under a guard also as [`Motion::guard`] says.
-    #[doc(alias = "joint_move")]
-    #[doc(alias = "linear_move")]
-    #[doc(alias = "move_c")]
-    #[doc(alias = "move_j")]
-    #[doc(alias = "move_l")]
-    #[doc(alias = "movej")]
-    #[doc(alias = "movel")]
-    pub fn run(&mut self, motion: &impl Run, timeout: Duration) -> Result<End, Error> {
-        self.moving().run(motion, timeout)
-    }
-
-    /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
-    ///
-    /// If the first motion is one by an offset, the controller is asked first where the arm is.
-    ///
-    /// # Errors
-    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
-    /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
-    /// packet shows a stop) and [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after
-    /// `ErrorKind::BeyondLimit` and `ErrorKind::NotChecked`.
-    pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
-        let timeout = self.arm.queries().timeout_of(M::INFO);
-        self.moving().send(motion, timeout, None)
-    }
-
-    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once the command connection is lost, no
-    /// longer than until the next status packet: [`Cause::CommandsLost`].
-    #[doc(alias = "wait_complete")]
-    pub fn wait(&mut self, timeout: Duration) -> End {
-        self.moving().wait(timeout)
-    }
-
-    /// What must be acknowledged before the arm moves again, if something must.
-    ///
-    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has reported.
-    pub fn unacknowledged(&self) -> Option<Occurrence> {
-        self.arm.unacknowledged()
-    }
-
-    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
-    /// on its way.
-    pub fn acknowledge(&mut self) {
-        self.arm.state.acknowledge();
-        if self.planned.give_up() {
-            self.limits.unsettle();
-        }
-    }
-
-    /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
-    #[doc(alias = "abort")]
-    #[doc(alias = "motion_abort")]
-    #[doc(alias = "stop")]
-    pub fn stop_handle(&self) -> RobotStop {
-        self.arm.stop_handle()
-    }
-
-    /// The client, for all other commands.
-    ///
-    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
-    /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
-    #[doc(alias = "get_joint_pos")]
-    #[doc(alias = "get_tcp_pos")]
-    #[doc(alias = "set_digital_output")]
-    pub fn client(&mut self) -> &mut Client {
-        self.limits.forget_plan();
-        self.arm.client()
-    }
-
-    /// The monitor, which can be cloned for other threads.
-    pub fn monitor(&self) -> &Arc<Monitor<S>> {
-        &self.monitor
-    }
-
-    /// The limits, with the frames that the controller was found to have.
-    pub fn limits(&self) -> Option<&Checker> {
-        self.limits.checker()
-    }
-
-    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent all the same
-    /// ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
-    pub fn limit_warning(&self) -> Option<String> {
-        self.limits.warning()
-    }
-
     /// The parts that a motion concerns.
     fn moving(&mut self) -> Moving<'_> {
         let Self { arm, limits, planned, .. } = self;
@@ -312,7 +79,3 @@ impl<S: MotionStatus> Call for Robot<S> {
         self.client().call(command)
     }
 }
-
-// Their methods stand below those above in the documentation.
-mod leading;
-mod reading;

@@ -231,7 +231,7 @@ fn no_method_of_a_pack_is_hidden_by_one_of_a_client_or_a_robot() {
         include_str!("../../../jaka-sync/src/client.rs"),
         include_str!("../../../jaka-robot/src/robot.rs"),
         include_str!("../../../jaka-robot/src/robot/leading.rs"),
-        include_str!("../../../jaka-robot/src/robot/reading.rs"),
+        include_str!("../../../jaka-robot/src/robot/connecting.rs"),
     ];
     let methods = files.iter().flat_map(|file| file.lines()).filter(|line| line.contains("self"));
     let names = methods.filter_map(|line| line.trim().strip_prefix("pub fn ")?.split(['(', '<']).next());
