@@ -148,6 +148,28 @@ fn on_a_trajectory_and_in_a_stream_the_tool_goes_no_further_in_than_is_allowed_a
     }
 }
 
+/// The trajectory starts below the plane, and would be slow enough.
+#[test]
+fn on_an_approach_the_tool_goes_no_further_in_than_is_allowed_at_every_period() {
+    for (period_ms, overtravel) in [(8, 1.0), (30, 1.0), (30, 0.25), (100, 1.0)] {
+        let period = Duration::from_millis(period_ms);
+        let mut deepest = 0.0_f64;
+        for phase in [0.0, 0.35, 0.7] {
+            let (arm, mut robot) = bench(period, 2.0 + 0.3 * phase);
+            let start = down(&arm, &robot, 4.0).end();
+            let aside = [start.0[0] + 1.0, start.0[1], start.0[2], start.0[3], start.0[4], start.0[5]];
+            let points = [Via::Joints(start), Via::from(aside)];
+            let trajectory = Trajectory::through(points).tcp_speed(1.0).build(robot.limits().expect("it has some"));
+            let config = FollowConfig::new().approach(180.0).guard(force(overtravel));
+            let run = robot.start_follow(&trajectory.expect("it is within them"), &config);
+            let end: End = run.unwrap_or_else(|error| panic!("{period:?}: {error}")).wait();
+            assert_eq!((end.cause(), followed(&end).reached), (Cause::Guard, Duration::ZERO), "{period:?}: {end}");
+            deepest = deepest.max(assert_rests(&arm, overtravel));
+        }
+        println!("packets each {period_ms} ms, {overtravel} mm allowed, approach: {deepest:.3} mm");
+    }
+}
+
 #[test]
 fn a_trajectory_that_is_too_fast_somewhere_is_refused_with_the_place_and_the_figures() {
     let (arm, mut robot) = bench(Duration::from_millis(30), 5.0);
