@@ -18,7 +18,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::{ClientParts as _, Clock, Link, told};
+use jaka_sync::layer::{ClientParts as _, Clock, Link, Reservation, Reserved, told};
 
 pub(crate) use self::guards::{PacketObserver, Progress};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
@@ -31,7 +31,8 @@ pub(crate) use self::stop_handle::{Sent, Written};
 pub(crate) use self::trouble::{News, code, news};
 use crate::error::Attach as _;
 use crate::{
-    Client, Disconnect, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Occurrence, Snapshot,
+    Client, Command, Disconnect, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Occurrence,
+    Snapshot,
 };
 
 /// Monitor of an arm, whatever it keeps of packets.
@@ -96,7 +97,7 @@ impl Arm {
     /// known.
     pub(crate) fn new<S: MotionStatus>(client: Client, monitor: &Arc<Monitor<S>>, needs_status: bool) -> Self {
         let state = ArmState::new(monitor, &client.link().clock, needs_status);
-        let position = Position::new(client.link(), client.reply_timeout());
+        let position = Position::new(&client);
         let source: Arc<dyn StatusSource> = Arc::<Monitor<S>>::clone(monitor);
         Self { client, source, state, position, told: None }
     }
@@ -110,7 +111,7 @@ impl Arm {
 
     /// Client of the arm, for a command after which it may not be where it was.
     pub(crate) fn client(&mut self) -> &mut Client {
-        self.position.is_at_rest(false);
+        self.position.note_rest(false);
         &mut self.client
     }
 
@@ -127,6 +128,21 @@ impl Arm {
     /// Command connection.
     pub(crate) fn link(&self) -> &Arc<Link> {
         self.client.link()
+    }
+
+    /// Number of commands of other handles of the connection that may have changed something.
+    pub(crate) fn changes_by_others(&self) -> u64 {
+        self.link().changes_but_of(self.client.handle())
+    }
+
+    /// Keeps back what other handles of the connection send, but for what passes.
+    pub(crate) fn reserve(&self, reservation: Reservation) -> Reserved {
+        self.link().reserve(self.client.handle(), reservation)
+    }
+
+    /// Sends a command whose reply is polled for: as [`Link::ask`].
+    pub(crate) fn ask<C: Command>(&self, command: &C) -> Result<jaka_sync::layer::Sent<'static>, jaka_sync::Error> {
+        self.link().ask(self.client.handle(), C::INFO, &mut |out| command.write_request(out))
     }
 
     /// Clock of the connections.

@@ -108,7 +108,7 @@ impl LimitChecks {
     pub(crate) fn plan(&mut self, arm: &Arm, end: Option<JointPosition>) {
         if let Some(limited) = &mut self.0 {
             (limited.planned, limited.stops, limited.is_unsettled) = (end, arm.link().stop_count(), false);
-            limited.changes_by_others = arm.link().changes_by_others();
+            limited.changes_by_others = arm.changes_by_others();
         }
     }
 

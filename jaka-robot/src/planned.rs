@@ -157,7 +157,7 @@ impl Moving<'_> {
         let mut wait = EndWait { arm: self.arm, rule: &mut rule, silence: self.planned.silence };
         let (occurrence, rest) = wait.end(timeout, gives_up);
         let (cause, consequence) = (occurrence.cause, occurrence.consequence());
-        self.arm.position.is_at_rest(rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest));
+        self.arm.position.note_rest(rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest));
         if consequence.latches() {
             self.arm.state.latch(&occurrence);
         }

@@ -41,7 +41,7 @@ pub struct Client {
     /// The firmware that requests are checked against, if any.
     firmware: Option<FirmwareVersion>,
     reply: String,
-    handle: Handle,
+    pub(crate) handle: Handle,
     /// True if its drop closes the connection.
     owns_link: bool,
 }
@@ -67,7 +67,7 @@ impl Client {
             config: config.clone(),
             firmware: None,
             reply: String::new(),
-            handle: Handle::First,
+            handle: Handle::FIRST,
             owns_link: true,
         })
     }
@@ -79,7 +79,7 @@ impl Client {
     /// connection: its drop closes it for all handles, whose calls fail then; the drop of another handle closes nothing.
     ///
     /// While a servo session, a stream or a trajectory of jaka-robot leads the arm, only outputs, short queries and
-    /// `stop_program` (4.23) pass by such a handle: all else is [`ErrorKind::KeptBack`].
+    /// `stop_program` (4.23) pass by other handles than its own: all else is [`ErrorKind::KeptBack`].
     ///
     /// ```no_run
     /// use jaka_sync::Client;
@@ -96,7 +96,7 @@ impl Client {
     /// [`ErrorKind::Disconnected`] if the connection is broken.
     pub fn try_clone(&self) -> Result<Self, Error> {
         self.link.check_open("try_clone")?;
-        Ok(self.lent_as(Handle::Other))
+        Ok(self.lent_as(self.link.new_handle()))
     }
 
     /// The same for a thread that this one outlives, and that takes its place.

@@ -21,7 +21,7 @@ pub use crate::address::names_a_port;
 pub use crate::clock::{Clock, Place, Stopwatch};
 pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
-pub use crate::link::{Answers, Gate, Link, Reservation, Reserved, SendError, Sent, unexpected};
+pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, unexpected};
 pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::told;
 pub use crate::stop::WrittenStop;
@@ -103,6 +103,9 @@ pub trait ClientParts: Sized {
     /// Connection of the client.
     fn link(&self) -> &Arc<Link>;
 
+    /// Handle of the connection, by which the client sends.
+    fn handle(&self) -> Handle;
+
     /// Another client of the same connection, for a thread that this one outlives.
     #[must_use]
     fn lent(&self) -> Self;
@@ -131,6 +134,10 @@ pub trait ClientParts: Sized {
 impl ClientParts for Client {
     fn link(&self) -> &Arc<Link> {
         &self.link
+    }
+
+    fn handle(&self) -> Handle {
+        self.handle
     }
 
     fn lent(&self) -> Self {

@@ -13,11 +13,11 @@ use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos,
 use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
-use jaka_sync::layer::{Clock, Link, Sent, unexpected};
+use jaka_sync::layer::{ClientParts as _, Clock, Handle, Link, Sent, unexpected};
 
-use crate::Error;
 use crate::error::Attach as _;
 use crate::place::{Place, Quantity};
+use crate::{Client, Error};
 
 /// How long the news may take that settles the cause of an end: the next packet, or the end of the other connection.
 pub(crate) const SETTLING: Duration = Duration::from_millis(250);
@@ -29,6 +29,7 @@ pub(crate) const QUERY_PERIOD: Duration = Duration::from_millis(100);
 #[derive(Debug)]
 pub(crate) struct Position {
     link: Arc<Link>,
+    handle: Handle,
     /// Longest wait for an answer.
     reply_timeout: Duration,
     /// The query that has not been answered.
@@ -55,8 +56,9 @@ pub(crate) struct Answer {
 }
 
 impl Position {
-    pub(super) fn new(link: &Arc<Link>, reply_timeout: Duration) -> Self {
-        Self { link: Arc::clone(link), reply_timeout, query: None, rests: None }
+    pub(super) fn new(client: &Client) -> Self {
+        let (link, handle) = (Arc::clone(client.link()), client.handle());
+        Self { link, handle, reply_timeout: client.reply_timeout(), query: None, rests: None }
     }
 
     /// The same for another thread, which this one outlives.
@@ -66,8 +68,8 @@ impl Position {
     }
 
     /// Notes whether the arm was seen at rest by answers. What is sent ends that.
-    pub(crate) fn is_at_rest(&mut self, rests: bool) {
-        self.rests = rests.then(|| self.link.changes_by_others());
+    pub(crate) fn note_rest(&mut self, is_at_rest: bool) {
+        self.rests = is_at_rest.then(|| self.link.changes_but_of(self.handle));
     }
 
     /// True while a query is outstanding.
@@ -87,8 +89,10 @@ impl Position {
         let at = self.clock().now();
         let link = &self.link;
         let question = match quantity {
-            Quantity::Joints => link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)),
-            Quantity::Pose => link.ask(GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
+            Quantity::Joints => {
+                link.ask(self.handle, GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out))
+            }
+            Quantity::Pose => link.ask(self.handle, GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
         }?;
         self.query = Some(Query { question, quantity, at });
         Ok(())
@@ -155,7 +159,7 @@ impl Position {
     /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
     /// where the controller does not say it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        if self.rests == Some(self.link.changes_by_others()) {
+        if self.rests == Some(self.link.changes_but_of(self.handle)) {
             self.place(quantity, timeout)
         } else {
             self.place_still_for(quantity, QUERY_PERIOD, timeout)

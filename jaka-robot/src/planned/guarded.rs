@@ -117,7 +117,7 @@ impl GuardedRun<'_> {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
                 let rest = if is_accepted { self.moving.arm.position.comes_to_rest(REST) } else { Ok(false) };
                 let is_at_rest = matches!(rest, Ok(true));
-                self.moving.arm.position.is_at_rest(is_at_rest);
+                self.moving.arm.position.note_rest(is_at_rest);
                 end.occurrence = Occurrence::trip(GuardTrip { reaction, is_at_rest, ..trip });
                 end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
                 end.error = rest.err();

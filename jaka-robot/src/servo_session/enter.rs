@@ -71,7 +71,7 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
-        let reserved = Some(arm.link().reserve(MEANWHILE));
+        let reserved = Some(arm.reserve(MEANWHILE));
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
         }
@@ -158,7 +158,7 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
 /// enter it.
 fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
     // Others may have moved the arm since a wait saw it at rest.
-    arm.position.is_at_rest(false);
+    arm.position.note_rest(false);
     arm.link().check_open(SetServoMode::INFO.name)?;
     arm.check_acknowledged()?;
     if has_motions {

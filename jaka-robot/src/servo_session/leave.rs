@@ -147,9 +147,7 @@ impl ServoSession<'_> {
         let (answers, unanswered) = self.arm.link().forget_posted();
         self.count(answers);
         self.report.unanswered += unanswered;
-        let link = self.arm.link();
-        let off = SetServoMode::new(Switch::Off);
-        let off = link.ask(SetServoMode::INFO, &mut |out| off.write_request(out))?;
+        let off = self.arm.ask(&SetServoMode::new(Switch::Off))?;
         let left = self.wait_until_left(&off, unanswered);
         self.arm.link().forget(&off);
         drop(self.reserved.take());

@@ -18,16 +18,16 @@ pub(crate) enum Right {
     Stop,
 }
 
-/// Which handle of a connection sends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Handle {
-    /// The first one, or a stop handle.
-    First,
-    /// One of [`Client::try_clone`](crate::Client::try_clone).
-    Other,
+/// Handle of a connection: its first client, or one of [`Client::try_clone`](crate::Client::try_clone).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Handle(pub(super) u64);
+
+impl Handle {
+    /// That of the first client.
+    pub(crate) const FIRST: Self = Self(0);
 }
 
-/// What other handles of a connection may send while a part of the program has it for itself.
+/// What other handles of a connection may send while one has it for itself.
 #[derive(Debug, Clone, Copy)]
 pub struct Reservation {
     /// Reason for the error of what is kept back.
@@ -102,7 +102,7 @@ impl<'o> Outgoing<'o> {
             timeout,
             right: Right::Usual,
             is_posted: false,
-            by: Handle::First,
+            by: Handle::FIRST,
             is_query: false,
         }
     }

@@ -6,14 +6,19 @@ use jaka_proto::CommandInfo;
 use jaka_proto::exchange::{ReadReply, Waiter};
 use jaka_proto::wire::Writer;
 
-use super::{Link, Outgoing, Sent};
+use super::{Handle, Link, Outgoing, Sent};
 use crate::Error;
 
 impl Link {
     /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll). [`forget`](Self::forget) gives up a reply that is no longer
     /// wanted. A send that takes longer than the reply timeout fails.
-    pub fn ask(&self, info: &'static CommandInfo, write: &mut dyn FnMut(&mut Writer)) -> Result<Sent<'static>, Error> {
-        self.send(&Outgoing::of(&self.clock, info, self.reply_timeout), write)
+    pub fn ask(
+        &self,
+        by: Handle,
+        info: &'static CommandInfo,
+        write: &mut dyn FnMut(&mut Writer),
+    ) -> Result<Sent<'static>, Error> {
+        self.send(&Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by), write)
     }
 
     /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if it has not come

@@ -1,12 +1,13 @@
 //! What the threads of a connection share.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use jaka_proto::Request;
 use jaka_proto::exchange::Exchange;
 
 use super::halves::{Inbound, Outbound};
-use super::outgoing::Reservation;
+use super::outgoing::{Handle, Reservation};
 use crate::Disconnect;
 use crate::socket::Socket;
 
@@ -27,10 +28,13 @@ pub(super) struct State {
     pub(super) frame_changes: u64,
     /// How many stops have gone out.
     pub(super) stops: u64,
-    /// What keeps commands of other handles back, if something does.
-    pub(super) reservation: Option<Reservation>,
-    /// Number of commands of other handles that may have changed something.
-    pub(super) changes_by_others: u64,
+    /// Reservations by their numbers, and the handles that have the connection for themselves.
+    pub(super) reservations: Vec<(u64, Handle, Reservation)>,
+    /// The last number of a handle or a reservation.
+    pub(super) last_number: u64,
+    /// Number of commands that may have changed something, of all handles and of each.
+    pub(super) changes: u64,
+    pub(super) changes_of: BTreeMap<Handle, u64>,
 }
 
 /// Whether the socket blocks.
@@ -51,8 +55,10 @@ impl State {
             broken: None,
             frame_changes: 0,
             stops: 0,
-            reservation: None,
-            changes_by_others: 0,
+            reservations: Vec::new(),
+            last_number: 0,
+            changes: 0,
+            changes_of: BTreeMap::new(),
         }
     }
 }

@@ -50,7 +50,7 @@ fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {
         let posting =
-            link.post(("x", Handle::First), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+            link.post(("x", Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
         (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
     Ok(outstanding)

@@ -5,6 +5,7 @@ use jaka_robot::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_robot::motion::JointMove;
 use jaka_robot::power::{DisableRobot, PowerOff};
 use jaka_robot::program::StopProgram;
+use jaka_robot::status::RobotStatus;
 use jaka_robot::types::Switch;
 use jaka_robot::{
     Client, ErrorKind, FollowConfig, Robot, RobotConfig, ServoConfig, StreamConfig, Unchecked, jaka_sync,
@@ -155,4 +156,28 @@ fn a_long_request_of_another_handle_ends_no_session() {
     let end = session.land().expect("nothing is wrong");
     assert_eq!((end.report.gaps, end.report.refused), (0, 0), "{end:?}");
     end.at_rest().expect("it rests");
+}
+
+/// Its thread goes on to lead the arm.
+#[test]
+fn a_second_session_that_is_refused_frees_nothing_that_a_forgotten_stream_keeps_back() {
+    let (arm, mut robot, mut other) = ready();
+    std::mem::forget(robot.stream(&StreamConfig::new()).expect("the arm rests"));
+    robot.enter_servo_mode(ServoConfig::new()).expect_err("servo mode is on");
+    assert_outputs_alone_pass(&arm, &mut other);
+}
+
+/// It is one of another handle as well as the first one's robot is.
+#[test]
+fn a_robot_of_another_handle_leads_the_arm_as_the_first_one_does() {
+    let (arm, mut first) = Arm::simulated().with_client();
+    let other = first.try_clone().expect("the connection is there");
+    let robot = Robot::new(other, arm.monitor::<RobotStatus>());
+    let mut robot = robot.configured(&RobotConfig::new().limits(stream::limits())).expect("it is this arm");
+    let stream = robot.stream(&StreamConfig::new()).expect("the arm rests");
+    assert_outputs_alone_pass(&arm, &mut first);
+    stream.land().expect("nothing is wrong").at_rest().expect("it rests");
+    robot.start(&turn()).expect("within the limits");
+    robot.start(&turn()).expect("its own motions are known");
+    robot.wait(LONG).at_rest().expect("they end");
 }

@@ -10,7 +10,7 @@ use jaka_proto::messages::program::StopProgram;
 use super::*;
 
 fn ask(link: &Link) -> Sent<'static> {
-    link.ask(GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)).expect("it goes out")
+    link.ask(Handle::FIRST, GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)).expect("it goes out")
 }
 
 /// Polls as a loop does that looks at other things between.
