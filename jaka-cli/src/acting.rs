@@ -32,8 +32,8 @@ pub(crate) struct Act {
 }
 
 impl ActArgs {
-    /// Makes sure that the user wants the arm to do this, such as "lose its power", for which these requests are sent where they are needed.
-    /// Connects to nothing yet.
+    /// Makes sure that the user wants the arm to do this, such as "lose its power", for which these requests are sent
+    /// where they are needed. Connects to nothing yet.
     pub(crate) fn begin(&self, what: &str, intents: &[Intent<'_>]) -> Result<Act, Failure> {
         self.begin_told(intents, |_| Ok(what.to_owned()))
     }

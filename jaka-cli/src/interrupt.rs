@@ -62,7 +62,8 @@ pub(crate) fn end_whole(code: u8) -> ! {
     end(code)
 }
 
-/// What has gone to the robot, for when Ctrl-C comes. The program says then what it means, and stops a motion that it waits for.
+/// What has gone to the robot, for when Ctrl-C comes. The program says then what it means, and stops a motion that it
+/// waits for.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
 
@@ -139,7 +140,8 @@ impl UnderWay {
     }
 }
 
-/// Keeps further steps back. The call that sends them says which were accepted, once those that went out have been answered.
+/// Keeps further steps back. The call that sends them says which were accepted, once those that went out have been
+/// answered.
 fn stop_steps(stop: &RobotStop) {
     output::urgent_note("interrupted: no further step is sent");
     // A controller may answer it only after the step before. Without an answer, too, no step follows.

@@ -114,7 +114,8 @@ impl RobotArgs {
         self.address.is_simulated()
     }
 
-    /// Finds the robot, or starts the simulated controller, which knows these packs, and begins the recording. Connects to nothing yet.
+    /// Finds the robot, or starts the simulated controller, which knows these packs, and begins the recording. Connects
+    /// to nothing yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         let target = self.address.target(packs)?;
         let Some(path) = &self.record else { return Ok(target) };

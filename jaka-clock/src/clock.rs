@@ -15,11 +15,13 @@ use crate::state::{MovesTime, Reason, State};
 
 /// A clock whose time goes on when all that take part in it wait. Its clones are the same clock.
 ///
-/// What waits for a time, for bytes or for another thread goes through it: the connections and threads of jaka-sync and jaka-sim that were given it, and
-/// [`sleep`](Self::sleep). Time stands still while one that takes part is at work; when all wait, it goes on to the first time for which one waits.
-/// If several wait for the same time, they go on one after the other. Time goes on only while a thread of the program waits, and not for a monitor or a simulator alone.
+/// What waits for a time, for bytes or for another thread goes through it: the connections and threads of jaka-sync and
+/// jaka-sim that were given it, and [`sleep`](Self::sleep). Time stands still while one that takes part is at work;
+/// when all wait, it goes on to the first time for which one waits. If several wait for the same time, they go on one
+/// after the other. Time goes on only while a thread of the program waits, and not for a monitor or a simulator alone.
 ///
-/// A thread takes part from its first wait in the time of the clock until it ends. What it does in between takes no time. Three things must be told to the clock:
+/// A thread takes part from its first wait in the time of the clock until it ends. What it does in between takes no
+/// time. Three things must be told to the clock:
 /// - a thread that is started while others take part: [`participant`](Self::participant);
 /// - a wait for something else, such as the end of another thread: [`outside`](Self::outside). Otherwise time stands still for ever;
 /// - what goes through the hands of others, such as a proxy between client and controller, arrives when the system says
@@ -68,8 +70,8 @@ impl SimulatedClock {
         now
     }
 
-    /// Holds a thread of this name up, as a scheduler does: once it has slept and read the clock the next time, it calls
-    /// `act` before it goes on, which may sleep.
+    /// Holds a thread of this name up, as a scheduler does: once it has slept and read the clock the next time, it
+    /// calls `act` before it goes on, which may sleep.
     pub fn hold_up(&self, thread: &str, act: impl FnOnce() + Send + 'static) {
         self.0.hold_ups.add(thread, act);
     }
@@ -129,7 +131,8 @@ impl SimulatedClock {
         act()
     }
 
-    /// Gives the mutex up, and waits until the signal is given, or so long if a time is given; then locks the mutex again.
+    /// Gives the mutex up, and waits until the signal is given, or so long if a time is given; then locks the mutex
+    /// again.
     ///
     /// `signal` is the address of something that lives as long as this waits for it.
     pub fn wait_for<'m, T>(
@@ -150,7 +153,8 @@ impl SimulatedClock {
         self.lock().signal(Reason::Signal(signal));
     }
 
-    /// A wait that may last so long begins: when it ends by the clock's own time; none where that is no limit. The thread takes part from now on.
+    /// A wait that may last so long begins: when it ends by the clock's own time; none where that is no limit. The
+    /// thread takes part from now on.
     pub(crate) fn deadline(&self, time: Option<Duration>) -> Option<Duration> {
         self.take_part();
         self.elapsed().checked_add(time?)
@@ -171,7 +175,8 @@ impl SimulatedClock {
         self.end(is_member);
     }
 
-    /// Waits for what only the system knows: until `attempt` brings something, which it may look for a short while; none where the wait ends otherwise.
+    /// Waits for what only the system knows: until `attempt` brings something, which it may look for a short while;
+    /// none where the wait ends otherwise.
     pub(crate) fn poll<T>(
         &self,
         reason: Reason,
@@ -236,8 +241,8 @@ impl SimulatedClock {
     }
 }
 
-/// Keeps the time of a clock from going on until it is dropped, from [`SimulatedClock::work`]: handed to a thread that was
-/// [outside](SimulatedClock::outside), it loses no time.
+/// Keeps the time of a clock from going on until it is dropped, from [`SimulatedClock::work`]: handed to a thread that
+/// was [outside](SimulatedClock::outside), it loses no time.
 #[derive(Debug)]
 #[must_use = "dropped, it keeps nothing"]
 pub struct Work {

@@ -121,7 +121,8 @@ pub enum Exceeded {
     Singularity {
         /// Which one.
         which: Singularity,
-        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it; 0 where a set-point is on the other side.
+        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it; 0 where a set-point is on
+        /// the other side.
         distance: f64,
         /// The least distance.
         least: f64,

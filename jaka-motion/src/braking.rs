@@ -19,9 +19,11 @@ pub(crate) struct JointLimits {
 /// What rounding may add to a speed or an acceleration, as a share of its limit.
 const ROUNDING: f64 = 1e-9;
 
-/// How a joint comes to rest as soon as it can: its acceleration goes to the most that is needed, is held, and goes to zero.
+/// How a joint comes to rest as soon as it can: its acceleration goes to the most that is needed, is held, and goes to
+/// zero.
 ///
-/// What remains of a stop is the stop of the state that is reached: a joint may go on from each state on the way as if it began there.
+/// What remains of a stop is the stop of the state that is reached: a joint may go on from each state on the way as if
+/// it began there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
     from: JointState,

@@ -43,16 +43,17 @@ use crate::velocity::{TcpVelocity, VelocityFrame};
 /// Compares motions with the limits of an arm, before they are sent.
 ///
 /// # What is promised
-/// What is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM), [`AMOUNT_DEG`](Self::AMOUNT_DEG),
-/// [`AMOUNT_SPEED`](Self::AMOUNT_SPEED), [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for
-/// which it is. What is within all limits is not refused, unless it comes nearer to a singularity than the least distance and
+/// What is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM),
+/// [`AMOUNT_DEG`](Self::AMOUNT_DEG), [`AMOUNT_SPEED`](Self::AMOUNT_SPEED),
+/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for which
+/// it is. What is within all limits is not refused, unless it comes nearer to a singularity than the least distance and
 /// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY) more: there the joints may turn so fast that they are not found.
 /// The speeds of a set-point are means over its period.
 ///
 /// # A start beyond a limit
-/// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further out: for
-/// that motion the limit is where the start is. Speeds, accelerations and a tolerance have no such exception: a line or an arc is refused that
-/// starts nearer to the border of a region than its tolerance.
+/// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further
+/// out: for that motion the limit is where the start is. Speeds, accelerations and a tolerance have no such exception:
+/// a line or an arc is refused that starts nearer to the border of a region than its tolerance.
 ///
 /// # What is assumed of the controller
 /// - `joint_move` and `end_move` are straight in joint space. The joint with the longest way has the speed and the acceleration that are
@@ -61,7 +62,8 @@ use crate::velocity::{TcpVelocity, VelocityFrame};
 /// - Joint positions change continuously on a line or an arc, from those at its start.
 /// - The model, the tool, the user frame and the mounting are those that the controller has; [`Model::fit`](crate::Model::fit) compares them.
 ///
-/// No source shows that each controller does so. Accelerations along lines and arcs are not compared with those of the joints.
+/// No source shows that each controller does so. Accelerations along lines and arcs are not compared with those of the
+/// joints.
 ///
 /// # What it is not
 /// It is no fence and no safety function, and has no model of collisions of the arm with itself or the cell.
@@ -121,23 +123,25 @@ impl Checker {
         self.checked(Way::Place, &[joints], &[], || self.place(&joints.0).map_err(|exceeded| (exceeded, 1.0)))
     }
 
-    /// Checks a way straight in joint space, as that of `joint_move` (section 4.7): joint ranges, joint speeds and accelerations, the speed of the tool
-    /// centre point, and regions.
+    /// Checks a way straight in joint space, as that of `joint_move` (section 4.7): joint ranges, joint speeds and
+    /// accelerations, the speed of the tool centre point, and regions.
     pub fn check_joint_way(&self, from: JointPosition, to: JointPosition, pace: JointPace) -> Result<(), Beyond> {
         self.checked(Way::JointWay, &[from, to], &[], || self.joint_way(&from.0, &to.0, pace))
     }
 
-    /// Checks a straight line of the tool centre point, as that of `moveL` (section 4.9), and returns the joint positions at its end.
+    /// Checks a straight line of the tool centre point, as that of `moveL` (section 4.9), and returns the joint
+    /// positions at its end.
     ///
-    /// Joint ranges, joint speeds at the requested speed, the speed of the tool centre point, regions, and the distance from
-    /// singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a controller means its speed then is not
-    /// known, so joint speeds are not checked on it, and all the rest is.
+    /// Joint ranges, joint speeds at the requested speed, the speed of the tool centre point, regions, and the distance
+    /// from singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a
+    /// controller means its speed then is not known, so joint speeds are not checked on it, and all the rest is.
     pub fn check_line(&self, from: JointPosition, to: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
         let path = || Path::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
         self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), pace)).map(JointPosition)
     }
 
-    /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line) checks a line.
+    /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line)
+    /// checks a line.
     ///
     /// The tool turns evenly from the start to the middle pose, and from there to the end.
     pub fn check_arc(&self, from: JointPosition, mid: Pose, end: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
@@ -151,9 +155,10 @@ impl Checker {
 
     /// Checks each way that the controller may choose for `end_move` (section 4.8).
     ///
-    /// The controller does not know these limits. So each branch within the arm's published ranges must be within them; where the controller's
-    /// `kine_inverse` (section 4.45) says which it takes, [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more
-    /// than once is taken to go to the nearest of the positions that reach the pose.
+    /// The controller does not know these limits. So each branch within the arm's published ranges must be within them;
+    /// where the controller's `kine_inverse` (section 4.45) says which it takes,
+    /// [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more than once is taken to go
+    /// to the nearest of the positions that reach the pose.
     pub fn check_end_move(&self, from: JointPosition, to: Pose, pace: JointPace) -> Result<(), Beyond> {
         self.checked(Way::EndMove, &[from], &[to], || {
             let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), from);
@@ -164,13 +169,15 @@ impl Checker {
 
     /// Checks a set-point of joint positions, after the last two and a period in seconds later.
     ///
-    /// `before` are the last but one and the last; both are where the arm is when a session starts. Joint ranges, the joints' mean speed over the
-    /// period and the change of it, the mean speed of the tool centre point over the period, and regions, also on the way from the last one.
-    /// Within the period the tool centre point can be faster than in the mean: it goes on a bend, of which the straight way is shorter.
+    /// `before` are the last but one and the last; both are where the arm is when a session starts. Joint ranges, the
+    /// joints' mean speed over the period and the change of it, the mean speed of the tool centre point over the
+    /// period, and regions, also on the way from the last one. Within the period the tool centre point can be faster
+    /// than in the mean: it goes on a bend, of which the straight way is shorter.
     ///
-    /// And there must be room to stop. After the set-point the arm could land straight on in joint space, all joints in proportion, in the N
-    /// periods in which the joint that takes the longest slows down as much as it may: by steps of the set-point's own times 1 - k/N. Joint ranges and
-    /// regions hold on that way too. For example, 175 deg/s at 300 deg/s² take 51 degrees.
+    /// And there must be room to stop. After the set-point the arm could land straight on in joint space, all joints in
+    /// proportion, in the N periods in which the joint that takes the longest slows down as much as it may: by steps of
+    /// the set-point's own times 1 - k/N. Joint ranges and regions hold on that way too. For example, 175 deg/s at 300
+    /// deg/s² take 51 degrees.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],
@@ -181,9 +188,9 @@ impl Checker {
         self.checked(Way::SetPoint, &[before[0], before[1], target], &[], check)
     }
 
-    /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from singularities, and returns the
-    /// joint positions nearest to the last ones that reach it. One on the other side of a singularity is refused, unless the least distance
-    /// is 0.
+    /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from
+    /// singularities, and returns the joint positions nearest to the last ones that reach it. One on the other side of
+    /// a singularity is refused, unless the least distance is 0.
     pub fn check_pose_set_point(
         &self,
         before: [JointPosition; 2],

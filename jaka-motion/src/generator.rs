@@ -51,12 +51,14 @@ use crate::limits::InvalidLimit;
 ///   each joint as soon as it can. [`landing`](Self::landing) says where and when.
 ///
 /// # Why it holds
-/// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third differences are means of it; likewise
-/// accelerations and speeds. rsruckig proposes the jerks. They are cut to their limits and integrated here, from the state of the last set-point; the new
-/// state is taken only if speeds and accelerations have stayed within their limits, and if the way to rest from there stays within all limits.
-/// Where the tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried in the same way.
-/// Otherwise the set-point is the next one on the way to rest from the last state, which was compared with the limits when that state was
-/// taken. The arm starts at rest, within the limits. So each state has a way to rest.
+/// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third
+/// differences are means of it; likewise accelerations and speeds. rsruckig proposes the jerks. They are cut to their
+/// limits and integrated here, from the state of the last set-point; the new state is taken only if speeds and
+/// accelerations have stayed within their limits, and if the way to rest from there stays within all limits. Where the
+/// tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried
+/// in the same way. Otherwise the set-point is the next one on the way to rest from the last state, which was compared
+/// with the limits when that state was taken. The arm starts at rest, within the limits. So each state has a way to
+/// rest.
 ///
 /// # What remains
 /// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front of one.
@@ -68,7 +70,8 @@ use crate::limits::InvalidLimit;
 ///   [`Checker::AMOUNT_MM`]. It does not come to rest there, unless that is where the session paused; it then leads on as a motion that starts beyond a
 ///   limit.
 ///
-/// Nothing is allocated but in `new`, and where rsruckig finds no way, which then says so in a text that is dropped. No input makes it panic.
+/// Nothing is allocated but in `new`, and where rsruckig finds no way, which then says so in a text that is dropped. No
+/// input makes it panic.
 #[derive(Debug, Clone)]
 pub struct Generator {
     checker: Checker,
@@ -95,8 +98,8 @@ impl Generator {
     /// For an arm at rest at `start`, with a set-point each so many seconds.
     ///
     /// # Errors
-    /// The start is beyond a joint's range or a region, the dynamics are beyond the limits or too small to move with, or the period is not from 1 ms to
-    /// 1 s.
+    /// The start is beyond a joint's range or a region, the dynamics are beyond the limits or too small to move with,
+    /// or the period is not from 1 ms to 1 s.
     pub fn new(
         checker: &Checker,
         dynamics: Dynamics,
@@ -121,9 +124,10 @@ impl Generator {
         })
     }
 
-    /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s as mean over a period, and from each set-point
-    /// on it comes to rest within this way, in mm, of which the last period before is a part. Goals are approached more slowly for that, joint positions from rest still
-    /// straight in joint space.
+    /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s
+    /// as mean over a period, and from each set-point on it comes to rest within this way, in mm, of which the last
+    /// period before is a part. Goals are approached more slowly for that, joint positions from rest still straight in
+    /// joint space.
     ///
     /// # Errors
     /// The speed is not above 0.
@@ -134,7 +138,8 @@ impl Generator {
         Ok(Self { checker, stopping_mm: within_mm, ..self })
     }
 
-    /// Checks a goal before it is given to [`next`](Self::next): joint positions as a place, speeds of joints and of the tool centre point by their limits.
+    /// Checks a goal before it is given to [`next`](Self::next): joint positions as a place, speeds of joints and of
+    /// the tool centre point by their limits.
     pub fn check_goal(&self, goal: &Goal) -> Result<(), Beyond> {
         let exceeded = match goal {
             Goal::Joints(joints) => return self.checker.check_place(*joints),
@@ -147,8 +152,8 @@ impl Generator {
 
     /// The set-point a period after the last one, on the way to a goal.
     ///
-    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow; one with a number that is not finite, or with a velocity of the
-    /// tool above 1e6 mm/s or deg/s, means rest.
+    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow; one with a number
+    /// that is not finite, or with a velocity of the tool above 1e6 mm/s or deg/s, means rest.
     pub fn next(&mut self, goal: &Goal) -> Step {
         if *goal != self.goal {
             self.goal = *goal;
@@ -209,8 +214,8 @@ impl Generator {
         Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops) }
     }
 
-    /// How often what was computed for a goal did not pass the check of speeds, accelerations and jerks, or nothing was found. The set-point was then one
-    /// on the way to rest.
+    /// How often what was computed for a goal did not pass the check of speeds, accelerations and jerks, or nothing was
+    /// found. The set-point was then one on the way to rest.
     pub fn rejections(&self) -> u64 {
         self.rejections
     }

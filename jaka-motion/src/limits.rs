@@ -16,8 +16,9 @@ use crate::model::Model;
 /// What an arm may do: joint ranges, joint speeds and accelerations, the speed of the tool, regions, and the distance
 /// from singularities.
 ///
-/// It is what a [`Checker`](crate::Checker) compares motions with, before they are sent. It is not a fence and not a safety
-/// function: what another program, a person at the pendant or the controller itself makes the arm do is not checked.
+/// It is what a [`Checker`](crate::Checker) compares motions with, before they are sent. It is not a fence and not a
+/// safety function: what another program, a person at the pendant or the controller itself makes the arm do is not
+/// checked.
 ///
 /// ```
 /// use jaka_motion::{Limits, Model, Point, Region};
@@ -43,11 +44,11 @@ pub struct Limits {
     regions: Vec<Region>,
 }
 
-/// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has accelerations of these
-/// arms.
+/// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has
+/// accelerations of these arms.
 const SPEED_GAINED: f64 = 0.2 / 0.5;
-/// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a hundred times as fast
-/// as the tool.
+/// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a
+/// hundred times as fast as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
 
 /// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated
@@ -80,7 +81,8 @@ impl Limits {
     /// With this range of a joint, 1 to 6, in degrees.
     ///
     /// # Errors
-    /// There is no such joint, the range is empty, or it is wider than the published one: of the Zu 12 and Zu 18, than the tighter of the two.
+    /// There is no such joint, the range is empty, or it is wider than the published one: of the Zu 12 and Zu 18, than
+    /// the tighter of the two.
     pub fn with_joint_range(mut self, joint: usize, min_deg: f64, max_deg: f64) -> Result<Self, InvalidLimit> {
         let index = index_of(joint)?;
         finite("joint range", &[min_deg, max_deg])?;
@@ -134,11 +136,11 @@ impl Limits {
         Ok(self)
     }
 
-    /// With this least distance from each of the three singularities, as [`SingularityDistance`](crate::SingularityDistance) counts it for
-    /// shoulder, elbow and wrist; 0 for none.
+    /// With this least distance from each of the three singularities, as
+    /// [`SingularityDistance`](crate::SingularityDistance) counts it for shoulder, elbow and wrist; 0 for none.
     ///
-    /// It counts where the tool is led: on lines, on arcs and for set-points that are poses. On a way straight in joint space a singularity
-    /// does no harm.
+    /// It counts where the tool is led: on lines, on arcs and for set-points that are poses. On a way straight in joint
+    /// space a singularity does no harm.
     ///
     /// # Errors
     /// It is not from 0 to below 1.

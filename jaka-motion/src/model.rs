@@ -16,7 +16,8 @@ pub use self::singularity::{Singularity, SingularityDistance};
 use crate::closed_form::{ClosedForm, Precision};
 use crate::links::Links;
 
-/// The figures of one arm: its Denavit-Hartenberg parameters, joint ranges and joint speeds, in millimetres and degrees.
+/// The figures of one arm: its Denavit-Hartenberg parameters, joint ranges and joint speeds, in millimetres and
+/// degrees.
 ///
 /// ```
 /// use jaka_motion::Model;
@@ -42,14 +43,14 @@ pub struct Model {
 impl Model {
     /// Every published arm, the default first.
     ///
-    /// Lengths, ranges and speeds are those of the vendor's URDF files; a controller's own lengths can differ by some tenths of a
-    /// millimetre.
+    /// Lengths, ranges and speeds are those of the vendor's URDF files; a controller's own lengths can differ by some
+    /// tenths of a millimetre.
     pub fn published() -> &'static [Self] {
         &PUBLISHED
     }
 
-    /// The published arm of this name; case, blanks, punctuation and a leading "JAKA" do not matter: `Zu 5`, `jaka_zu5`,
-    /// `ZU-5`.
+    /// The published arm of this name; case, blanks, punctuation and a leading "JAKA" do not matter: `Zu 5`,
+    /// `jaka_zu5`, `ZU-5`.
     pub fn named(name: &str) -> Option<&'static Self> {
         let wanted = plain(name);
         PUBLISHED.iter().find(|model| plain(model.name) == wanted)

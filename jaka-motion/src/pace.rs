@@ -17,8 +17,8 @@ pub struct JointPace {
 pub struct TcpPace {
     /// The speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
-    /// How far the arm may be from its way, in mm: what regions allow is less by as much, at the start too. One longer than the arm with its
-    /// tool is refused.
+    /// How far the arm may be from its way, in mm: what regions allow is less by as much, at the start too. One longer
+    /// than the arm with its tool is refused.
     pub tolerance_mm: f64,
 }
 

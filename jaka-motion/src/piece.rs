@@ -67,7 +67,8 @@ impl Piece {
         Self::moving(start_s, seconds, moved, from, to)
     }
 
-    /// As [`between`](Self::between), over exactly these degrees, of which the difference of two positions would have lost digits.
+    /// As [`between`](Self::between), over exactly these degrees, of which the difference of two positions would have
+    /// lost digits.
     pub(crate) fn moving(start_s: f64, seconds: f64, moved: [f64; 6], from: &Sample, to: &Sample) -> Self {
         let way = std::array::from_fn(|joint| {
             let moved = moved[joint];

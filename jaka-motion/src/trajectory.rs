@@ -30,21 +30,24 @@ use crate::piece::{Piece, Sample};
 
 /// A motion of the joints that is known, and was compared with an arm's limits, from start to end.
 ///
-/// Each joint moves by polynomials of time of at most the fifth degree, one after the other; its speed is continuous. It starts and ends at rest.
+/// Each joint moves by polynomials of time of at most the fifth degree, one after the other; its speed is continuous.
+/// It starts and ends at rest.
 ///
 /// # What is compared
-/// [`timed`](Self::timed) and the like compare the whole of it, not samples: joint ranges, speeds and accelerations by bounds of the polynomials, the
-/// speed of the tool centre point and regions in steps that leave nothing out but the amounts of a [`Checker`]. And there is room to stop: as for
-/// a set-point ([`Checker::check_set_point`]) the arm could land straight on in joint space, looked at each 8 ms.
+/// [`timed`](Self::timed) and the like compare the whole of it, not samples: joint ranges, speeds and accelerations by
+/// bounds of the polynomials, the speed of the tool centre point and regions in steps that leave nothing out but the
+/// amounts of a [`Checker`]. And there is room to stop: as for a set-point ([`Checker::check_set_point`]) the arm could
+/// land straight on in joint space, looked at each 8 ms.
 ///
 /// # Reserve
-/// Who follows it at another rate, to pause, to slow down or to stop along the way, accelerates the joints in addition. [`rate_change`](Self::rate_change)
-/// says how much of that is within the limits.
+/// Who follows it at another rate, to pause, to slow down or to stop along the way, accelerates the joints in addition.
+/// [`rate_change`](Self::rate_change) says how much of that is within the limits.
 ///
 /// # What it takes
-/// All is made and checked beforehand. Of 10,000 points with times that takes some 5 ms with optimisation, of 10,000 points in joint space 60 ms, of as
-/// many on lines 100 ms. A piece has some 300 bytes: there is one between two points with times, two or three for most points without, and one more for each 50 mm or
-/// less of a line. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
+/// All is made and checked beforehand. Of 10,000 points with times that takes some 5 ms with optimisation, of 10,000
+/// points in joint space 60 ms, of as many on lines 100 ms. A piece has some 300 bytes: there is one between two points
+/// with times, two or three for most points without, and one more for each 50 mm or less of a line. Clones share them.
+/// [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Made>);
 
@@ -77,9 +80,11 @@ impl Trajectory {
         self.at(f64::INFINITY).joints
     }
 
-    /// Where the joints are at a time in seconds from the start, and how they move; times before the start and after the end count as these.
+    /// Where the joints are at a time in seconds from the start, and how they move; times before the start and after
+    /// the end count as these.
     ///
-    /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that after the step.
+    /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that
+    /// after the step.
     pub fn at(&self, time_s: f64) -> Sample {
         // What is not a number counts as the start.
         let time_s = time_s.max(0.0);
@@ -92,7 +97,8 @@ impl Trajectory {
         &self.0.way_points
     }
 
-    /// Compares it with the limits of an arm, as was done where it was made: with the same limits and frames, that is the answer.
+    /// Compares it with the limits of an arm, as was done where it was made: with the same limits and frames, that is
+    /// the answer.
     ///
     /// # Errors
     /// The first place, in time, that is beyond a limit.

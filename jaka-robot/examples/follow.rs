@@ -1,7 +1,8 @@
 //! A trajectory, followed with a pause on the way: the arm stops on its curve, and goes on along it.
 //!
 //! `cargo run --example follow` runs against a simulated controller; with an address, against a robot, which should be
-//! a Zu 5. There it powers and enables the arm, which stays so, and turns joints 5 and 6 by at most 10 degrees, and back, for some 9 s; it asks before.
+//! a Zu 5. There it powers and enables the arm, which stays so, and turns joints 5 and 6 by at most 10 degrees, and
+//! back, for some 9 s; it asks before.
 
 mod common;
 

@@ -1,8 +1,8 @@
 //! Motions compared with limits before they are sent: one is within them, three are not and are refused.
 //!
-//! `cargo run --example limits` runs against a simulated controller; with an address, against a robot, which
-//! should be a Zu 5. There it powers and enables the arm, which stays so, and turns joint 6 by 5 degrees; it asks before. The other
-//! motions are never sent. Limits are not a safety function: keep the emergency stop within reach.
+//! `cargo run --example limits` runs against a simulated controller; with an address, against a robot, which should be
+//! a Zu 5. There it powers and enables the arm, which stays so, and turns joint 6 by 5 degrees; it asks before. The
+//! other motions are never sent. Limits are not a safety function: keep the emergency stop within reach.
 
 mod common;
 

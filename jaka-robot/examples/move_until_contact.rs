@@ -1,10 +1,11 @@
 //! Moves the tool down until it touches something, tells where that is, and moves it up again.
 //!
-//! `cargo run --example move_until_contact` runs against a simulated controller, with a table 6 mm below the tool; with an address, against
-//! a robot. There the arm is powered, and the tool moves **straight down by up to 40 mm**, with 4 mm/s, along the z axis of the selected
-//! user frame, until the torque sensor reads 10 N more or less than at the start; it goes on for up to 1 mm then. The arm needs a torque
-//! sensor that works and is initialised: push against the tool and look at `jaka status` first. What is below must bear that, and nobody's
-//! hand may be there: a guard is not a safety function. It asks before. The arm stays enabled.
+//! `cargo run --example move_until_contact` runs against a simulated controller, with a table 6 mm below the tool; with
+//! an address, against a robot. There the arm is powered, and the tool moves **straight down by up to 40 mm**, with 4
+//! mm/s, along the z axis of the selected user frame, until the torque sensor reads 10 N more or less than at the
+//! start; it goes on for up to 1 mm then. The arm needs a torque sensor that works and is initialised: push against the
+//! tool and look at `jaka status` first. What is below must bear that, and nobody's hand may be there: a guard is not a
+//! safety function. It asks before. The arm stays enabled.
 
 mod common;
 

@@ -1,4 +1,5 @@
-//! An hour of servo cycles against a simulated controller, in seconds: both have one clock, whose time goes on as soon as all wait.
+//! An hour of servo cycles against a simulated controller, in seconds: both have one clock, whose time goes on as soon
+//! as all wait.
 //!
 //! `cargo run --release --example simulated_hour --features jaka-robot/simulated-clock`; a number after `--` is the
 //! minutes.

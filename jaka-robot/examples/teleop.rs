@@ -1,7 +1,8 @@
 //! Targets 20 times a second, with delays, as a person's hand or a camera gives them: the arm follows smoothly.
 //!
 //! `cargo run --example teleop` runs against a simulated controller; with an address, against a robot, which should be
-//! a Zu 5. There it powers and enables the arm, which stays so, and turns joint 6 to and fro by at most 10 degrees for 5 s; it asks before.
+//! a Zu 5. There it powers and enables the arm, which stays so, and turns joint 6 to and fro by at most 10 degrees for
+//! 5 s; it asks before.
 
 mod common;
 

@@ -87,14 +87,14 @@ pub(crate) struct Arm {
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,
     pub(crate) position: Position,
-    /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what it
-    /// was lent for, whatever the program acknowledges.
+    /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what
+    /// it was lent for, whatever the program acknowledges.
     told: Option<u64>,
 }
 
 impl Arm {
-    /// Arm of two connections to the same controller. `needs_status` is false where motions go out while the status is not
-    /// known.
+    /// Arm of two connections to the same controller. `needs_status` is false where motions go out while the status is
+    /// not known.
     pub(crate) fn new<S: MotionStatus>(client: Client, monitor: &Arc<Monitor<S>>, needs_status: bool) -> Self {
         let state = ArmState::new(monitor, &client.link().clock, needs_status);
         let position = Position::new(&client);

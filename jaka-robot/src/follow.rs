@@ -24,9 +24,10 @@ use crate::{End, Error};
 
 /// A robot that follows a [`Trajectory`], from [`Robot::start_follow`](crate::Robot::start_follow).
 ///
-/// A thread of its own sends a set-point in each servo period, as `servo_j` (4.15). Each is where the trajectory is at some time of it:
-/// [`Follower`](jaka_motion::Follower) tells how that time passes and what is promised of the set-points. A pause, another speed and a stop, by [handles](FollowHandle),
-/// change how fast it passes, smoothly; the arm is not led off the curve.
+/// A thread of its own sends a set-point in each servo period, as `servo_j` (4.15). Each is where the trajectory is at
+/// some time of it: [`Follower`](jaka_motion::Follower) tells how that time passes and what is promised of the
+/// set-points. A pause, another speed and a stop, by [handles](FollowHandle), change how fast it passes, smoothly; the
+/// arm is not led off the curve.
 ///
 /// # How it ends
 /// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
@@ -71,7 +72,7 @@ pub struct FollowRun<'r> {
 impl<'r> FollowRun<'r> {
     /// Begins a run in a thread of its own.
     pub(crate) fn begin(led: Led<'r>, trajectory: &Trajectory, config: &FollowConfig) -> Result<Self, Error> {
-        let guard = config.guard.as_ref().map(|guard| SetPointGuard::new(led.arm, guard)).transpose()?;
+        let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;
         let deadline = config.deadline.and_then(|time| led.arm.clock().now().checked_add(time));
         let orders = Arc::new(Orders::new(config.scale, deadline));

@@ -26,10 +26,12 @@ use crate::Error;
 use crate::GuardTrip;
 use crate::inputs::{AnalogCondition, InputCondition};
 
-/// What ends a motion before its end: conditions, each of which is judged once for each status packet. The first that holds trips the guard.
+/// What ends a motion before its end: conditions, each of which is judged once for each status packet. The first that
+/// holds trips the guard.
 ///
-/// An [`InputCondition`], an [`AnalogCondition`], a [`ForceLimit`] or a [`TcpBox`] is a guard by itself; [`when`](Self::when) makes one of any
-/// question about a packet, and [`or`](Self::or) joins two. [`Motion::guard`](crate::Motion::guard) puts a motion under a guard.
+/// An [`InputCondition`], an [`AnalogCondition`], a [`ForceLimit`] or a [`TcpBox`] is a guard by itself;
+/// [`when`](Self::when) makes one of any question about a packet, and [`or`](Self::or) joins two.
+/// [`Motion::guard`](crate::Motion::guard) puts a motion under a guard.
 ///
 /// ```
 /// use jaka_robot::{Guard, Numbering, TcpBox};
@@ -42,19 +44,20 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// ```
 ///
 /// # What it can do, and what not
-/// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware 1.5.14) to 100 ms, and
-/// which do not tell how old they are. From what happens until the arm rests it takes
+/// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware
+/// 1.5.14) to 100 ms, and which do not tell how old they are. From what happens until the arm rests it takes
 /// - up to a period of the packets, until one shows it, and however long the network holds that packet;
 /// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms ([`GuardTrip::reaction`] has it), then the
 ///   network, and the controller until it acts on `stop_program`;
 /// - the braking, of which no source says how the controller does it.
 ///
-/// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it, too, and so does a
-/// question that panics: unknown is not good. If packets stay away for [`Config::stale_after`](crate::Config::stale_after), the arm is
-/// stopped.
+/// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it,
+/// too, and so does a question that panics: unknown is not good. If packets stay away for
+/// [`Config::stale_after`](crate::Config::stale_after), the arm is stopped.
 ///
-/// Newer firmware is said to have a condition of its own that ends a `movc` at a digital input (one client's remark, not in the document): where a
-/// controller has it, it reacts without packets and network. It is not in this SDK, because no source shows how it is used.
+/// Newer firmware is said to have a condition of its own that ends a `movc` at a digital input (one client's remark,
+/// not in the document): where a controller has it, it reacts without packets and network. It is not in this SDK,
+/// because no source shows how it is used.
 #[derive(Debug, Clone)]
 #[must_use = "a guard does nothing until a motion runs under it"]
 pub struct Guard {
@@ -64,7 +67,8 @@ pub struct Guard {
 impl Guard {
     /// A guard by any question about a packet. `text` says when it holds, for reports and errors.
     ///
-    /// It is asked on the monitor's thread, where packets wait meanwhile: it should be short. A key that is absent is for the question to decide.
+    /// It is asked on the monitor's thread, where packets wait meanwhile: it should be short. A key that is absent is
+    /// for the question to decide.
     pub fn when(text: impl Into<String>, holds: impl Fn(&RobotStatus) -> bool + Send + Sync + 'static) -> Self {
         Self::of(Condition::Question(Question { text: text.into(), holds: Arc::new(holds) }))
     }

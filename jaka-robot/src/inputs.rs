@@ -11,11 +11,11 @@ use crate::{Error, NotShown, Snapshot};
 
 /// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
 ///
-/// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted as is said: with
-/// [`FromOne`](Self::FromOne), 3 is the third input of the list. Whether a pendant or the print on a cabinet counts in the same way, and
-/// whether the indices of commands (4.25) do, differs between controllers: switch the input by hand and look at a packet (`jaka status`)
-/// before anything relies on it. The first eight inputs of the cabinet's list are its own, of which the controller occupies the first; the
-/// document calls the others Modbus inputs (4.26).
+/// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted as is said:
+/// with [`FromOne`](Self::FromOne), 3 is the third input of the list. Whether a pendant or the print on a cabinet
+/// counts in the same way, and whether the indices of commands (4.25) do, differs between controllers: switch the input
+/// by hand and look at a packet (`jaka status`) before anything relies on it. The first eight inputs of the cabinet's
+/// list are its own, of which the controller occupies the first; the document calls the others Modbus inputs (4.26).
 ///
 /// ```
 /// use jaka_robot::Numbering;
@@ -87,7 +87,8 @@ pub(crate) enum When {
 
 /// A level or an edge of a digital input, to wait for or to guard a motion by.
 ///
-/// An edge is seen between two packets. One that is gone again before the next packet comes, some 30 to 100 ms later, is missed.
+/// An edge is seen between two packets. One that is gone again before the next packet comes, some 30 to 100 ms later,
+/// is missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputCondition(pub(crate) InputTest);
 

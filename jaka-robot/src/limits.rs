@@ -37,8 +37,8 @@ struct Limited {
     warning: Option<Error>,
     /// Where the last motion that was accepted ends, by its check.
     planned: Option<JointPosition>,
-    /// How many stops had gone out by then, and how many commands of other handles that may have changed something: after
-    /// another one the arm ends elsewhere.
+    /// How many stops had gone out by then, and how many commands of other handles that may have changed something:
+    /// after another one the arm ends elsewhere.
     stops: u64,
     changes_by_others: u64,
     /// Motions were given up that the arm may not have begun yet.
@@ -47,8 +47,8 @@ struct Limited {
     frame_changes: u64,
 }
 
-/// How far the controller's pose may be from the model's at the same joint positions. The poses of a real arm are within 0.42 mm and
-/// 0.00001 deg; beyond that, a frame was changed.
+/// How far the controller's pose may be from the model's at the same joint positions. The poses of a real arm are
+/// within 0.42 mm and 0.00001 deg; beyond that, a frame was changed.
 const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
 
 impl LimitChecks {
@@ -98,8 +98,8 @@ impl LimitChecks {
         self.0.as_ref().map(|limited| &limited.checker)
     }
 
-    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent
-    /// all the same.
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was
+    /// sent all the same.
     pub(crate) fn warning(&self) -> Option<String> {
         self.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
     }
@@ -182,7 +182,8 @@ impl LimitChecks {
         self.judged(error).map(|()| joints)
     }
 
-    /// The same error. A refusal without an explanation of a motion that was sent although it is beyond a limit has that one.
+    /// The same error. A refusal without an explanation of a motion that was sent although it is beyond a limit has
+    /// that one.
     pub(crate) fn explained(&self, mut error: Error) -> Error {
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
             *explanation = explanation.take().or_else(|| self.explanation());

@@ -20,7 +20,8 @@ pub trait Motion: Command<Reply = ()> {
     /// Where it ends, as far as the request determines it. The controller's own answer says whether the arm is there.
     fn target(&self) -> Target;
 
-    /// The way on which it goes there. A robot with limits refuses a motion whose way is not known, as it is by default.
+    /// The way on which it goes there. A robot with limits refuses a motion whose way is not known, as it is by
+    /// default.
     fn path(&self) -> Path {
         Path::Unknown
     }
@@ -30,21 +31,21 @@ pub trait Motion: Command<Reply = ()> {
         0.0
     }
 
-    /// The same motion under a guard, for [`Robot::run`](crate::Robot::run), which waits until it has ended or the guard has
-    /// tripped, upon which the arm is stopped. [`Guard`] tells what can be expected of that, and what not: it is **not a
-    /// safety function**.
+    /// The same motion under a guard, for [`Robot::run`](crate::Robot::run), which waits until it has ended or the
+    /// guard has tripped, upon which the arm is stopped. [`Guard`] tells what can be expected of that, and what not: it
+    /// is **not a safety function**.
     ///
-    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends nothing
-    /// ([`GuardTrip::is_before_start`](crate::GuardTrip::is_before_start)). The stop is written by the thread that reads the
-    /// packet, or, where it would have to wait, by one of its own, also while the reply to the motion is waited for. If the
-    /// guard tripped, the arm is then waited for until it rests, for 2 s at most.
+    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends
+    /// nothing ([`GuardTrip::is_before_start`](crate::GuardTrip::is_before_start)). The stop is written by the thread
+    /// that reads the packet, or, where it would have to wait, by one of its own, also while the reply to the motion is
+    /// waited for. If the guard tripped, the arm is then waited for until it rests, for 2 s at most.
     ///
-    /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion has
-    /// gone out: wait for them first.
+    /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion
+    /// has gone out: wait for them first.
     ///
-    /// Since nobody judges the guard after the run, the arm is stopped in each way out in which it may still move: at the
-    /// deadline, when the command connection is lost, which no stop passes any more, when the status is lost or stale
-    /// ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
+    /// Since nobody judges the guard after the run, the arm is stopped in each way out in which it may still move: at
+    /// the deadline, when the command connection is lost, which no stop passes any more, when the status is lost or
+    /// stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
     /// [`End::stop`](crate::End::stop) tells whether the stop was accepted.
     ///
     /// ```no_run
@@ -61,14 +62,14 @@ pub trait Motion: Command<Reply = ()> {
     /// ```
     ///
     /// # Errors of the run
-    /// Where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`](crate::ErrorKind::NotStopped) says
-    /// if the controller has not accepted that. Nothing was sent after
+    /// Where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`](crate::ErrorKind::NotStopped)
+    /// says if the controller has not accepted that. Nothing was sent after
     /// [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show what the guard needs),
-    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed),
-    /// [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), also with
+    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less
+    /// speed), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), also with
     /// [`allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status),
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) (a condition has a value that it does not take), and
-    /// [`ErrorKind::Thread`](crate::ErrorKind::Thread).
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) (a condition has a value that it does not take),
+    /// and [`ErrorKind::Thread`](crate::ErrorKind::Thread).
     fn guard(self, guard: impl Into<Guard>) -> Guarded<Self> {
         Guarded { motion: self, guard: guard.into() }
     }
@@ -152,7 +153,8 @@ impl Motion for JointMove {
         }
     }
 
-    /// No source says which joint has the speed that is given; taken is the one with the longest way, as controllers of such arms do.
+    /// No source says which joint has the speed that is given; taken is the one with the longest way, as controllers of
+    /// such arms do.
     fn path(&self) -> Path {
         Path::Joints { speed: self.speed, acceleration: self.acceleration }
     }
@@ -176,7 +178,8 @@ impl Motion for EndMove {
 }
 
 impl Motion for MoveL {
-    /// An offset is one along the axes of the selected user frame; the document does not say how an offset of the orientation counts.
+    /// An offset is one along the axes of the selected user frame; the document does not say how an offset of the
+    /// orientation counts.
     fn target(&self) -> Target {
         let pose = self.pose;
         let turns = [pose.rx, pose.ry, pose.rz].iter().any(|angle| *angle != 0.0);

@@ -36,8 +36,8 @@ impl Place {
         self.is_within(other, CLOSE_DEG, CLOSE_MM)
     }
 
-    /// True if both are the same except for noise. An arm that moves by less during the grace time cannot be distinguished from one at
-    /// rest.
+    /// True if both are the same except for noise. An arm that moves by less during the grace time cannot be
+    /// distinguished from one at rest.
     pub(crate) fn is_still(&self, other: &Self) -> bool {
         self.is_within(other, STILL_DEG, STILL_MM)
     }

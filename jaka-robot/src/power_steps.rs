@@ -16,7 +16,8 @@ const QUERY_PERIOD: Duration = Duration::from_millis(100);
 /// How the time until the next query passes: it may end with an error.
 type Pause = fn(&Arm, Duration) -> Result<(), Error>;
 
-/// Step of [`Robot::power_up_with`](crate::Robot::power_up_with) or [`Robot::power_down_with`](crate::Robot::power_down_with), as the controller's own answers show it.
+/// Step of [`Robot::power_up_with`](crate::Robot::power_up_with) or
+/// [`Robot::power_down_with`](crate::Robot::power_down_with), as the controller's own answers show it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PowerStep {
@@ -137,8 +138,8 @@ fn switch<C: Command>(
     Ok(())
 }
 
-/// Fails as soon as a packet says that the emergency stop is pressed, or shows it in a form that cannot be read; looks for
-/// such a packet for at most `time`.
+/// Fails as soon as a packet says that the emergency stop is pressed, or shows it in a form that cannot be read; looks
+/// for such a packet for at most `time`.
 fn check_emergency_stop(arm: &Arm, time: Duration) -> Result<(), Error> {
     let found = arm.state.watch(time, |newest| {
         let packet = newest?;

@@ -21,7 +21,8 @@ pub use self::finding::{CheckItem, Finding, Verdict};
 use self::packets::Count;
 use crate::arm::{ArmState, StatusPort};
 
-/// What was found on a robot before it is used: see [`Robot::preflight`](crate::Robot::preflight) and [`read_at`](Self::read_at).
+/// What was found on a robot before it is used: see [`Robot::preflight`](crate::Robot::preflight) and
+/// [`read_at`](Self::read_at).
 ///
 /// Displayed as a table, with what to look at [at the pendant](Self::AT_THE_PENDANT) and what the verdicts do not mean.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,8 +44,8 @@ impl Preflight {
     pub const NOTE: &str = "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the \
                             cell, the people in it, the tool, and where the arm will move.";
 
-    /// Connects to a controller's two ports, and does what [`Robot::preflight`](crate::Robot::preflight) does: for a new robot, since a port that cannot be
-    /// connected to is a finding.
+    /// Connects to a controller's two ports, and does what [`Robot::preflight`](crate::Robot::preflight) does: for a
+    /// new robot, since a port that cannot be connected to is a finding.
     ///
     /// The command port serves one client: another program that is connected there may be disconnected.
     pub fn read_at(config: &Config, commands_address: impl Display, status_address: impl Display) -> Self {

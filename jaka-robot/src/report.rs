@@ -44,8 +44,8 @@ pub struct TrajectoryReport {
     /// Duration of the trajectory at its own speed.
     pub duration: Duration,
     /// True if the arm was braked straight on in joint space, and so off the trajectory, because braking along it would
-    /// have taken too long: see [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread has
-    /// panicked.
+    /// have taken too long: see [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread
+    /// has panicked.
     pub has_left_curve: bool,
     /// Lag of the arm behind its set-points, by status packets; none if these do not tell.
     pub lag: Option<FollowLag>,
@@ -54,8 +54,8 @@ pub struct TrajectoryReport {
 /// Lag of an arm behind its set-points, by the joints of status packets.
 ///
 /// The delay is the one with which set-points and packets agree best, by the sum of the squares of all joints'
-/// differences. It is measured from sending a set-point to receiving a packet: the link's and the packets' own delay are
-/// part of it.
+/// differences. It is measured from sending a set-point to receiving a packet: the link's and the packets' own delay
+/// are part of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FollowLag {

@@ -41,13 +41,14 @@ use crate::{Call, Command, Monitor, MotionStatus};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A status packet alone does not end a motion, because it cannot show its age: when packets say that the arm is in position,
-/// the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each motion.
+/// A status packet alone does not end a motion, because it cannot show its age: when packets say that the arm is in
+/// position, the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each
+/// motion.
 ///
 /// After a protective stop, an emergency stop or a silent status port, motions are refused until
-/// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused while the status is
-/// stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or enabled
-/// again, automatically.
+/// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused
+/// while the status is stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or
+/// enabled again, automatically.
 ///
 /// `S` is what its monitor keeps of status packets: [`MotionStatus`].
 #[derive(Debug)]
@@ -73,7 +74,8 @@ impl<S: MotionStatus> Robot<S> {
     }
 }
 
-/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see [`Robot::run`].
+/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see
+/// [`Robot::run`].
 impl<S: MotionStatus> Call for Robot<S> {
     fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, jaka_sync::Error> {
         self.client().call(command)

@@ -115,7 +115,8 @@ impl ServoConfig {
         self
     }
 
-    /// Sets the controller's own filter of joint speeds, accelerations and jerks (filter 2 of 4.60), in deg/s, deg/s² and deg/s³.
+    /// Sets the controller's own filter of joint speeds, accelerations and jerks (filter 2 of 4.60), in deg/s, deg/s²
+    /// and deg/s³.
     ///
     /// It is a second net under what this program checks, and never the only one: sources disagree about its keys.
     pub fn joint_filter(self, max_speed: f64, max_acceleration: f64, max_jerk: f64) -> Self {
@@ -128,8 +129,8 @@ impl ServoConfig {
         self
     }
 
-    /// Sets how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU time. Zero by
-    /// default; 200 µs suit a usual Linux system.
+    /// Sets how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU
+    /// time. Zero by default; 200 µs suit a usual Linux system.
     pub fn busy_wait(mut self, time: Duration) -> Self {
         self.busy_wait = time;
         self
@@ -139,20 +140,23 @@ impl ServoConfig {
     /// 99; another is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). By default it keeps its own.
     /// Needs the feature `realtime`, and Linux.
     ///
-    /// Then only the system and threads of this or a higher real-time priority keep it from its core. 20 suits where there are no others: from 50 on it
-    /// would go before what a real-time kernel (`PREEMPT_RT`) does for the network. Of a [`ServoSession`] it is the caller's thread, which also computes the
-    /// set-points, and holds its core for as long as it computes; of a `Stream` it is the stream's own. All others keep theirs, but threads that are
-    /// started by this one meanwhile inherit it.
+    /// Then only the system and threads of this or a higher real-time priority keep it from its core. 20 suits where
+    /// there are no others: from 50 on it would go before what a real-time kernel (`PREEMPT_RT`) does for the network.
+    /// Of a [`ServoSession`] it is the caller's thread, which also computes the set-points, and holds its core for as
+    /// long as it computes; of a `Stream` it is the stream's own. All others keep theirs, but threads that are started
+    /// by this one meanwhile inherit it.
     ///
-    /// The session must stay in the thread that has entered it: if it ends in another, the first one keeps the priority. If the system does not
-    /// allow the priority, entering fails with [`ErrorKind::RealtimePriority`](crate::ErrorKind::RealtimePriority), and nothing is sent.
+    /// The session must stay in the thread that has entered it: if it ends in another, the first one keeps the
+    /// priority. If the system does not allow the priority, entering fails with
+    /// [`ErrorKind::RealtimePriority`](crate::ErrorKind::RealtimePriority), and nothing is sent.
     #[cfg(feature = "realtime")]
     pub fn realtime_priority(mut self, priority: u8) -> Self {
         self.realtime_priority = Some(priority);
         self
     }
 
-    /// Sets how many set-points may be unanswered, as the time that they take: 100 ms by default, and at least three set-points.
+    /// Sets how many set-points may be unanswered, as the time that they take: 100 ms by default, and at least three
+    /// set-points.
     ///
     /// With more, the session ends. It is also how far the arm may still move if the link stalls.
     pub fn max_unanswered(mut self, time: Duration) -> Self {
@@ -160,7 +164,8 @@ impl ServoConfig {
         self
     }
 
-    /// Sets how long the last set-point is held when a session ends, if no status packet shows the arm at rest there: 1 s by default.
+    /// Sets how long the last set-point is held when a session ends, if no status packet shows the arm at rest there: 1
+    /// s by default.
     pub fn rest_timeout(mut self, timeout: Duration) -> Self {
         self.rest_timeout = timeout;
         self

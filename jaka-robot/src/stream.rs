@@ -55,16 +55,17 @@ impl StreamConfig {
         self
     }
 
-    /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks with which a joint reaches its acceleration
-    /// in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the limits are an [`ErrorKind::InvalidOption`].
+    /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks
+    /// with which a joint reaches its acceleration in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the
+    /// limits are an [`ErrorKind::InvalidOption`].
     pub fn dynamics(mut self, dynamics: Dynamics) -> Self {
         self.dynamics = Some(dynamics);
         self
     }
 
-    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the
-    /// stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no number, is an
-    /// [`ErrorKind::InvalidOption`].
+    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by
+    /// default. Beyond that the stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no number, is
+    /// an [`ErrorKind::InvalidOption`].
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
@@ -78,20 +79,21 @@ impl StreamConfig {
         self
     }
 
-    /// Puts the stream under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The first
-    /// set-point that brakes goes out in the next servo period after the packet. [`Guard`] tells what can be expected of
-    /// that, and what not: it is **not a safety function**.
+    /// Puts the stream under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The
+    /// first set-point that brakes goes out in the next servo period after the packet. [`Guard`] tells what can be
+    /// expected of that, and what not: it is **not a safety function**.
     ///
-    /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet already),
-    /// [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and
+    /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet
+    /// already), [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and
     /// [`ErrorKind::NotGuarded`] (too few packets have come to know their period).
     ///
     /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that uses up
-    /// the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and from each set-point on it lands within
-    /// the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is faster is refused, with
-    /// that speed as the limit ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where
-    /// packets stay away for three of their periods, 100 ms at least.
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that
+    /// uses up the overtravel in the time for which it goes on unbraked and 0.1 s (ours), and from each set-point on it
+    /// lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is
+    /// faster is refused, with that speed as the limit
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away
+    /// for three of their periods, 100 ms at least.
     pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
         self.guard = Some(guard.into());
         self
@@ -107,15 +109,18 @@ impl StreamConfig {
     }
 }
 
-/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from [`Robot::stream`](crate::Robot::stream).
+/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from
+/// [`Robot::stream`](crate::Robot::stream).
 ///
-/// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of [`StreamConfig::dynamics`] and the robot's
-/// limits, whatever the targets are and however often they change, and sends it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
+/// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of
+/// [`StreamConfig::dynamics`] and the robot's limits, whatever the targets are and however often they change, and sends
+/// it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
 ///
-/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known,
-/// joints that do not follow their set-points. After a set-point that is three periods late at speed nothing brakes.
-/// What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm is braked within the jerks, too.
-/// If this thread is held up, the stream goes on: a velocity ends after the time for which it was given.
+/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a
+/// status that is no longer known, joints that do not follow their set-points. After a set-point that is three periods
+/// late at speed nothing brakes. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
+/// is braked within the jerks, too. If this thread is held up, the stream goes on: a velocity ends after the time for
+/// which it was given.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -146,7 +151,7 @@ pub struct Stream<'r> {
 impl<'r> Stream<'r> {
     /// Begins a stream in a thread of its own.
     pub(crate) fn begin(led: Led<'r>, config: &StreamConfig) -> Result<Self, Error> {
-        let guard = config.guard.as_ref().map(|guard| SetPointGuard::new(led.arm, guard)).transpose()?;
+        let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;
         let config = config.clone();
         let work = move |lent: &mut LentArm, begun: &_| cycle::run(lent, &config, guard.as_ref(), begun);

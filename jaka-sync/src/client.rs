@@ -23,8 +23,8 @@ use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 /// Each method sends one command and waits for its reply. A command that the controller refuses is an error, with the
 /// controller's code and message. A motion that was accepted has only begun.
 ///
-/// The command port serves one client. Dropping the client closes the connection, even if stop handles still exist, and leaves the
-/// robot as it is: motions that were accepted go on, and can only be stopped through a new connection.
+/// The command port serves one client. Dropping the client closes the connection, even if stop handles still exist, and
+/// leaves the robot as it is: motions that were accepted go on, and can only be stopped through a new connection.
 ///
 /// ```no_run
 /// use jaka_sync::Client;
@@ -76,7 +76,8 @@ impl Client {
     ///
     /// One request of a connection is on its way to the controller at a time: a handle that sends much keeps the others
     /// waiting for as long as the network takes it. Replies reach the handle that has asked. The first client owns the
-    /// connection: its drop closes it for all handles, whose calls fail then; the drop of another handle closes nothing.
+    /// connection: its drop closes it for all handles, whose calls fail then; the drop of another handle closes
+    /// nothing.
     ///
     /// While a servo session, a stream or a trajectory of jaka-robot leads the arm, only outputs, short queries and
     /// `stop_program` (4.23) pass by other handles than its own: all else is [`ErrorKind::KeptBack`].
@@ -222,8 +223,8 @@ impl Client {
         Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
     }
 
-    /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware does not have,
-    /// according to the spec, is refused before it is sent.
+    /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware
+    /// does not have, according to the spec, is refused before it is sent.
     ///
     /// By default, firmware is not checked. Raw calls and stop handles are never checked.
     ///
@@ -235,8 +236,8 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is not a version.
-    /// The checks then stay as they were.
+    /// As [`call`](Self::call); [`UnexpectedReply`](ErrorKind::UnexpectedReply) with the controller's text if that is
+    /// not a version. The checks then stay as they were.
     pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
         let text = self.call(&GetVersion::new())?.version;
         let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
@@ -246,7 +247,8 @@ impl Client {
         Ok(firmware)
     }
 
-    /// Sets the firmware that requests are checked against, without asking the controller; `None` turns these checks off.
+    /// Sets the firmware that requests are checked against, without asking the controller; `None` turns these checks
+    /// off.
     pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
         self.firmware = firmware;
     }
@@ -268,9 +270,9 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `parameters` is something else, or has a
-    /// `cmdName` of its own; [`UnexpectedReply`](ErrorKind::UnexpectedReply) if the reply is accepted but not JSON throughout, or a
-    /// key comes twice in it.
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `parameters` is something else, or
+    /// has a `cmdName` of its own; [`UnexpectedReply`](ErrorKind::UnexpectedReply) if the reply is accepted but not
+    /// JSON throughout, or a key comes twice in it.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
         let outgoing = Outgoing::named(
@@ -286,13 +288,15 @@ impl Client {
         found.map_err(|source| self.link.attach(unexpected(command, source)))
     }
 
-    /// Sends a request unchanged, byte for byte, and returns the text of its reply, with `\udcNN` for each byte that is not UTF-8.
+    /// Sends a request unchanged, byte for byte, and returns the text of its reply, with `\udcNN` for each byte that is
+    /// not UTF-8.
     ///
-    /// `request` is a JSON object with a `cmdName`; nothing else is checked. For programs that write requests without this crate's
-    /// types, such as a command line or the replay of a log.
+    /// `request` is a JSON object with a `cmdName`; nothing else is checked. For programs that write requests without
+    /// this crate's types, such as a command line or the replay of a log.
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `request` is not a JSON object or has no `cmdName`.
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `request` is not a JSON object or
+    /// has no `cmdName`.
     pub fn call_text(&mut self, request: &str, timeout: Duration) -> Result<&str, Error> {
         let envelope = Envelope::read(request);
         let command = envelope.as_ref().ok().and_then(|envelope| envelope.command.as_deref());
@@ -306,8 +310,8 @@ impl Client {
         Ok(&self.reply)
     }
 
-    /// The text of the last reply, as it came, even if it was a refusal or does not fit the spec; with `\udcNN` for each byte that is
-    /// not UTF-8.
+    /// The text of the last reply, as it came, even if it was a refusal or does not fit the spec; with `\udcNN` for
+    /// each byte that is not UTF-8.
     pub fn last_reply(&self) -> Option<&str> {
         (!self.reply.is_empty()).then_some(&*self.reply)
     }
@@ -318,7 +322,8 @@ impl Client {
         self.config.reply_timeout
     }
 
-    /// What broke the connection, if something did: also if the controller has ended it by now, and no call has noticed.
+    /// What broke the connection, if something did: also if the controller has ended it by now, and no call has
+    /// noticed.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.link.lost()
     }

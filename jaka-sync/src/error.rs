@@ -68,8 +68,8 @@ jaka_proto::worded! {
             /// The controller's own words.
             refusal: Refusal,
         } => "{refusal}",
-        /// The command of another handle ([`Client::try_clone`](crate::Client::try_clone)) was kept back, because a part of
-        /// the program has the connection for itself. It did not run.
+        /// The command of another handle ([`Client::try_clone`](crate::Client::try_clone)) was kept back, because a
+        /// part of the program has the connection for itself. It did not run.
         KeptBack {
             /// `cmdName` of the command.
             command: String,

@@ -1,8 +1,8 @@
 //! The command connection, shared between a client and its stop handles.
 //!
-//! One thread at a time has the turn to send, and enters what it sends into the exchange before: so the exchange has the order of the
-//! wire. The first thread that waits for a reply reads the socket for all; others sleep meanwhile. No thread holds the state's lock
-//! while the socket may keep it waiting.
+//! One thread at a time has the turn to send, and enters what it sends into the exchange before: so the exchange has
+//! the order of the wire. The first thread that waits for a reply reads the socket for all; others sleep meanwhile. No
+//! thread holds the state's lock while the socket may keep it waiting.
 
 mod failure;
 mod halves;
@@ -67,7 +67,8 @@ pub struct Link {
     pub clock: Clock,
     /// How long a command may take to go out if no time for its reply is given.
     reply_timeout: Duration,
-    /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection broke.
+    /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection
+    /// broke.
     state: Watched<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
@@ -128,8 +129,8 @@ impl Link {
         self.state.lock().broken.clone()
     }
 
-    /// The same, also if the controller has ended the connection and nothing has read that yet: one system call, for who waits for packets while
-    /// nothing is outstanding.
+    /// The same, also if the controller has ended the connection and nothing has read that yet: one system call, for
+    /// who waits for packets while nothing is outstanding.
     pub fn lost(&self) -> Option<Arc<Disconnect>> {
         let mut state = self.state.lock();
         if let Err(cause) = self.notice_end(&mut state) {
@@ -191,7 +192,8 @@ impl Link {
         self.tap.attach(error)
     }
 
-    /// Sends a command and waits for its reply, puts the reply's text into `text`, and has `reader` read it. A refusal is an error.
+    /// Sends a command and waits for its reply, puts the reply's text into `text`, and has `reader` read it. A refusal
+    /// is an error.
     pub(crate) fn call<R>(
         &self,
         outgoing: &Outgoing<'_>,
@@ -224,8 +226,8 @@ impl Link {
         Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
     }
 
-    /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted commands
-    /// are outstanding. `write` writes the request with an index.
+    /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted
+    /// commands are outstanding. `write` writes the request with an index.
     pub(crate) fn post<R>(
         &self,
         (command, by): (&'static str, Handle),

@@ -32,7 +32,8 @@ use crate::socket::Socket;
 use crate::sync::{MutexGuard, Watched};
 use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
-/// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that wait for a state.
+/// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that
+/// wait for a state.
 ///
 /// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type, made by
 /// [`status_subset!`](crate::status_subset) or with a [`Decode`] of your own, so that no more is decoded than is used.
@@ -47,9 +48,9 @@ use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///
-/// The reader never falls behind: packets that come faster than they are used are dropped, and the newest is kept. Several
-/// monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its thread, which takes up to
-/// [`Config::connect_timeout`] if it is just reconnecting.
+/// The reader never falls behind: packets that come faster than they are used are dropped, and the newest is kept.
+/// Several monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its
+/// thread, which takes up to [`Config::connect_timeout`] if it is just reconnecting.
 #[derive(Debug)]
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
@@ -252,7 +253,8 @@ impl<S: 'static> Monitor<S> {
         state.tap.attach(kind.into())
     }
 
-    /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and counted.
+    /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and
+    /// counted.
     ///
     /// Packets that [may be old](Snapshot::follows_silence) come, too, and say so.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
@@ -268,7 +270,8 @@ impl<S: 'static> Monitor<S> {
 
     /// Calls `call` with every packet from now on, on the monitor's own thread, until it returns `Break`.
     ///
-    /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor goes on.
+    /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor goes
+    /// on.
     pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.users.push(Box::new(call));
     }

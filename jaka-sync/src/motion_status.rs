@@ -11,9 +11,9 @@ use crate::Snapshot;
 /// Status packets by which a robot can tell how a motion goes: the built-in type, and the one of a
 /// [pack](crate::pack!) that changes the packet.
 ///
-/// The `RobotStatus` of a pack's module implements it, unless the pack gives another type in Rust to a field that a robot needs. Another
-/// key, or truth values written in another form, are not another type. Where it is not implemented, implement it: say what the packet
-/// means in terms of the built-in type.
+/// The `RobotStatus` of a pack's module implements it, unless the pack gives another type in Rust to a field that a
+/// robot needs. Another key, or truth values written in another form, are not another type. Where it is not
+/// implemented, implement it: say what the packet means in terms of the built-in type.
 ///
 /// ```no_run
 /// use jaka_sync::status::RobotStatus;
@@ -33,15 +33,16 @@ use crate::Snapshot;
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type.
     ///
-    /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is shown. What
-    /// does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot be read, and
-    /// motions are kept back until `jaka_robot::Robot::acknowledge`.
+    /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is
+    /// shown. What does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet
+    /// counts as one that cannot be read, and motions are kept back until `jaka_robot::Robot::acknowledge`.
     ///
-    /// Called for each packet and robot on the monitor's thread, and by `Robot::power_up`: a slow implementation holds packets up.
+    /// Called for each packet and robot on the monitor's thread, and by `Robot::power_up`: a slow implementation holds
+    /// packets up.
     fn robot_status(&self) -> RobotStatus;
 
-    /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come, and the packet as a whole
-    /// does not fit.
+    /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come,
+    /// and the packet as a whole does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
         let Snapshot { status, received, number, unfit, follows_silence, clock } = &**snapshot;

@@ -21,14 +21,15 @@ pub struct Snapshot<S = RobotStatus> {
     pub received: Instant,
     /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
     pub number: u64,
-    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they are absent in
-    /// [`status`](Self::status). Usually none.
+    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they
+    /// are absent in [`status`](Self::status). Usually none.
     pub unfit: Vec<DecodeError>,
-    /// True if the packet came within 100 ms after a silence longer than [`Config::stale_after`](crate::Config::stale_after): a network that
-    /// stalled delivers what it had held back, so the controller may have written the packet at any time of the
-    /// silence.
+    /// True if the packet came within 100 ms after a silence longer than
+    /// [`Config::stale_after`](crate::Config::stale_after): a network that stalled delivers what it had held back, so
+    /// the controller may have written the packet at any time of the silence.
     ///
-    /// [`Monitor::wait_until`](crate::Monitor::wait_until) and [`Monitor::next_packet`](crate::Monitor::next_packet) pass over such packets, and no motion goes out by them.
+    /// [`Monitor::wait_until`](crate::Monitor::wait_until) and [`Monitor::next_packet`](crate::Monitor::next_packet)
+    /// pass over such packets, and no motion goes out by them.
     pub follows_silence: bool,
     pub(crate) clock: Clock,
 }
@@ -68,7 +69,8 @@ impl<S> Snapshot<S> {
 }
 
 impl<S> Snapshot<S> {
-    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its value is unknown.
+    /// True if the packet has this field of [`RobotStatus`], by its name there, but in a form that does not fit: its
+    /// value is unknown.
     ///
     /// ```no_run
     /// # let monitor = jaka_sync::Monitor::connect("10.5.5.100")?;

@@ -1,7 +1,7 @@
 //! State that threads share, by the locks and signals of std; in tests with `--cfg shuttle` by those of shuttle.
 //!
-//! The tests of jaka-robot with `--cfg shuttle` include this file, too: shuttle would be in the lock files of all users if
-//! it were a dependency of this library.
+//! The tests of jaka-robot with `--cfg shuttle` include this file, too: shuttle would be in the lock files of all users
+//! if it were a dependency of this library.
 
 use std::sync::PoisonError;
 use std::sync::TryLockError;
@@ -41,7 +41,8 @@ impl Wakeup {
         Self { signal: Signal::new(clock), sleepers: AtomicUsize::new(0) }
     }
 
-    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
+    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system
+    /// call.
     pub fn wake(&self) {
         if self.sleepers() > 0 {
             self.signal.notify_all();
@@ -114,13 +115,15 @@ impl<T> Watched<T> {
         }
     }
 
-    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system call.
+    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system
+    /// call.
     pub fn wake(&self) {
         self.changed.wake();
     }
 }
 
-/// Locks what is only read and changed, each change made whole before the lock is left: after a panic it can be used on.
+/// Locks what is only read and changed, each change made whole before the lock is left: after a panic it can be used
+/// on.
 #[allow(unused_qualifications, reason = "with shuttle the other locks of this file are its own")]
 pub fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

@@ -1,4 +1,5 @@
-//! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing begins.
+//! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing
+//! begins.
 
 use std::sync::LazyLock;
 

@@ -1,5 +1,6 @@
-//! Does one thing a number of times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where WHAT is `call` for
-//! calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points without a cycle.
+//! Does one thing a number of times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where
+//! WHAT is `call` for calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points
+//! without a cycle.
 
 use std::error::Error;
 use std::time::Duration;
@@ -44,7 +45,8 @@ fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>>
     let monitor: Monitor = Monitor::connect_with(&Config::new(), status)?;
     let mut robot = Robot::new(Client::connect(commands)?, monitor);
     robot.configure(&RobotConfig::new().allow_motion_without_status())?;
-    // It spins, so that it is not asleep when the cycle is due; and the arm is not held at the end, so that all set-points are counted.
+    // It spins, so that it is not asleep when the cycle is due; and the arm is not held at the end, so that all
+    // set-points are counted.
     let config = ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(Duration::from_millis(8));
     let config = config.rest_timeout(Duration::ZERO);
     let mut session = robot.enter_servo_mode(&config)?;

@@ -23,9 +23,9 @@ is not \"safe\".";
 
 /// Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
 ///
-/// Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it sends queries, and
-/// reads status packets for a second. The command port serves one client: another program that is connected there may be
-/// disconnected, so this asks first.
+/// Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it
+/// sends queries, and reads status packets for a second. The command port serves one client: another program that is
+/// connected there may be disconnected, so this asks first.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Check {

@@ -9,10 +9,11 @@ use crate::checker::Checker;
 pub struct Overtravel {
     /// The trajectory time of the contact, in seconds.
     pub time_s: f64,
-    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking takes longer than 0.5 s and the rest of the
-    /// trajectory is longer than what is allowed.
+    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking
+    /// takes longer than 0.5 s and the rest of the trajectory is longer than what is allowed.
     pub way_mm: f64,
-    /// For how long of that it is not braked yet, in seconds: the delay, rounded up to periods, and one more, since the contact can come at any moment of one.
+    /// For how long of that it is not braked yet, in seconds: the delay, rounded up to periods, and one more, since the
+    /// contact can come at any moment of one.
     pub unbraked_s: f64,
     /// Its greatest speed on that way, as mean over a period, in mm/s.
     pub speed_mm_s: f64,
@@ -26,17 +27,21 @@ const LONGEST_S: f64 = 0.5;
 const TOGETHER: usize = 16;
 /// For how many periods of braking that is tried.
 const AHEAD: [usize; 3] = [2, 12, 64];
-/// By what share of itself [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a speed or an acceleration too high.
+/// By what share of itself [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a
+/// speed or an acceleration too high.
 const PEAK: f64 = 1e-4;
 
 impl Follower {
-    /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further than `allowed_mm`; none otherwise.
+    /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further
+    /// than `allowed_mm`; none otherwise.
     ///
-    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is computed is at the rate 1, which is the
-    /// most: at a lower one, also one that goes up or down meanwhile, the tool has gone less far when it is braked, and rests sooner. Where the tool goes on further than is
-    /// allowed before it is braked at all, the place at which that is the furthest is told.
+    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is
+    /// computed is at the rate 1, which is the most: at a lower one, also one that goes up or down meanwhile, the tool
+    /// has gone less far when it is braked, and rests sooner. Where the tool goes on further than is allowed before it
+    /// is braked at all, the place at which that is the furthest is told.
     ///
-    /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It allocates a number for each.
+    /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It
+    /// allocates a number for each.
     pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
         let ways = Ways { ways_mm: self.ways_mm(checker), unbraked: self.periods(delay_s).saturating_add(1) };
         let unbraked = ways.contacts().map(|contact| (contact, ways.between(contact, ways.braked_from(contact))));
@@ -49,7 +54,8 @@ impl Follower {
         Some(self.told(&ways, contact, way_mm))
     }
 
-    /// The contact after which the tool goes on the furthest until it rests, and how far, if that is further than is allowed.
+    /// The contact after which the tool goes on the furthest until it rests, and how far, if that is further than is
+    /// allowed.
     fn furthest_braked(&self, ways: &Ways, allowed_mm: f64) -> Option<(usize, f64)> {
         let (contacts, mut worst) = (ways.contacts(), None);
         for first in contacts.clone().step_by(TOGETHER) {
@@ -66,8 +72,8 @@ impl Follower {
         worst
     }
 
-    /// How many periods of the trajectory it goes on for at most where it is braked after any of these set-points, if that is known: in each one the rate falls by as
-    /// much as it may all the while.
+    /// How many periods of the trajectory it goes on for at most where it is braked after any of these set-points, if
+    /// that is known: in each one the rate falls by as much as it may all the while.
     fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
         let limits = self.trajectory.joint_accelerations();
         if (0..6).any(|joint| self.accelerations[joint] < limits[joint]) {
@@ -157,7 +163,8 @@ struct Ways {
 }
 
 impl Ways {
-    /// The set-points after which something can be touched; without those at the end, after which less of the way is left than after these.
+    /// The set-points after which something can be touched; without those at the end, after which less of the way is
+    /// left than after these.
     fn contacts(&self) -> std::ops::Range<usize> {
         0..self.last().saturating_sub(self.unbraked) + 1
     }

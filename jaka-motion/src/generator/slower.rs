@@ -13,9 +13,11 @@ const BISECTIONS: u32 = 8;
 const TRIES: u32 = 3;
 
 impl Generator {
-    /// The states on the way from as fast as before, or from braking where that is too fast already, to the proposed ones: about the furthest that the tool may get to.
+    /// The states on the way from as fast as before, or from braking where that is too fast already, to the proposed
+    /// ones: about the furthest that the tool may get to.
     ///
-    /// The jerks that lead there are means of those of both ends, and so are accelerations and speeds: they keep their limits.
+    /// The jerks that lead there are means of those of both ends, and so are accelerations and speeds: they keep their
+    /// limits.
     pub(super) fn slower(&self, proposed: &[JointState; 6]) -> [JointState; 6] {
         let coasted = self.coasted();
         let base = if self.may_be(&coasted) { coasted } else { self.stops().map(|stop| stop.at(self.period_s)) };
@@ -55,7 +57,8 @@ impl Generator {
         next.iter().zip(&self.limits).all(|(state, limits)| state.is_within(*limits)) && self.check(next).is_ok()
     }
 
-    /// Whether the tool is slow enough, as far as a few places tell, on the way to these states and where it goes on as fast from there, so that it can.
+    /// Whether the tool is slow enough, as far as a few places tell, on the way to these states and where it goes on as
+    /// fast from there, so that it can.
     fn seems_slow(&self, next: &[JointState; 6]) -> bool {
         let ramp_s = self.ramp_s(next);
         let settled = next.map(|state| state.coasted(ramp_s, ramp_s));

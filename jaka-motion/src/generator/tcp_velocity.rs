@@ -7,7 +7,8 @@ use crate::velocity::TcpVelocity;
 
 /// Of the speeds, what is asked for at most.
 const USED: f64 = 0.99;
-/// Of accelerations and jerks, what slowing in front of a limit counts on: the rest is for how the joints' speeds change on the tool's way.
+/// Of accelerations and jerks, what slowing in front of a limit counts on: the rest is for how the joints' speeds
+/// change on the tool's way.
 const COUNTED_ON: f64 = 0.5;
 /// In how many periods what is left of the way in front of a limit is done at most.
 const CREEP_PERIODS: f64 = 10.0;

@@ -15,7 +15,8 @@ const CUT: f64 = 0.8;
 pub(super) struct ToolPace {
     /// How much of the rates.
     pub(super) share: f64,
-    /// Limits of the joints for that, in proportion to the rates, so that all joints do the same at a time: a straight way stays straight.
+    /// Limits of the joints for that, in proportion to the rates, so that all joints do the same at a time: a straight
+    /// way stays straight.
     pub(super) limits: [JointLimits; 6],
     /// What allows no more, unless it is the reserve alone.
     pub(super) exceeded: Option<Exceeded>,
@@ -48,7 +49,8 @@ impl Generator {
         })
     }
 
-    /// How far the tool goes in a period at this share of the rates, and then until it rests, in mm; 0 where that does not matter.
+    /// How far the tool goes in a period at this share of the rates, and then until it rests, in mm; 0 where that does
+    /// not matter.
     fn way_to_rest(&self, rates: &[f64; 6], share: f64, rate_mm: f64) -> f64 {
         if self.stopping_mm.is_infinite() {
             return 0.0;

@@ -11,7 +11,8 @@ use crate::text_file::nearest;
 impl Limits {
     /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
     ///
-    /// Units are part of the keys. All but `model` may be left out, and a number in place of a list is for all six joints.
+    /// Units are part of the keys. All but `model` may be left out, and a number in place of a list is for all six
+    /// joints.
     ///
     /// ```
     /// use jaka_motion::Limits;

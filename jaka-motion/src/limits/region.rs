@@ -9,9 +9,9 @@ use crate::model::Point;
 
 /// Where a point of the arm may be: inside a box, outside of one, or on one side of a plane.
 ///
-/// Unless it says otherwise, it is for the tool centre point, seen from the user frame. How far a point is beyond a box is
-/// counted along the box's axes: outside of a box to be kept inside of, the longest way along one of them; inside of one to be kept
-/// outside of, the shortest.
+/// Unless it says otherwise, it is for the tool centre point, seen from the user frame. How far a point is beyond a box
+/// is counted along the box's axes: outside of a box to be kept inside of, the longest way along one of them; inside of
+/// one to be kept outside of, the shortest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
     name: Arc<str>,
@@ -56,8 +56,8 @@ impl Region {
         Self::boxed(name.into(), min_mm, max_mm, THINNEST, |min, max| Shape::Outside { min, max })
     }
 
-    /// On the side of a plane to which a direction points; the plane goes through a point, in mm, at right angles to the
-    /// direction.
+    /// On the side of a plane to which a direction points; the plane goes through a point, in mm, at right angles to
+    /// the direction.
     ///
     /// # Errors
     /// A number is not finite, the direction has no length, or the name is empty.
@@ -135,8 +135,8 @@ impl Region {
 
     /// Where a straight way between two points is in the midst of a box to be kept outside of, as a share of the way.
     ///
-    /// The box is smaller by `depth` mm on each side, and by a quarter of its thinnest side or half a millimetre, so that a way
-    /// along a side does not count.
+    /// The box is smaller by `depth` mm on each side, and by a quarter of its thinnest side or half a millimetre, so
+    /// that a way along a side does not count.
     pub(crate) fn crossed(&self, from: &Point3<f64>, to: &Point3<f64>, depth: f64) -> Option<f64> {
         let Shape::Outside { min, max } = &self.shape else { return None };
         let less = depth + (0.25 * (max - min).min()).min(0.5);

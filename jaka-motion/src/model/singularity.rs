@@ -6,15 +6,16 @@ use nalgebra::{Isometry3, Matrix6, Vector3};
 use super::Model;
 use crate::links::jacobian;
 
-/// How far joint positions are from a singularity, where the tool cannot be moved or turned in some direction, and near which
-/// a slow motion of the tool takes a fast one of the joints.
+/// How far joint positions are from a singularity, where the tool cannot be moved or turned in some direction, and near
+/// which a slow motion of the tool takes a fast one of the joints.
 ///
 /// Each number is zero at a singularity and has no unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SingularityDistance {
-    /// How far the wrist, where the axes of joints 5 and 6 meet, is from the plane through the axis of joint 1 that is parallel to the axis of
-    /// joint 2, divided by [`Model::reach_mm`]. It is zero where the wrist is above the shoulder.
+    /// How far the wrist, where the axes of joints 5 and 6 meet, is from the plane through the axis of joint 1 that is
+    /// parallel to the axis of joint 2, divided by [`Model::reach_mm`]. It is zero where the wrist is above the
+    /// shoulder.
     pub shoulder: f64,
     /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
     pub elbow: f64,
@@ -53,8 +54,8 @@ impl Singularity {
 const ROUNDS: usize = 200;
 
 impl Model {
-    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions that are
-    /// not finite.
+    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions
+    /// that are not finite.
     ///
     /// ```
     /// use jaka_motion::Model;
@@ -92,7 +93,8 @@ impl Model {
     }
 }
 
-/// NaN for a matrix that is not finite, on which the search would not end; zero, as at a singularity, where it does not.
+/// NaN for a matrix that is not finite, on which the search would not end; zero, as at a singularity, where it does
+/// not.
 fn smallest_singular_value(matrix: &Matrix6<f64>) -> f64 {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return f64::NAN;

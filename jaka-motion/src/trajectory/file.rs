@@ -25,9 +25,11 @@ impl Report<'_> {
 impl TimedPoint {
     /// The points of a CSV text; `file_name` is what errors name.
     ///
-    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg` to `joint_6_deg`, or `joint_1_rad`
-    /// and so on; and if they are given `velocity_1_deg_s` or `velocity_1_rad_s`, and `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is
-    /// a point. Numbers are separated by commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times increase.
+    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
+    /// to `joint_6_deg`, or `joint_1_rad` and so on; and if they are given `velocity_1_deg_s` or `velocity_1_rad_s`,
+    /// and `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
+    /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
+    /// increase.
     ///
     /// ```
     /// use jaka_motion::TimedPoint;
@@ -61,8 +63,9 @@ impl TimedPoint {
 
     /// The points of a JSON text; `file_name` is what errors name.
     ///
-    /// An object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or `joints_rad`, a list of six numbers; and if they are given `velocity_deg_s`
-    /// or `velocity_rad_s`, and `acceleration_deg_s2` or `acceleration_rad_s2`. All points have the same. The first time is 0, and times increase.
+    /// An object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or `joints_rad`, a
+    /// list of six numbers; and if they are given `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2` or
+    /// `acceleration_rad_s2`. All points have the same. The first time is 0, and times increase.
     ///
     /// ```
     /// use jaka_motion::TimedPoint;

@@ -53,7 +53,8 @@ pub(super) struct Survey {
 
 /// The share of accelerations and jerks for the bends of the joints' ways along a line.
 const CURVING: f64 = 0.3;
-/// A corner's way is this many times how far it is from the point, where the directions differ by 1: its speeds go as `3x² - 2x³`.
+/// A corner's way is this many times how far it is from the point, where the directions differ by 1: its speeds go as
+/// `3x² - 2x³`.
 const CORNER_WAY: f64 = 32.0 / 3.0;
 /// Directions that differ by less than this are one.
 const STRAIGHT_ON: f64 = 1e-9;
@@ -61,7 +62,8 @@ const STRAIGHT_ON: f64 = 1e-9;
 const TURNS_BACK: f64 = -0.9986;
 /// How far apart places on a line are at which its speed is limited, in the unit of its length.
 const PLACES: f64 = 25.0;
-/// How far apart places on a way in joint space are at which the speed of the tool centre point is looked at, in degrees.
+/// How far apart places on a way in joint space are at which the speed of the tool centre point is looked at, in
+/// degrees.
 const TCP_PLACES: f64 = 10.0;
 
 impl Leg {
@@ -108,8 +110,8 @@ impl Leg {
         Survey { bounds, ends: ends.map(Option::unwrap_or_default) }
     }
 
-    /// How the corner to the next leg may be rounded, for what was found of both: not at all where a line meets a way in joints, or where the way
-    /// turns back.
+    /// How the corner to the next leg may be rounded, for what was found of both: not at all where a line meets a way
+    /// in joints, or where the way turns back.
     pub(super) fn corner(&self, next: &Self, found: [&Survey; 2], tolerances: &Tolerances, budget: &Budget) -> Corner {
         let (way, share, cosine) = match (&self.way, &next.way) {
             (Way::Joints(before), Way::Joints(after)) => {

@@ -6,7 +6,8 @@ use super::tool_way::{Course, Direction, OFF_WAY, in_steps, is_off_at_most, leas
 use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
 
-/// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it takes.
+/// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it
+/// takes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
     /// The tool at the start.
@@ -30,8 +31,8 @@ const MOST_PARTS: usize = 50_000;
 const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
 
 impl Line {
-    /// From where the arm is, in parts that are no shorter than the least where it can be, and where it is at the end; none where the joints are not found all
-    /// along.
+    /// From where the arm is, in parts that are no shorter than the least where it can be, and where it is at the end;
+    /// none where the joints are not found all along.
     pub(super) fn new(
         checker: &Checker,
         start: &Solved,
@@ -53,7 +54,8 @@ impl Line {
         Some((line, here))
     }
 
-    /// Whether the joints surely keep apart from singularities on pieces around its start, which is no further from them than they are long.
+    /// Whether the joints surely keep apart from singularities on pieces around its start, which is no further from
+    /// them than they are long.
     pub(super) fn is_apart_all_along(&self, checker: &Checker, pieces: &[Piece]) -> bool {
         let turned: [f64; 6] = std::array::from_fn(|joint| {
             let seconds: f64 = pieces.iter().map(|piece| piece.seconds * piece.hull().speeds[joint]).sum();
@@ -80,7 +82,8 @@ impl Line {
         }
     }
 
-    /// Adds the pieces that lead the tool along a course in so many seconds, from where it is; where it then is. None where they are too short.
+    /// Adds the pieces that lead the tool along a course in so many seconds, from where it is; where it then is. None
+    /// where they are too short.
     pub(super) fn follow(
         &self,
         arm: &Arm,
@@ -109,7 +112,8 @@ impl Line {
         Some(here)
     }
 
-    /// Whether joints bring the tool to a way of the line, as near as a piece has to: those that are near to the line's own surely do.
+    /// Whether joints bring the tool to a way of the line, as near as a piece has to: those that are near to the line's
+    /// own surely do.
     fn is_at(&self, arm: &Arm, way: f64, joints: &[f64; 6]) -> bool {
         let (part, share) = self.place(way);
         let own = part.joints(share);

@@ -16,25 +16,28 @@ use crate::pace::TcpPace;
 pub enum Via {
     /// Straight in joint space to joint positions.
     Joints(JointPosition),
-    /// On a straight line of the tool centre point to a pose of the tool in the user frame. The tool turns evenly, and the joints stay on
-    /// their branch.
+    /// On a straight line of the tool centre point to a pose of the tool in the user frame. The tool turns evenly, and
+    /// the joints stay on their branch.
     Line(Pose),
 }
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
-/// It starts at the first point, which is joint positions, and ends at the last one, at rest. At the points between it goes on, rounding each corner
-/// within the tolerance that is named for it, and stops where none is named, where a line meets a way in joints, and where the way turns back (by more than
-/// 177 degrees). Points nearer to each other than
-/// a millionth of a degree or millimetre count as one.
+/// It starts at the first point, which is joint positions, and ends at the last one, at rest. At the points between it
+/// goes on, rounding each corner within the tolerance that is named for it, and stops where none is named, where a line
+/// meets a way in joints, and where the way turns back (by more than 177 degrees). Points nearer to each other than a
+/// millionth of a degree or millimetre count as one.
 ///
 /// # Timing
-/// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds change with a continuous acceleration and a
-/// limited jerk. Of each joint's acceleration [`ACCELERATION_SHARE`](Self::ACCELERATION_SHARE) is planned, and as much of its jerk; the rest is for those who follow the
-/// trajectory at a rate that changes. Of the highest speed of the tool centre point it is [`TCP_SHARE`](Self::TCP_SHARE).
+/// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds
+/// change with a continuous acceleration and a limited jerk. Of each joint's acceleration
+/// [`ACCELERATION_SHARE`](Self::ACCELERATION_SHARE) is planned, and as much of its jerk; the rest is for those who
+/// follow the trajectory at a rate that changes. Of the highest speed of the tool centre point it is
+/// [`TCP_SHARE`](Self::TCP_SHARE).
 ///
 /// # Lines
-/// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of corners. A line takes a piece for each 50 mm or less.
+/// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
+/// corners. A line takes a piece for each 50 mm or less.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "nothing is planned before it is built"]
 pub struct Through {
@@ -45,7 +48,8 @@ pub struct Through {
     jerks: Option<[f64; 6]>,
 }
 
-/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no source has jerks of these arms.
+/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no
+/// source has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
 /// The least speed and jerk: a joint that is slower takes hours for a turn.
 const SLOWEST: f64 = 1e-3;
@@ -70,20 +74,22 @@ impl Through {
         self
     }
 
-    /// With the tool within so many degrees of its turn at corners of lines that are rounded; [`TURN_DEG`](Self::TURN_DEG) if nothing is said.
+    /// With the tool within so many degrees of its turn at corners of lines that are rounded;
+    /// [`TURN_DEG`](Self::TURN_DEG) if nothing is said.
     pub fn corner_turn_deg(mut self, tolerance: f64) -> Self {
         self.tolerances.turn_deg = tolerance;
         self
     }
 
-    /// With the corners of ways in joints rounded within so many degrees of each joint; 0, as if nothing is said, to stop there.
+    /// With the corners of ways in joints rounded within so many degrees of each joint; 0, as if nothing is said, to
+    /// stop there.
     pub fn corner_deg(mut self, tolerance: f64) -> Self {
         self.tolerances.joint_deg = tolerance;
         self
     }
 
-    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is said, the limits alone decide, and without one of the tool
-    /// centre point those of the joints.
+    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is
+    /// said, the limits alone decide, and without one of the tool centre point those of the joints.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
         self.tcp_speed = mm_s;
         self
@@ -95,7 +101,8 @@ impl Through {
         self
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its acceleration in 0.1 s.
+    /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its
+    /// acceleration in 0.1 s.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.jerks = Some(deg_s3);
         self
@@ -104,8 +111,8 @@ impl Through {
     /// Plans the trajectory, and compares it with an arm's limits.
     ///
     /// # Errors
-    /// What is wrong with the points or settings, or the first place that is beyond a limit. Lines are compared with joint ranges, regions, the arm's reach and
-    /// the least distance from singularities before all else.
+    /// What is wrong with the points or settings, or the first place that is beyond a limit. Lines are compared with
+    /// joint ranges, regions, the arm's reach and the least distance from singularities before all else.
     pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
         self.check_settings()?;
         let budget = self.budget(checker);
@@ -233,7 +240,8 @@ fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
 }
 
 impl Trajectory {
-    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners rounded.
+    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
+    /// rounded.
     ///
     /// ```
     /// use jaka_motion::proto::messages::types::Pose;

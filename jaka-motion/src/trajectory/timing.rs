@@ -14,7 +14,8 @@ use crate::piece::{Piece, Sample};
 
 /// The legs, and how fast they and their corners may be.
 ///
-/// What lines ask of the joints is known once the joints are: legs and corners that ask too much get slower, and all is planned again.
+/// What lines ask of the joints is known once the joints are: legs and corners that ask too much get slower, and all is
+/// planned again.
 #[derive(Debug)]
 pub(super) struct Timing<'a> {
     legs: &'a [Leg],
@@ -205,7 +206,8 @@ impl<'a> Timing<'a> {
     }
 }
 
-/// A piece in joint space, at both ends of which the joints move along a direction with a speed, over these ways along each.
+/// A piece in joint space, at both ends of which the joints move along a direction with a speed, over these ways along
+/// each.
 fn straight(seconds: f64, start: [f64; 6], ends: [(&[f64; 6], f64); 2], ways: [f64; 2]) -> Piece {
     let [(one, _), (other, _)] = ends;
     let moved = std::array::from_fn(|joint| ways[0] * one[joint] + ways[1] * other[joint]);

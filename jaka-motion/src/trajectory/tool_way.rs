@@ -108,7 +108,8 @@ pub(super) fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>
     moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }
 
-/// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it takes not even the least.
+/// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it
+/// takes not even the least.
 pub(super) fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
     let (mut at, mut step) = (0.0, longest);
     while at < end {

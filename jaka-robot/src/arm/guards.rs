@@ -102,8 +102,8 @@ impl Progress {
         Ok(())
     }
 
-    /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where that
-    /// is the reason.
+    /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where
+    /// that is the reason.
     pub(crate) fn shut(&mut self, blind: Option<StatusProblem>) -> bool {
         self.blind = blind;
         self.has_begun

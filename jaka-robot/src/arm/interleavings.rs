@@ -1,4 +1,5 @@
-//! Interleavings of threads that share the state of an arm: each that waits is woken, and no motion passes that must not.
+//! Interleavings of threads that share the state of an arm: each that waits is woken, and no motion passes that must
+//! not.
 //!
 //! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a wake-up that is lost is a deadlock,
 //! which it reports with the schedule that leads to it. No test depends on real time: nothing becomes due or stale.
@@ -282,7 +283,8 @@ struct Notes {
     acknowledged_before: Fact,
     /// The acknowledgement began after the second packet.
     asked_after: Fact,
-    /// A motion passed before the second packet, and after the acknowledgement: it had ended, or the first packet had come.
+    /// A motion passed before the second packet, and after the acknowledgement: it had ended, or the first packet had
+    /// come.
     moved_between: Fact,
 }
 
@@ -349,7 +351,8 @@ fn shown_twice(second: fn(&ArmState), judge: fn(&Notes, &ArmState)) {
 fn no_motion_passes_after_a_packet_with_a_stop_until_it_is_acknowledged() {
     let second = |state: &ArmState| take(state, &shows_emergency_stop(4));
     shown_twice(second, |notes, state| {
-        // Nothing passes while the packet is the newest: it came after the motion, which came after the acknowledgement.
+        // Nothing passes while the packet is the newest: it came after the motion, which came after the
+        // acknowledgement.
         assert!(!notes.moved_between.holds() || !moves(state), "the acknowledgement came before the second packet");
     });
 }
@@ -385,8 +388,8 @@ impl PacketObserver for Trips {
     }
 }
 
-/// As a motion under a guard has it: the gate lets it out, the monitor's thread judges packets, and the guard's own thread
-/// watches.
+/// As a motion under a guard has it: the gate lets it out, the monitor's thread judges packets, and the guard's own
+/// thread watches.
 #[test]
 fn a_trip_keeps_the_motion_back_or_calls_for_its_stop() {
     for take in [take, take_late] {

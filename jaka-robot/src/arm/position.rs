@@ -1,8 +1,8 @@
 //! Where the arm is, by a query that has no deadline of its own.
 //!
-//! At most one is outstanding. The wait that sent it may end before the answer comes; then the next caller waits for that answer. With
-//! a second query of the same name after a timeout, it could be uncertain which of the two was answered; that would break the
-//! connection, on which a stop may have to go out.
+//! At most one is outstanding. The wait that sent it may end before the answer comes; then the next caller waits for
+//! that answer. With a second query of the same name after a timeout, it could be uncertain which of the two was
+//! answered; that would break the connection, on which a stop may have to go out.
 
 use std::mem;
 use std::sync::Arc;
@@ -34,8 +34,8 @@ pub(crate) struct Position {
     reply_timeout: Duration,
     /// The query that has not been answered.
     query: Option<Query>,
-    /// Number of the changes by other handles when a wait saw the arm at rest by the controller's answers, if nothing was
-    /// sent since by this one.
+    /// Number of the changes by other handles when a wait saw the arm at rest by the controller's answers, if nothing
+    /// was sent since by this one.
     rests: Option<u64>,
 }
 
@@ -156,8 +156,8 @@ impl Position {
         Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
     }
 
-    /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent since; `None`
-    /// where the controller does not say it, or the arm moves.
+    /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent
+    /// since; `None` where the controller does not say it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
         if self.rests == Some(self.link.changes_but_of(self.handle)) {
             self.place(quantity, timeout)
@@ -166,7 +166,8 @@ impl Position {
         }
     }
 
-    /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it, or the arm moves.
+    /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it,
+    /// or the arm moves.
     pub(crate) fn place_still_for(
         &mut self,
         quantity: Quantity,

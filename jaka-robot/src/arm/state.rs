@@ -48,8 +48,8 @@ pub(crate) struct ArmState {
 #[derive(Debug)]
 pub(crate) struct Known {
     status: Status,
-    /// What must be acknowledged: a stop that a packet has shown, a lost status, a packet that tells nothing because its own
-    /// type has panicked.
+    /// What must be acknowledged: a stop that a packet has shown, a lost status, a packet that tells nothing because
+    /// its own type has panicked.
     latched: Option<Occurrence>,
     /// Stops of the robot's handles.
     pub(crate) stops: Stops,
@@ -70,7 +70,10 @@ impl ArmState {
         monitor.listen(move |news| take_into::<S>(&weak, news));
         // What came before keeps nothing back by itself, and is known already where packets have come meanwhile.
         monitor.tell_known(|news| match news {
-            StatusNews::Packet { packet, .. } => state.begin_with(S::snapshot(packet)),
+            StatusNews::Packet { packet, .. } => {
+                let packet = S::snapshot(packet);
+                state.lock().status.begin(packet);
+            }
             news => state.take(news),
         });
         state
@@ -90,19 +93,14 @@ impl ArmState {
         Self { known: Watched::new(clock, known), braked: Wakeup::new(clock), stale_after }
     }
 
-    fn begin_with(&self, packet: Arc<Snapshot>) {
-        let mut known = self.lock();
-        known.status.begin(packet);
-    }
-
     /// Takes news of the status port.
     pub(super) fn take<S: MotionStatus>(&self, news: StatusNews<'_, S>) {
         match news {
             StatusNews::Packet { packet, is_newest } => return self.take_packet(&S::snapshot(packet), is_newest),
             StatusNews::Shown => self.judge(),
-            StatusNews::Unreadable(source) => self.lock().status.is_unreadable(source.clone()),
-            StatusNews::Reconnecting => self.lock().status.is_reconnecting(),
-            StatusNews::Ended(cause) => self.lock().status.has_ended(Arc::clone(cause)),
+            StatusNews::Unreadable(source) => self.lock().status.take_unreadable(source.clone()),
+            StatusNews::Reconnecting => self.lock().status.take_reconnecting(),
+            StatusNews::Ended(cause) => self.lock().status.take_end(Arc::clone(cause)),
         }
         self.wake();
     }
@@ -257,8 +255,8 @@ impl ArmState {
         self.fresh_status()
     }
 
-    /// Calls `find` with each newest packet as it comes, and after each [`wake`](Self::wake), until it has found something;
-    /// none after `timeout`, and the cause once the status port has ended.
+    /// Calls `find` with each newest packet as it comes, and after each [`wake`](Self::wake), until it has found
+    /// something; none after `timeout`, and the cause once the status port has ended.
     pub(crate) fn watch<T>(
         &self,
         timeout: Duration,
@@ -339,7 +337,8 @@ impl ArmState {
         self.braked.sleepers()
     }
 
-    /// Takes the answer of the controller to a stop, and wakes the threads in [`watch`](Self::watch) if it has accepted it.
+    /// Takes the answer of the controller to a stop, and wakes the threads in [`watch`](Self::watch) if it has accepted
+    /// it.
     pub(super) fn take_answer(&self, stop: u64, is_accepted: bool) {
         if is_accepted {
             self.lock().stops.take(stop);

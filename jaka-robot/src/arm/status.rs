@@ -37,15 +37,18 @@ impl Status {
         self.newest.replace(packet)
     }
 
-    pub(super) fn is_unreadable(&mut self, source: DecodeError) {
+    /// Takes the reason why the newest packet cannot be decoded.
+    pub(super) fn take_unreadable(&mut self, source: DecodeError) {
         self.unreadable = Some(source);
     }
 
-    pub(super) fn is_reconnecting(&mut self) {
+    /// Takes note of a connection that is being made again.
+    pub(super) fn take_reconnecting(&mut self) {
         self.is_reconnecting = true;
     }
 
-    pub(super) fn has_ended(&mut self, cause: Arc<Disconnect>) {
+    /// Takes the cause of the end of the port.
+    pub(super) fn take_end(&mut self, cause: Arc<Disconnect>) {
         self.ended = Some(cause);
     }
 

@@ -26,7 +26,8 @@ impl Stillness {
         Self { since, held, first: None }
     }
 
-    /// Takes a packet: true if another one before it shows the same joint positions, and these are where the arm is held.
+    /// Takes a packet: true if another one before it shows the same joint positions, and these are where the arm is
+    /// held.
     pub(crate) fn is_seen(&mut self, packet: &Snapshot) -> bool {
         let Some(joints) = packet.status.joint_actual_position.filter(|_| packet.received > self.since) else {
             return false;

@@ -46,11 +46,13 @@ pub(crate) struct Sent {
     pub(crate) accepted: Result<(), Error>,
 }
 
-/// Stops the arm of a [`Robot`](crate::Robot) from another thread, and ends its wait as soon as the controller has accepted the
-/// stop. Unless an [`End`](crate::End) has reported the stop by [`Cause::Stopped`](crate::Cause::Stopped), the next motion is refused until
-/// [`Robot::acknowledge`](crate::Robot::acknowledge). While a stop is on its way, every motion is refused.
+/// Stops the arm of a [`Robot`](crate::Robot) from another thread, and ends its wait as soon as the controller has
+/// accepted the stop. Unless an [`End`](crate::End) has reported the stop by [`Cause::Stopped`](crate::Cause::Stopped),
+/// the next motion is refused until [`Robot::acknowledge`](crate::Robot::acknowledge). While a stop is on its way,
+/// every motion is refused.
 ///
-/// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then fails.
+/// It works as long as its robot lives: dropping the robot closes the connection on which stops go out, and `stop` then
+/// fails.
 ///
 /// This is not an emergency stop: only the robot's own safety functions protect people.
 #[derive(Debug, Clone)]
@@ -67,9 +69,10 @@ impl RobotStop {
 
     /// Sends `stop_program` (4.23), waits until the controller has accepted it, and ends the wait.
     ///
-    /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source says that `stop_program` alone
-    /// ends servo motion. The stop waits for that for 3 s at most, and for six periods at most after the last set-point.
-    /// From the session's own thread it cannot brake; from an observer of the monitor no packet is seen meanwhile.
+    /// A [`ServoSession`](crate::ServoSession) that moves the arm brakes it first, with its next set-points: no source
+    /// says that `stop_program` alone ends servo motion. The stop waits for that for 3 s at most, and for six periods
+    /// at most after the last set-point. From the session's own thread it cannot brake; from an observer of the monitor
+    /// no packet is seen meanwhile.
     ///
     /// # Errors
     /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the

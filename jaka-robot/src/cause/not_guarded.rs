@@ -5,7 +5,8 @@ use std::time::Duration;
 use super::remedy::Remedy;
 
 jaka_proto::worded! {
-    /// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not known.
+    /// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not
+    /// known.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum NotGuarded {
@@ -50,7 +51,8 @@ jaka_proto::worded! {
             "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, \
              and {overtravel_mm} mm are allowed; permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, \
              {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it",
-        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool on further than the overtravel.
+        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool
+        /// on further than the overtravel.
         CannotBrake {
             /// The last way-point before, counted from 1.
             after: usize,
@@ -64,7 +66,8 @@ jaka_proto::worded! {
             "the speed of the tool does not follow from it",
         /// The motion does not say its acceleration, and the limit says nothing of the braking.
         BrakingUnknown => "it does not say with which acceleration, from which the braking follows",
-        /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count then.
+        /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count
+        /// then.
         Moving => "the arm is not at rest, or another motion is waiting",
         /// Too few packets have come in time to know their period.
         PeriodUnknown => "too few status packets have come to know their period",

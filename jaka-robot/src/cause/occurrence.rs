@@ -29,8 +29,8 @@ pub struct Occurrence {
 pub enum Evidence {
     /// None besides the cause itself: a packet, an answer of the controller or this program shows it.
     None,
-    /// Event of the controller that was not reported before; or, of an arm at rest but not at its target, a code that no
-    /// table has. Warnings and information do not end a motion.
+    /// Event of the controller that was not reported before; or, of an arm at rest but not at its target, a code that
+    /// no table has. Warnings and information do not end a motion.
     Event {
         /// The code as the controller writes it, such as `0x0F0034`.
         code: String,

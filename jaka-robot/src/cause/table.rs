@@ -125,8 +125,8 @@ causes! {
 }
 
 impl Cause {
-    /// True for a state of the robot that packets show, or that they show none: under a guard it is told before the stop
-    /// that the guard has sent. Each cause is named, so that a new one does not compile before it is decided.
+    /// True for a state of the robot that packets show, or that they show none: under a guard it is told before the
+    /// stop that the guard has sent. Each cause is named, so that a new one does not compile before it is decided.
     pub(crate) fn is_of_status(self) -> bool {
         match self {
             Self::EmergencyStop

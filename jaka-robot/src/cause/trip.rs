@@ -21,15 +21,16 @@ pub struct GuardTrip {
     pub reason: TripReason,
     /// The packet that tripped it.
     pub packet: Arc<Snapshot>,
-    /// From the arrival of the packet until the stop had been written, for a motion. None where no stop was written: nothing had been sent by then
-    /// ([`is_before_start`](Self::is_before_start)), it could not be written, or a stream landed.
+    /// From the arrival of the packet until the stop had been written, for a motion. None where no stop was written:
+    /// nothing had been sent by then ([`is_before_start`](Self::is_before_start)), it could not be written, or a stream
+    /// landed.
     pub reaction: Option<Duration>,
     /// True if nothing was sent, because the guard had tripped before the motion went out.
     pub is_before_start: bool,
     /// True if the arm was then seen at rest, by two answers of the controller that agree.
     pub is_at_rest: bool,
-    /// Lag of the arm behind its set-points, where the condition that tripped is a [`ForceLimit`](crate::ForceLimit) and
-    /// its reaction is shorter, or perhaps shorter, than the lag: the tool may have gone on for longer than the
+    /// Lag of the arm behind its set-points, where the condition that tripped is a [`ForceLimit`](crate::ForceLimit)
+    /// and its reaction is shorter, or perhaps shorter, than the lag: the tool may have gone on for longer than the
     /// overtravel. Measured in streams and trajectories under such a limit.
     pub lag: Option<LagBeyondReaction>,
 }

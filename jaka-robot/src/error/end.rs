@@ -26,8 +26,8 @@ pub struct End {
     /// the query for the position of a planned motion failed, which is not [reached](Cause::Reached) then.
     pub error: Option<Error>,
     /// Stop that was sent at the end of a motion under a guard, because the guard tripped or because nobody would have
-    /// judged it any longer. An error if the controller has not accepted it: the arm may still move. None where none was
-    /// sent.
+    /// judged it any longer. An error if the controller has not accepted it: the arm may still move. None where none
+    /// was sent.
     pub stop: Option<Result<(), Error>>,
     /// Times, set-points, and how far a trajectory was followed.
     pub report: Report,
@@ -130,12 +130,12 @@ impl End {
         if is_done { Ok(()) } else { Err(Error::not_reached(self)) }
     }
 
-    /// The trip, if the guard has ended the motion, or kept it from being sent, because one of its conditions holds; and
-    /// this as an error otherwise.
+    /// The trip, if the guard has ended the motion, or kept it from being sent, because one of its conditions holds;
+    /// and this as an error otherwise.
     ///
     /// # Errors
-    /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): the motion ended otherwise, a packet could not be judged, or the controller has not
-    /// accepted the stop.
+    /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): the motion ended otherwise, a packet could not be
+    /// judged, or the controller has not accepted the stop.
     pub fn guarded(self) -> Result<Arc<GuardTrip>, Error> {
         let is_stopped = match &self.stop {
             Some(accepted) => accepted.is_ok(),
@@ -178,7 +178,8 @@ impl End {
     }
 }
 
-/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, and whether its arm is at rest.
+/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, and whether its arm is at
+/// rest.
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.error {

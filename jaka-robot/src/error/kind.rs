@@ -25,8 +25,8 @@ jaka_proto::worded! {
         ///
         /// A command that the controller refused is [`Refused`](Self::Refused).
         Connection(error: jaka_sync::Error) => (error.kind().to_string()),
-        /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent; correct
-        /// the option.
+        /// An option of this crate does not take the value that it was given. Nothing that moves the arm was sent;
+        /// correct the option.
         InvalidOption {
             /// Name of the option, such as `step_count`.
             option: &'static str,
@@ -37,8 +37,9 @@ jaka_proto::worded! {
             /// Values that the option takes, in words.
             expected: String,
         } => "option `{option}` of `{of}` is {value}, expected {expected}",
-        /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give the address without a
-        /// port, or both addresses to [`Robot::connect_at`](crate::Robot::connect_at). Nothing was connected to.
+        /// The address of a robot names a port, and a robot has two: 10001 for commands and 10000 for its status. Give
+        /// the address without a port, or both addresses to [`Robot::connect_at`](crate::Robot::connect_at). Nothing
+        /// was connected to.
         PortInAddress {
             /// The address given.
             address: String,
@@ -51,8 +52,8 @@ jaka_proto::worded! {
             /// Why: for a motion of a [`Robot`](crate::Robot), where its status tells it.
             explanation: Option<Explanation>,
         } => (refused(refusal, explanation.as_ref())),
-        /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream or a trajectory of which packets do not show the joints any
-        /// more has landed.
+        /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream
+        /// or a trajectory of which packets do not show the joints any more has landed.
         NotShown {
             /// What was asked, in words.
             what: String,
@@ -73,8 +74,8 @@ jaka_proto::worded! {
             /// What happened.
             occurrence: Occurrence,
         } => "the wait has ended before {what}: {occurrence}",
-        /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more, no stop either. Connect
-        /// again when the robot's state is known.
+        /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more,
+        /// no stop either. Connect again when the robot's state is known.
         CommandsLost {
             /// Where the connection led, with the port.
             address: String,
@@ -83,7 +84,8 @@ jaka_proto::worded! {
             /// What broke the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
-        /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is not known.
+        /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is
+        /// not known.
         NotGuarded {
             /// `cmdName` of the motion.
             command: String,
@@ -100,16 +102,17 @@ jaka_proto::worded! {
             /// Which condition, by which packet, and what followed.
             trip: Arc<GuardTrip>,
         } => (with_fact(trip.cause(), trip.to_string())),
-        /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not accepted: the arm may move, and
-        /// nobody judges the guard.
+        /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not
+        /// accepted: the arm may move, and nobody judges the guard.
         NotStopped {
             /// What failed first.
             first: Error,
             /// Why the stop was not accepted.
             stopping: Error,
         } => (Sequence::new(first, stopping).line(STOP_NOT_ACCEPTED)),
-        /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the status port, or, for a
-        /// program that must do without it, [`RobotConfig::allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status).
+        /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the
+        /// status port, or, for a program that must do without it,
+        /// [`RobotConfig::allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status).
         StatusUnknown {
             /// Why it is not known.
             problem: StatusProblem,
@@ -138,7 +141,8 @@ jaka_proto::worded! {
             /// How far they differ.
             source: jaka_motion::FitError,
         } => "the limits are not those of this robot: its controller computes other poses than their model",
-        /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was sent.
+        /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was
+        /// sent.
         Trajectory {
             /// Which limit, and where: the way-point before, the time, the joint.
             source: jaka_motion::TrajectoryError,
@@ -153,7 +157,8 @@ jaka_proto::worded! {
             /// Where the trajectory has it at the start, in degrees.
             start_deg: f64,
         } => (not_at_start(*joint, *at_deg, *start_deg)),
-        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds it.
+        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds
+        /// it.
         Departed {
             /// The joint, 1 to 6.
             joint: usize,
@@ -171,12 +176,14 @@ jaka_proto::worded! {
             /// Time since it was due.
             late: Duration,
         } => "a set-point was too late, by {late:.1?}: the machine was too busy to send it in time",
-        /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early. Nothing was sent.
+        /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early.
+        /// Nothing was sent.
         Thread {
             /// Why not, in the system's words.
             source: io::Error,
         } => "the system has no thread for this",
-        /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs the feature `realtime`.
+        /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs
+        /// the feature `realtime`.
         RealtimePriority {
             /// The priority that was asked for.
             priority: u8,
@@ -201,8 +208,8 @@ jaka_proto::worded! {
             /// Remedy for what has ended it.
             remedy: Remedy,
         } => "not sent, because the servo session has ended: {because}",
-        /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been acknowledged: see
-        /// [`Robot::acknowledge`](crate::Robot::acknowledge).
+        /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been
+        /// acknowledged: see [`Robot::acknowledge`](crate::Robot::acknowledge).
         NotAcknowledged {
             /// What happened.
             occurrence: Occurrence,
@@ -215,23 +222,24 @@ jaka_proto::worded! {
             /// `cmdName` of the steps that were not sent.
             not_sent: Vec<String>,
         } => (stopped(&named(accepted), &named(not_sent))),
-        /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the connection is
-        /// broken ([`Error::is_disconnected`]), no stop can be sent on it either.
+        /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the
+        /// connection is broken ([`Error::is_disconnected`]), no stop can be sent on it either.
         ServoModeNotLeft {
             /// What failed in the session before; none where only leaving did.
             first: Option<Error>,
             /// Why servo mode could not be left.
             leaving: Error,
         } => (Sequence::new(first.as_ref(), leaving).line(not_left(leaving))),
-        /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last set-point; servo mode was left. The arm
-        /// may not have followed: look at it before you go on.
+        /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last
+        /// set-point; servo mode was left. The arm may not have followed: look at it before you go on.
         RestNotSeen {
             /// What ended the session; none where it was to land.
             first: Option<Error>,
             /// How long the last set-point was held.
             after: Duration,
         } => (rest_not_seen(first.as_ref(), *after)),
-        /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before you go on.
+        /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before
+        /// you go on.
         NotLanded {
             /// What ended the session.
             first: Error,
@@ -253,8 +261,8 @@ pub(super) enum Group {
     Other,
 }
 
-/// What a kind means: what it is to the predicates, whether the command may have run, and the error below it; where the text of that is part
-/// of its own, the error below that.
+/// What a kind means: what it is to the predicates, whether the command may have run, and the error below it; where the
+/// text of that is part of its own, the error below that.
 pub(super) type Meaning<'k> = (Group, bool, Option<&'k (dyn StdError + 'static)>);
 
 impl ErrorKind {

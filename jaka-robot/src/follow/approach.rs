@@ -7,8 +7,8 @@ use crate::guard::SetPointGuard;
 use crate::servo_session::beyond_limit;
 use crate::{Error, ErrorKind};
 
-/// Trajectory to where another one starts, straight in joint space. The arm is held there for two periods or more, so that
-/// the other one begins from a standstill at its start exactly.
+/// Trajectory to where another one starts, straight in joint space. The arm is held there for two periods or more, so
+/// that the other one begins from a standstill at its start exactly.
 #[derive(Debug)]
 pub(super) struct Approach {
     /// None where the arm is at the start.

@@ -47,8 +47,8 @@ impl FollowConfig {
 
     /// Moves the arm to where the trajectory starts first, with at most this speed of each joint in deg/s.
     ///
-    /// The way is straight in joint space, and checked before anything is sent. Without this, a trajectory that starts more than 0.01 deg elsewhere than
-    /// where the joints are to be is refused. A speed below 0.001 deg/s is an
+    /// The way is straight in joint space, and checked before anything is sent. Without this, a trajectory that starts
+    /// more than 0.01 deg elsewhere than where the joints are to be is refused. A speed below 0.001 deg/s is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn approach(mut self, speed_deg_s: f64) -> Self {
         self.approach_deg_s = Some(speed_deg_s);
@@ -56,21 +56,21 @@ impl FollowConfig {
     }
 
     /// Puts the run under a guard: when it trips, the arm is braked along the trajectory, and the run ends with
-    /// [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes goes out in the next servo period after the
-    /// packet. [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    /// [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes goes out in the next servo period after
+    /// the packet. [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
     ///
     /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`](crate::ErrorKind::GuardTripped) (the guard
-    /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show what it
-    /// needs), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), and
-    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed: it
-    /// says where, and how much).
+    /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show
+    /// what it needs), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), and
+    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed:
+    /// it says where, and how much).
     ///
     /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also where
-    /// packets stay away for three of their periods, 100 ms at least. All of the trajectory is looked at, at its own speed,
-    /// which is the most that a handle can ask for: wherever something were touched, the tool must rest within the
-    /// overtravel, [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An approach is so
-    /// slow that the same holds.
+    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also
+    /// where packets stay away for three of their periods, 100 ms at least. All of the trajectory is looked at, at its
+    /// own speed, which is the most that a handle can ask for: wherever something were touched, the tool must rest
+    /// within the overtravel, [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An
+    /// approach is so slow that the same holds.
     pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
         self.guard = Some(guard.into());
         self
@@ -83,15 +83,16 @@ impl FollowConfig {
         self
     }
 
-    /// Sets how long it may take, from the call on, with the approach and pauses. Then it stops along the trajectory. By default there is no deadline.
+    /// Sets how long it may take, from the call on, with the approach and pauses. Then it stops along the trajectory.
+    /// By default there is no deadline.
     pub fn deadline(mut self, time: Duration) -> Self {
         self.deadline = Some(time);
         self
     }
 
-    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by default. Beyond that the run
-    /// ends with [`Cause::Departed`](crate::Cause::Departed). Less than 0.001, or no number, is an
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by
+    /// default. Beyond that the run ends with [`Cause::Departed`](crate::Cause::Departed). Less than 0.001, or no
+    /// number, is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self

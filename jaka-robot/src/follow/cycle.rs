@@ -18,7 +18,8 @@ use crate::servo_session::{LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Sup
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, ServoSession, TrajectoryReport};
 
-/// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end of it.
+/// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end
+/// of it.
 pub(super) fn run(
     lent: &mut LentArm,
     (trajectory, config): (&Trajectory, &FollowConfig),
@@ -123,8 +124,8 @@ impl<'o> Way<'o> {
         End { error, ..End::new(occurrence, session.rest, report) }
     }
 
-    /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long, also because a stop of the program's own
-    /// goes out before. Says whether it has left the curve.
+    /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long,
+    /// also because a stop of the program's own goes out before. Says whether it has left the curve.
     fn braked(&mut self, session: &mut ServoSession<'_>, error: Error) -> (Error, bool) {
         let (mut straight_on, state) = (session.straight_on(), Arc::clone(&session.arm.state));
         let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
@@ -150,8 +151,8 @@ impl<'o> Way<'o> {
         (error, is_off && is_straight_on)
     }
 
-    /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight on is done, and no longer than a stop
-    /// waits, if one does.
+    /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight
+    /// on is done, and no longer than a stop waits, if one does.
     fn look_ahead(&self, straight_on: u32, left: Option<Duration>) -> LookAhead {
         let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
         let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));
@@ -205,7 +206,8 @@ impl<'o> Way<'o> {
     }
 }
 
-/// Whether a stop along the curve takes longer than so many periods, found bit by bit: they can be all that are left of the trajectory.
+/// Whether a stop along the curve takes longer than so many periods, found bit by bit: they can be all that are left of
+/// the trajectory.
 #[derive(Default)]
 struct LookAhead {
     /// None once it is known that it does not.

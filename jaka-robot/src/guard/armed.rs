@@ -12,8 +12,8 @@ use super::condition::Judging;
 use crate::arm::{ArmState, PacketObserver, Progress, Written};
 use crate::{Error, GuardTrip, RobotStop, Snapshot, StatusProblem};
 
-/// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion asks it,
-/// and never waits for a judgement.
+/// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion
+/// asks it, and never waits for a judgement.
 ///
 /// A clone is the same guard.
 #[derive(Debug, Clone)]
@@ -41,8 +41,8 @@ struct Early {
 }
 
 impl Armed {
-    /// Arms a guard: it has judged the newest packet, which is fresh, when this returns. If none has come lately, waits a
-    /// little for one.
+    /// Arms a guard: it has judged the newest packet, which is fresh, when this returns. If none has come lately, waits
+    /// a little for one.
     pub(crate) fn new(guard: &Guard, state: &Arc<ArmState>, timeout: Duration) -> Result<Self, StatusProblem> {
         state.status_within(timeout)?;
         let shared = Arc::new(Shared {
@@ -62,8 +62,8 @@ impl Armed {
         Ok(Self(shared))
     }
 
-    /// Has the monitor's thread write this stop where a packet calls for one and nothing has to be waited for. Whoever gave
-    /// it takes what was written.
+    /// Has the monitor's thread write this stop where a packet calls for one and nothing has to be waited for. Whoever
+    /// gave it takes what was written.
     pub(crate) fn stop_by(&self, stop: RobotStop) {
         lock(&self.0.early).stop = Some(stop);
     }
@@ -85,14 +85,14 @@ impl Armed {
         self.0.state.progress(self.0.number, |progress| progress.trip().cloned())
     }
 
-    /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and uses no
-    /// connection, as a gate must.
+    /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and
+    /// uses no connection, as a gate must.
     pub(crate) fn let_out(&self) -> Result<(), Error> {
         self.0.state.progress(self.0.number, Progress::let_out)
     }
 
-    /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where that is
-    /// the reason.
+    /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where
+    /// that is the reason.
     pub(crate) fn shut(&self, blind: Option<StatusProblem>) -> bool {
         self.0.state.progress(self.0.number, |progress| progress.shut(blind))
     }
@@ -120,8 +120,8 @@ impl Shared {
 }
 
 impl PacketObserver for Shared {
-    /// Stops the arm after the first judgement that calls for it. Whoever learns of it waits for `early` to learn whether
-    /// the stop was written.
+    /// Stops the arm after the first judgement that calls for it. Whoever learns of it waits for `early` to learn
+    /// whether the stop was written.
     fn observe(&self, packet: &Arc<Snapshot>) {
         let judged = self.judgement(packet);
         if matches!(judged, Ok(None)) {

@@ -10,24 +10,28 @@ use crate::cause::Field;
 use crate::error::OptionName;
 use crate::{Error, NotGuarded, NotShown, Snapshot};
 
-/// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion is stopped.
+/// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion
+/// is stopped.
 ///
-/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with the newest
-/// packet when the guard is armed; the motion goes out a moment later, after packets that may have come meanwhile. The sensor must report
-/// that it works and no error, before the motion and in each packet. Of the six values the document states neither units nor order nor
-/// axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has
-/// them hold once the sensor is initialised; packets do not tell whether it is. Push against the tool by hand and look at packets before
-/// anything relies on it.
+/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared
+/// with the newest packet when the guard is armed; the motion goes out a moment later, after packets that may have come
+/// meanwhile. The sensor must report that it works and no error, before the motion and in each packet. Of the six
+/// values the document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of
+/// `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has them hold once the sensor is
+/// initialised; packets do not tell whether it is. Push against the tool by hand and look at packets before anything
+/// relies on it.
 ///
-/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests, it goes on for a
-/// period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² / (2 * braking)`. That must not be
-/// longer than the overtravel, 1 mm by default. The period is the longest time between two of the last 33 packets. A motion that is faster
-/// is not sent, and neither is one whose tool speed or braking is not known: it has to be a `move_l` or `move_c` with an acceleration, from
-/// rest. All of it is about the tool centre point; other points of a tool that turns may be faster.
+/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests,
+/// it goes on for a period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² /
+/// (2 * braking)`. That must not be longer than the overtravel, 1 mm by default. The period is the longest time between
+/// two of the last 33 packets. A motion that is faster is not sent, and neither is one whose tool speed or braking is
+/// not known: it has to be a `move_l` or `move_c` with an acceleration, from rest. All of it is about the tool centre
+/// point; other points of a tool that turns may be faster.
 ///
-/// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool goes on for a period of the packets, the reaction and two servo periods, and
-/// then on the way on which the set-points brake it, whatever [`braking`](Self::braking) says. `FollowConfig::guard` and `StreamConfig::guard` say how. What such an arm
-/// lags behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
+/// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool goes on for a period of the
+/// packets, the reaction and two servo periods, and then on the way on which the set-points brake it, whatever
+/// [`braking`](Self::braking) says. `FollowConfig::guard` and `StreamConfig::guard` say how. What such an arm lags
+/// behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|
@@ -35,9 +39,9 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// | 30 ms | 20 ms | 500 mm/s² | 15.3 mm/s |
 /// | 100 ms | 20 ms | 500 mm/s² | 7.8 mm/s |
 ///
-/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long as packets come as
-/// regularly as before, the link and the controller react in time, and the controller brakes so. If packets stay away for three such
-/// periods (and 100 ms), the arm is stopped.
+/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long
+/// as packets come as regularly as before, the link and the controller react in time, and the controller brakes so. If
+/// packets stay away for three such periods (and 100 ms), the arm is stopped.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -103,17 +107,17 @@ impl ForceLimit {
         self
     }
 
-    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours: well below 1 ms until
-    /// the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, an arm's lag behind them belongs to it, which
-    /// is longer with a filter. More than one minute is an
+    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours:
+    /// well below 1 ms until the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With
+    /// set-points, an arm's lag behind them belongs to it, which is longer with a filter. More than one minute is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
     }
 
-    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No source says how a
-    /// controller brakes on `stop_program`. Any other than a number above 0 is an
+    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No
+    /// source says how a controller brakes on `stop_program`. Any other than a number above 0 is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn braking(mut self, mm_s2: f64) -> Self {
         self.braking = Some(mm_s2);
@@ -152,7 +156,8 @@ impl ForceLimit {
         found.abs() > self.change
     }
 
-    /// Compares the speed of a motion, in mm/s, and its acceleration with what is permitted where packets come each `period`.
+    /// Compares the speed of a motion, in mm/s, and its acceleration with what is permitted where packets come each
+    /// `period`.
     pub(crate) fn check_speed(
         &self,
         speed: f64,
@@ -170,7 +175,8 @@ impl ForceLimit {
 
     /// The speed in mm/s at which the overtravel is used up by a time in which the tool is not braked and the braking.
     fn permitted(&self, unbraked_s: f64, braking_mm_s2: f64) -> f64 {
-        // The positive root of speed * time + speed² / (2 * braking) = overtravel, in the form in which nothing cancels.
+        // The positive root of speed * time + speed² / (2 * braking) = overtravel, in the form in which nothing
+        // cancels.
         let root = (unbraked_s * unbraked_s + 2.0 * self.overtravel_mm / braking_mm_s2).sqrt();
         2.0 * self.overtravel_mm / (unbraked_s + root)
     }
@@ -178,8 +184,9 @@ impl ForceLimit {
 
 /// For set-points, which brake the tool themselves.
 impl ForceLimit {
-    /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and set-points each `cycle_s`: until a
-    /// packet shows it, the next set-point goes out and the reaction is over; and the arm is a set-point behind.
+    /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and
+    /// set-points each `cycle_s`: until a packet shows it, the next set-point goes out and the reaction is over; and
+    /// the arm is a set-point behind.
     pub(super) fn unbraked_s(&self, period: Duration, cycle_s: f64) -> f64 {
         period.saturating_add(self.reaction).as_secs_f64() + 2.0 * cycle_s
     }

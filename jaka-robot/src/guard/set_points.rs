@@ -39,8 +39,9 @@ struct Force {
 const BRAKING_S: f64 = 0.1;
 
 impl SetPointGuard {
-    /// Arms a guard for set-points. Fails if it has tripped already or cannot be judged.
-    pub(crate) fn new(arm: &Arm, guard: &Guard) -> Result<Self, Error> {
+    /// Arms a guard for set-points, if there is one. Fails if it has tripped already or cannot be judged.
+    pub(crate) fn arm(arm: &Arm, guard: Option<&Guard>) -> Result<Option<Self>, Error> {
+        let Some(guard) = guard else { return Ok(None) };
         guard.check()?;
         arm.check_acknowledged()?;
         let patience = arm.state.stale_after();
@@ -56,7 +57,7 @@ impl SetPointGuard {
         };
         let armed = Armed::new(guard, &arm.state, patience).map_err(no_status)?;
         match armed.trip() {
-            None => Ok(Self { armed, force }),
+            None => Ok(Some(Self { armed, force })),
             Some(GuardTrip { reason: TripReason::NotShown(reason), .. }) => {
                 Err(arm.attach(ErrorKind::NotShown { what: guard.to_string(), reason }))
             }
@@ -64,8 +65,8 @@ impl SetPointGuard {
         }
     }
 
-    /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has allowed; under a limit of force also once
-    /// packets have stayed away for too long for it.
+    /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has
+    /// allowed; under a limit of force also once packets have stayed away for too long for it.
     ///
     /// `lag` is that of the arm behind its set-points, which a trip tells where it is too long.
     pub(crate) fn check(&self, state: &ArmState, lag: impl FnOnce() -> Option<MeasuredLag>) -> Result<(), Error> {

@@ -8,8 +8,8 @@ use crate::{Error, NotShown, Snapshot};
 
 /// A box along the axes of the selected user frame, for the tool centre point: mm.
 ///
-/// It is compared with [`RobotStatus::actual_position`](crate::status::RobotStatus::actual_position), in the frames that are selected when
-/// a packet is made.
+/// It is compared with [`RobotStatus::actual_position`](crate::status::RobotStatus::actual_position), in the frames
+/// that are selected when a packet is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TcpBox {
     least: [f64; 3],

@@ -32,8 +32,8 @@ struct Check<'a> {
 }
 
 impl LimitChecks {
-    /// The joint positions at which a motion will end, where the robot has limits and it is within them. After motions that
-    /// were given up the arm must rest for the time of `settling`.
+    /// The joint positions at which a motion will end, where the robot has limits and it is within them. After motions
+    /// that were given up the arm must rest for the time of `settling`.
     pub(crate) fn check_motion<M: Motion>(
         &mut self,
         arm: &mut Arm,
@@ -92,8 +92,8 @@ impl Check<'_> {
         within.map_err(|beyond| beyond_limit(self.arm, self.command, beyond))
     }
 
-    /// A pose that is reached by a motion of the joints: on the branch that the controller says, or, where it says none, on
-    /// each.
+    /// A pose that is reached by a motion of the joints: on the branch that the controller says, or, where it says
+    /// none, on each.
     fn end_at_pose(&mut self, from: JointPosition, to: Pose, pace: JointPace) -> Result<Option<JointPosition>, Error> {
         let timeout = self.left();
         let chosen = self.arm.queries().call_within(&KineInverse::new(from, to), timeout);
@@ -146,8 +146,8 @@ impl Check<'_> {
         }
     }
 
-    /// After motions that were given up, which the arm may begin only now: it has to rest for as long as a motion may take to
-    /// begin.
+    /// After motions that were given up, which the arm may begin only now: it has to rest for as long as a motion may
+    /// take to begin.
     fn settle(&mut self, settling: Duration) -> Result<(), Error> {
         if !self.limited.is_unsettled {
             return Ok(());

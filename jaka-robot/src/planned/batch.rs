@@ -16,7 +16,8 @@ pub(super) struct Batch {
     pub(super) goal: Goal,
     /// The event that the status showed before; only another one counts.
     pub(super) code_before: Option<String>,
-    /// Whether a packet has said since that the arm is not in position: only after that can one say that the motion has ended.
+    /// Whether a packet has said since that the arm is not in position: only after that can one say that the motion has
+    /// ended.
     pub(super) has_left: bool,
     count: u32,
     begin: Begin,

@@ -55,8 +55,8 @@ impl GuardThread {
         Some(stopped)
     }
 
-    /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the guard had tripped, if it has, whatever
-    /// was seen since.
+    /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the
+    /// guard had tripped, if it has, whatever was seen since.
     pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
         let written = self.armed.take_written()?;
         let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
@@ -71,7 +71,8 @@ impl GuardThread {
         }
     }
 
-    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or that the motion was stopped.
+    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or
+    /// that the motion was stopped.
     fn stop_in_panic(&self) {
         if thread::panicking() && self.armed.abandon() {
             // A logger that panics again would end the process here.

@@ -53,8 +53,8 @@ impl GuardedRun<'_> {
             let sent = self.moving.send(motion, left(), Some(&guarding.armed));
             let result = sent.map(|()| self.moving.wait_unless(left(), &|| guarding.has_failed()));
             drop(relieved);
-            // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not accepted, the wait has ended.
-            // A join knows nothing of a simulated clock.
+            // A panic there has been reported, and has stopped the arm or kept the motion back; if the stop was not
+            // accepted, the wait has ended. A join knows nothing of a simulated clock.
             is_over.wait_for(Duration::MAX, |is_over| is_over.then_some(()));
             let stopped = watching.join().unwrap_or_default();
             Ok::<_, Error>((result, stopped.or_else(|| guarding.written(None))))
@@ -72,7 +72,8 @@ impl GuardedRun<'_> {
         }
     }
 
-    /// Fails if the guard has a limit of force by which the motion could not be stopped in time; and says how old the newest packet may become.
+    /// Fails if the guard has a limit of force by which the motion could not be stopped in time; and says how old the
+    /// newest packet may become.
     fn check_speed(&self, info: &'static CommandInfo, path: Path, timeout: Duration) -> Result<Duration, Error> {
         let (arm, guard) = (&self.moving.arm, self.guard);
         if guard.force_limits().next().is_none() {
@@ -103,7 +104,8 @@ impl GuardedRun<'_> {
         Ok(End { packets, ..End::new(occurrence, Rest::NotSeen, Report::of_wait(waited)) })
     }
 
-    /// How the motion ended, by the wait for it and by what the thread of the guard did; and a stop where the arm may still move.
+    /// How the motion ended, by the wait for it and by what the thread of the guard did; and a stop where the arm may
+    /// still move.
     fn end_of_guarded(&mut self, guarding: &GuardThread, mut end: End, stopped: Option<Stopped>) -> End {
         let may_move = end.occurrence.consequence().may_move();
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&guarding.stop, None))) else {
@@ -145,7 +147,8 @@ impl GuardedRun<'_> {
         }
     }
 
-    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is not waited for any more then.
+    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is
+    /// not waited for any more then.
     fn take(&mut self, stop: &Sent) -> bool {
         if stop.accepted.is_ok() {
             self.moving.arm.state.lock().stops.report(stop.number);

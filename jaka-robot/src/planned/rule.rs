@@ -1,12 +1,12 @@
 //! When a motion has ended: a state machine over status packets and the controller's own answers.
 //!
-//! A status packet cannot show its age, so it never says alone that a motion has ended: a stalled link delivers old ones. What
-//! packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in position only leads to a
-//! query, whose answer is later than the motion's acceptance.
+//! A status packet cannot show its age, so it never says alone that a motion has ended: a stalled link delivers old
+//! ones. What packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in
+//! position only leads to a query, whose answer is later than the motion's acceptance.
 //!
-//! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is there only at the
-//! end. Two, because what was seen may have been the motion before. In all other cases (several motions, a motion without length, an
-//! arm that rests elsewhere) the answers must agree for a grace time.
+//! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is
+//! there only at the end. Two, because what was seen may have been the motion before. In all other cases (several
+//! motions, a motion without length, an arm that rests elsewhere) the answers must agree for a grace time.
 
 use std::collections::VecDeque;
 use std::sync::Arc;

@@ -36,8 +36,8 @@ pub(super) struct EndWait<'a> {
 
 impl EndWait<'_> {
     /// Waits until the motions have ended, or it is certain that their end cannot be observed. A stop, an error, a lost
-    /// connection and the deadline end the wait at once, also while an answer is outstanding; and so does `gives_up`, as the
-    /// deadline does.
+    /// connection and the deadline end the wait at once, also while an answer is outstanding; and so does `gives_up`,
+    /// as the deadline does.
     pub(super) fn end(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> (Occurrence, Rest) {
         let since = self.arm.clock().stopwatch();
         let mut heard = Heard { at: since.began, number: 0, unreadable: None };
@@ -91,8 +91,8 @@ impl EndWait<'_> {
         }
     }
 
-    /// What broke the connection over which the arm could be stopped, if something did. A query that is outstanding reads by
-    /// itself.
+    /// What broke the connection over which the arm could be stopped, if something did. A query that is outstanding
+    /// reads by itself.
     fn lost(&self) -> Option<Arc<Disconnect>> {
         let link = self.arm.link();
         if self.arm.position.is_asked() { link.broken() } else { link.lost() }
@@ -118,8 +118,8 @@ impl EndWait<'_> {
         }
     }
 
-    /// The end as the program is told it. If the target is not known, the arm may be at rest because of a stop whose reply
-    /// has not come.
+    /// The end as the program is told it. If the target is not known, the arm may be at rest because of a stop whose
+    /// reply has not come.
     fn told(&self, occurrence: Occurrence, rest: Rest) -> (Occurrence, Rest) {
         let is_stopping = occurrence.cause == Cause::AtRest && self.arm.state.lock().stops.is_under_way();
         (if is_stopping { Cause::Stopped.into() } else { occurrence }, rest)

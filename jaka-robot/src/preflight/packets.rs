@@ -13,7 +13,8 @@ use crate::arm::StatusPort;
 
 /// How long packets are counted.
 const WINDOW: Duration = Duration::from_secs(1);
-/// Packets in a second: they come each 30 ms on firmware 1.5.14, and each 50 or 100 ms elsewhere (field notes). A few may be late.
+/// Packets in a second: they come each 30 ms on firmware 1.5.14, and each 50 or 100 ms elsewhere (field notes). A few
+/// may be late.
 const FEWEST: f64 = 8.0;
 
 const SLOW: &str = "check the network, and how often the controller sends (`get_port10000_delay_ms` on newer firmware)";
@@ -181,7 +182,8 @@ fn form(newest: &Snapshot, dropped: u64) -> Judgement {
     if seen.is_empty() { Judgement::nothing("whole") } else { Judgement::look(seen, PROBE) }
 }
 
-/// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in another form.
+/// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in
+/// another form.
 fn missing(newest: &Snapshot) -> Vec<&'static str> {
     let status = &newest.status;
     let fields = [

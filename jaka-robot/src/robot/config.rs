@@ -25,21 +25,21 @@ use crate::planned::Grace;
 /// # Limits
 /// A motion that is beyond a limit anywhere on its way is refused with
 /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit), one whose way is not known with
-/// [`ErrorKind::NotChecked`](crate::ErrorKind::NotChecked); nothing is sent then. [`Checker`](jaka_motion::Checker) tells
-/// what is checked, and how finely. Checked are [`run`](crate::Robot::run), [`start`](crate::Robot::start) and servo
-/// sessions, not what is sent through [`client`](crate::Robot::client), such as a jog.
+/// [`ErrorKind::NotChecked`](crate::ErrorKind::NotChecked); nothing is sent then. [`Checker`](jaka_motion::Checker)
+/// tells what is checked, and how finely. Checked are [`run`](crate::Robot::run), [`start`](crate::Robot::start) and
+/// servo sessions, not what is sent through [`client`](crate::Robot::client), such as a jog.
 ///
-/// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not say.
-/// A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and this
-/// program does not know it yet, the arm goes to the target of the next motion from elsewhere:
+/// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not
+/// say. A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and
+/// this program does not know it yet, the arm goes to the target of the next motion from elsewhere:
 /// [`wait`](crate::Robot::wait) for the end of a motion to know.
 ///
-/// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know nothing
-/// of collisions, not even of the arm with itself, and do not see motions of other clients.
+/// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know
+/// nothing of collisions, not even of the arm with itself, and do not see motions of other clients.
 ///
-/// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from which
-/// its tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where both
-/// answers do not fit together a frame has changed, and the poses are asked for again.
+/// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from
+/// which its tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where
+/// both answers do not fit together a frame has changed, and the poses are asked for again.
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a robot is configured by it"]
 pub struct RobotConfig {
@@ -68,9 +68,9 @@ impl RobotConfig {
         Self::default()
     }
 
-    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller is not
-    /// enough to say that the motion has ended: for several motions in a queue, a motion that ends where it began, an arm
-    /// that stops before its target. 0.4 s and three packets by default.
+    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller
+    /// is not enough to say that the motion has ended: for several motions in a queue, a motion that ends where it
+    /// began, an arm that stops before its target. 0.4 s and three packets by default.
     ///
     /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one
     /// without length, or, if its target is known and the arm is not there, as stopped.
@@ -87,7 +87,8 @@ impl RobotConfig {
 
     /// Allows motions and set-points while the status is stale, missing or unreadable.
     ///
-    /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other means.
+    /// A stop that the status would show is not noticed then. For programs that observe the robot's state by other
+    /// means.
     pub fn allow_motion_without_status(mut self) -> Self {
         self.needs_status = false;
         self
@@ -99,8 +100,8 @@ impl RobotConfig {
         self
     }
 
-    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. A controller
-    /// that has come to compute other poses than the limits' model is an error all the same
+    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. A
+    /// controller that has come to compute other poses than the limits' model is an error all the same
     /// ([`ErrorKind::ModelMismatch`](crate::ErrorKind::ModelMismatch)).
     pub fn limit_policy(mut self, policy: LimitPolicy) -> Self {
         self.policy = policy;

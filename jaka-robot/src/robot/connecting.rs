@@ -21,11 +21,12 @@ use crate::{
 };
 
 impl Robot<RobotStatus> {
-    /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a port.
+    /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a
+    /// port.
     ///
     /// # Errors
-    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which can be only one of
-    /// the two. [`connect_at`](Self::connect_at) takes two addresses.
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which
+    /// can be only one of the two. [`connect_at`](Self::connect_at) takes two addresses.
     pub fn connect(address: impl Display) -> Result<Self, Error> {
         Self::connect_with(&Config::new(), address)
     }
@@ -42,7 +43,8 @@ impl Robot<RobotStatus> {
         Self::connect_at(config, &address, &address)
     }
 
-    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached through a proxy.
+    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached
+    /// through a proxy.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -86,8 +88,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Applies options. Those that are not set in `config` are the defaults.
     ///
     /// # Errors
-    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as [`Client::call`];
-    /// nothing has changed then.
+    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as
+    /// [`Client::call`]; nothing has changed then.
     pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
         self.limits = match &config.limits {
             Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
@@ -138,8 +140,9 @@ impl<S: MotionStatus> Robot<S> {
         power_steps::up(&mut self.arm, timeout, &mut observer)
     }
 
-    /// Disables the arm and switches its power off, each step when the controller says that the one before is done (`get_robot_state`,
-    /// 4.12), and waits until the status packets say so, too. A step that is done already is left out.
+    /// Disables the arm and switches its power off, each step when the controller says that the one before is done
+    /// (`get_robot_state`, 4.12), and waits until the status packets say so, too. A step that is done already is left
+    /// out.
     ///
     /// # Errors
     /// As [`power_down_with`](Self::power_down_with).
@@ -166,8 +169,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Sends a motion and waits for its end; [under a guard](Motion::guard) also for its trip.
     ///
     /// # Errors
-    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the motion
-    /// was accepted is reported by the [`End`]. Under a guard also as [`Motion::guard`] says.
+    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
+    /// motion was accepted is reported by the [`End`]. Under a guard also as [`Motion::guard`] says.
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]
@@ -184,17 +187,18 @@ impl<S: MotionStatus> Robot<S> {
     /// If the first motion is one by an offset, the controller is asked first where the arm is.
     ///
     /// # Errors
-    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a silent status has not
-    /// been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or unreadable), [`ErrorKind::NotReady`] (the newest
-    /// packet shows a stop) and [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after
-    /// `ErrorKind::BeyondLimit` and `ErrorKind::NotChecked`.
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a
+    /// silent status has not been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or
+    /// unreadable), [`ErrorKind::NotReady`] (the newest packet shows a stop) and
+    /// [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after `ErrorKind::BeyondLimit` and
+    /// `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         let timeout = self.arm.queries().timeout_of(M::INFO);
         self.moving().send(motion, timeout, None)
     }
 
-    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once the command connection is lost, no
-    /// longer than until the next status packet: [`Cause::CommandsLost`].
+    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once
+    /// the command connection is lost, no longer than until the next status packet: [`Cause::CommandsLost`].
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> End {
         self.moving().wait(timeout)
@@ -202,13 +206,14 @@ impl<S: MotionStatus> Robot<S> {
 
     /// What must be acknowledged before the arm moves again, if something must.
     ///
-    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has reported.
+    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has
+    /// reported.
     pub fn unacknowledged(&self) -> Option<Occurrence> {
         self.arm.unacknowledged()
     }
 
-    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such as a stop that is
-    /// on its way.
+    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such
+    /// as a stop that is on its way.
     pub fn acknowledge(&mut self) {
         self.arm.state.acknowledge();
         if self.planned.give_up() {
@@ -226,8 +231,9 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The client, for all other commands.
     ///
-    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits. With limits, where a
-    /// queue of motions ends is not known after a call of this: wait for its end before the next motion.
+    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits.
+    /// With limits, where a queue of motions ends is not known after a call of this: wait for its end before the next
+    /// motion.
     #[doc(alias = "get_joint_pos")]
     #[doc(alias = "get_tcp_pos")]
     #[doc(alias = "set_digital_output")]
@@ -246,16 +252,17 @@ impl<S: MotionStatus> Robot<S> {
         self.limits.checker()
     }
 
-    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was sent all the same
-    /// ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was
+    /// sent all the same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
     pub fn limit_warning(&self) -> Option<String> {
         self.limits.warning()
     }
 
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
     ///
-    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one between two packets
-    /// after the call; one that is gone again within a period of the packets, 30 to 100 ms, is missed.
+    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one
+    /// between two packets after the call; one that is gone again within a period of the packets, 30 to 100 ms, is
+    /// missed.
     ///
     /// ```no_run
     /// use std::time::Duration;
@@ -286,14 +293,15 @@ impl<S: MotionStatus> Robot<S> {
         wait_for(&self.arm, &condition.into(), timeout)
     }
 
-    /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops, events, frames,
-    /// payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is changed on the controller.
+    /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops,
+    /// events, frames, payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is
+    /// changed on the controller.
     ///
     /// Also compares the arm's model, which is that of its limits or else any published one, with what
     /// the controller computes (`kine_forward`, which moves nothing), and where the arm is with the limits.
     ///
-    /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries one after the other,
-    /// the rest of what it tells is [not checked](crate::preflight::Verdict::NotChecked).
+    /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries
+    /// one after the other, the rest of what it tells is [not checked](crate::preflight::Verdict::NotChecked).
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -315,11 +323,12 @@ impl<S: MotionStatus> Robot<S> {
         Preflight::of(client, status, limits)
     }
 
-    /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what helps.
+    /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what
+    /// helps.
     ///
-    /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than the
-    /// refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of the robot itself are explained in their error:
-    /// [`ErrorKind::Refused`].
+    /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than
+    /// the refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of
+    /// the robot itself are explained in their error: [`ErrorKind::Refused`].
     pub fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
         self.arm.explain(error)
     }

@@ -135,7 +135,8 @@ impl Course {
         self.sent.is_some()
     }
 
-    /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or that is not known.
+    /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or
+    /// that is not known.
     pub(super) fn step(&self) -> Option<Step> {
         self.step.filter(|step| !step.is_none())
     }

@@ -22,8 +22,9 @@ use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
 
-/// What other handles may send while a session leads the arm: outputs, and queries that a controller answers at once. A stop
-/// passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a stop brakes it.
+/// What other handles may send while a session leads the arm: outputs, and queries that a controller answers at once. A
+/// stop passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a stop brakes
+/// it.
 const MEANWHILE: Reservation = Reservation {
     because: "a servo session, a stream or a trajectory leads the arm, and only outputs, short queries and stops pass",
     lets_pass: |command| PASSING.contains(&command),
@@ -59,8 +60,8 @@ impl<'r> ServoSession<'r> {
         Self::enter_if(led, (config, Rates::default()), check)
     }
 
-    /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was sent by
-    /// then.
+    /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was
+    /// sent by then.
     fn enter_if(
         led: Led<'r>,
         (config, rates): (&ServoConfig, Rates),
@@ -154,8 +155,8 @@ pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
     Err(ServoConfig::option("step_count").refuse(count, expected))
 }
 
-/// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and do not
-/// enter it.
+/// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and
+/// do not enter it.
 fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
     // Others may have moved the arm since a wait saw it at rest.
     arm.position.note_rest(false);

@@ -114,14 +114,16 @@ fn not_shown(reason: NotShown) -> Error {
     ErrorKind::NotShown { what: "the joints follow their set-points".to_owned(), reason }.into()
 }
 
-/// Fails where packets do not show the joints, so that it would not be known whether these follow. Where no packets come, something else decides.
+/// Fails where packets do not show the joints, so that it would not be known whether these follow. Where no packets
+/// come, something else decides.
 pub(crate) fn check_shows_joints(arm: &Arm, timeout: Duration) -> Result<(), Error> {
     let packet = arm.known_status(timeout)?;
     packet.map_or(Ok(()), |packet| shown_joints(&packet).map(drop).map_err(not_shown))
 }
 
 impl ServoSession<'_> {
-    /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no limits.
+    /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no
+    /// limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
         Some((self.limits.checker()?, self.last_joints()?))
     }

@@ -14,8 +14,8 @@ use crate::arm::{Sending, Stillness};
 use crate::cause::Occurrence;
 use crate::{Cause, Error, ErrorKind, Rest};
 
-/// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its set-points is at rest
-/// by then.
+/// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its
+/// set-points is at rest by then.
 const BLIND: Duration = Duration::from_millis(200);
 
 /// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
@@ -26,7 +26,8 @@ pub(crate) type BrakingPath<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>
 pub(crate) struct StraightOn {
     rates: Rates,
     period: Duration,
-    /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first one.
+    /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first
+    /// one.
     begun: Option<(Option<Step>, u32, u32)>,
 }
 
@@ -54,7 +55,8 @@ impl StraightOn {
 }
 
 impl ServoSession<'_> {
-    /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at rest.
+    /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at
+    /// rest.
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
@@ -160,8 +162,8 @@ impl ServoSession<'_> {
         }
     }
 
-    /// Sends a set-point in the cycle that has begun, or the next one: not where that comes after a gap, since the arm stands then. Fails
-    /// where more are refused than this.
+    /// Sends a set-point in the cycle that has begun, or the next one: not where that comes after a gap, since the arm
+    /// stands then. Fails where more are refused than this.
     fn send_landing(
         &mut self,
         set_point: SetPoint,

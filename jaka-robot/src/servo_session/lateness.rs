@@ -10,11 +10,11 @@ use super::pace::Pace;
 use crate::Error;
 
 impl ServoConfig {
-    /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each of them began. Sends
-    /// nothing: it is about this machine alone.
+    /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each
+    /// of them began. Sends nothing: it is about this machine alone.
     ///
-    /// At least one cycle, in the calling thread, with the period, the [`busy_wait`](Self::busy_wait) and the real-time priority of this
-    /// configuration. `jaka jitter` prints it.
+    /// At least one cycle, in the calling thread, with the period, the [`busy_wait`](Self::busy_wait) and the real-time
+    /// priority of this configuration. `jaka jitter` prints it.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption), and `ErrorKind::RealtimePriority` if the system

@@ -27,10 +27,10 @@ impl ServoSession<'_> {
     /// Brakes the arm, holds it until the status shows it at rest, waits for the last answers, and leaves servo mode.
     ///
     /// # Errors
-    /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point. [`ErrorKind::RestNotSeen`] if
-    /// no status packet showed the arm at rest. Servo mode is left in any case, if possible; [`ErrorKind::ServoModeNotLeft`] if it cannot
-    /// be left, or that is not known, with the session's own error if there is one. [`ErrorKind::SessionEnded`] if the session had ended
-    /// before.
+    /// As [`Client::call`](crate::Client::call), and [`ErrorKind::Refused`] if the controller refused a set-point.
+    /// [`ErrorKind::RestNotSeen`] if no status packet showed the arm at rest. Servo mode is left in any case, if
+    /// possible; [`ErrorKind::ServoModeNotLeft`] if it cannot be left, or that is not known, with the session's own
+    /// error if there is one. [`ErrorKind::SessionEnded`] if the session had ended before.
     pub fn land(mut self) -> Result<End, Error> {
         if let Some(end) = self.ended.take() {
             return Err(end.into_error());
@@ -120,8 +120,8 @@ impl ServoSession<'_> {
         error
     }
 
-    /// Settles why the controller refused a set-point, if it did, as far as its state shows it. Packets are later than a
-    /// refusal, so that the next one is waited for; braking and leaving servo mode are over by then.
+    /// Settles why the controller refused a set-point, if it did, as far as its state shows it. Packets are later than
+    /// a refusal, so that the next one is waited for; braking and leaving servo mode are over by then.
     fn explained(&mut self, error: Error) -> Error {
         if !error.is_refused() {
             return error;
@@ -138,8 +138,9 @@ impl ServoSession<'_> {
 
     /// Leaves servo mode, and asks whether it was left.
     ///
-    /// Only the answer to the query counts: the next reply of the command's name may be the late one to the command that entered
-    /// servo mode, and waiting for a second one that was lost would cost the connection, and the stop with it.
+    /// Only the answer to the query counts: the next reply of the command's name may be the late one to the command
+    /// that entered servo mode, and waiting for a second one that was lost would cost the connection, and the stop with
+    /// it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
         self.arm.state.expect_set_point(None);
@@ -154,8 +155,8 @@ impl ServoSession<'_> {
         left
     }
 
-    /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered either, the
-    /// connection is reset, so that the system discards those that it has queued.
+    /// Set-points that were not answered may be queued on a link that stalls. If the end of servo mode is not answered
+    /// either, the connection is reset, so that the system discards those that it has queued.
     fn wait_until_left(&mut self, off: &Sent<'_>, unanswered: u64) -> Result<(), Error> {
         let since = self.arm.clock().stopwatch();
         let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);

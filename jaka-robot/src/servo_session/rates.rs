@@ -31,13 +31,15 @@ const JOINT_SPEED: f64 = 180.0;
 const TURN_SPEED: f64 = 540.0;
 const TURN_ACCELERATION: f64 = 2160.0;
 
-/// What rounding may add to a step. Where joints are a hundred degrees from zero, their differences have some 14 digits.
+/// What rounding may add to a step. Where joints are a hundred degrees from zero, their differences have some 14
+/// digits.
 const ROUNDING: f64 = 1e-9;
 
 /// How large a step is: of six joints, or of the tool centre point's position and of its orientation.
 type Sizes = [f64; 6];
 
-/// The document advises 720 deg/s² for joints (4.7) and 8000 mm/s² for the tool centre point (4.9) at most; 3000 mm/s is ours.
+/// The document advises 720 deg/s² for joints (4.7) and 8000 mm/s² for the tool centre point (4.9) at most; 3000 mm/s
+/// is ours.
 impl Default for Rates {
     fn default() -> Self {
         Self { are_checked: true, joint_acceleration: [720.0; 6], tcp_speed: 3000.0, tcp_acceleration: 8000.0 }
@@ -103,7 +105,8 @@ impl Rates {
         })
     }
 
-    /// In how many periods the arm is braked from this step: the n-th set-point of them goes on by `1 - n / count` of it.
+    /// In how many periods the arm is braked from this step: the n-th set-point of them goes on by `1 - n / count` of
+    /// it.
     pub(super) fn periods_to_brake(&self, step: &Step, period: Duration) -> u32 {
         let time = period.as_secs_f64();
         let (_, accelerations) = self.of(step);

@@ -22,26 +22,27 @@ use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 
-/// The robot in servo mode, from [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode): set-points go out once in each servo period, and their replies are
-/// counted, not waited for.
+/// The robot in servo mode, from [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode): set-points go out once in
+/// each servo period, and their replies are counted, not waited for.
 ///
-/// Each call sends one set-point in the next cycle. [`land`](Self::land) brakes the arm, leaves servo mode and reports; dropping the
-/// session does the same without a report, also while a panic unwinds.
+/// Each call sends one set-point in the next cycle. [`land`](Self::land) brakes the arm, leaves servo mode and reports;
+/// dropping the session does the same without a report, also while a panic unwinds.
 ///
 /// # Entering
-/// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) fails with [`ErrorKind::NotReady`] while the arm moves or a motion of the robot has not
-/// been waited for, while servo mode is on already, and where the controller acknowledges servo mode and does not enter
-/// it; with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] where the status is stale,
-/// missing or unreadable, with [`ErrorKind::InvalidOption`] for a configuration with a value that it does not take,
-/// and as [`Client::call`](crate::Client::call). If something fails after servo mode was asked for, it is left again;
-/// [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
+/// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) fails with [`ErrorKind::NotReady`] while the arm moves
+/// or a motion of the robot has not been waited for, while servo mode is on already, and where the controller
+/// acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
+/// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, with [`ErrorKind::InvalidOption`] for
+/// a configuration with a value that it does not take, and as [`Client::call`](crate::Client::call). If something fails
+/// after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
 ///
 /// # Set-points
 /// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be
-/// faster than 180 deg/s, and [`SessionConfig`](crate::SessionConfig) says how fast speeds may change. Set-points of poses are compared with
-/// each other. The first step is from standstill. A set-point that is late by a period or more delays all later ones,
-/// and none is skipped. From poses to absolute joint positions there is no way without limits, since it is not known
-/// how far it is. [`SessionConfig::unchecked`](crate::SessionConfig::unchecked) turns these checks off.
+/// faster than 180 deg/s, and [`SessionConfig`](crate::SessionConfig) says how fast speeds may change. Set-points of
+/// poses are compared with each other. The first step is from standstill. A set-point that is late by a period or more
+/// delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits,
+/// since it is not known how far it is. [`SessionConfig::unchecked`](crate::SessionConfig::unchecked) turns these
+/// checks off.
 ///
 /// # Late set-points
 /// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due.
@@ -52,21 +53,23 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 /// other work, give the thread `ServoConfig::realtime_priority`.
 ///
 /// # Landing
-/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at once: the last set-point
-/// before a missing one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing, whatever ends it: the call that
-/// fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), a status that is no longer known. The arm is braked straight on, all
-/// joints in proportion, with the acceleration of [`ServoConfig`] or, if the robot has limits, of these. Then the last set-point is held until
-/// status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A stop of the program's own brakes, and
-/// then sends `stop_program`.
+/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at
+/// once: the last set-point before a missing one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a
+/// landing, whatever ends it: the call that fails, [`land`](Self::land), a drop, a panic, a
+/// [`RobotStop`](crate::RobotStop), a status that is no longer known. The arm is braked straight on, all joints in
+/// proportion, with the acceleration of [`ServoConfig`] or, if the robot has limits, of these. Then the last set-point
+/// is held until status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A
+/// stop of the program's own brakes, and then sends `stop_program`.
 ///
-/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. What an arm does that
-/// is at speed then, or whose program is killed, is not known from any source.
+/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing.
+/// What an arm does that is at speed then, or whose program is killed, is not known from any source.
 ///
 /// # A link that stalls
-/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and the call fails with
-/// [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second, the connection is reset, which discards the
-/// set-points that the system has not sent, and the error is [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken
-/// already may still move the arm: at most the set-points that were unanswered.
+/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and
+/// the call fails with [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second,
+/// the connection is reset, which discards the set-points that the system has not sent, and the error is
+/// [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at
+/// most the set-points that were unanswered.
 ///
 /// ```no_run
 /// # use jaka_robot::{Robot, ServoConfig};
@@ -120,9 +123,10 @@ impl ServoSession<'_> {
     /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
-    /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the controller refused: it follows no
-    /// more set-points then, those that brake included; [`ErrorKind::ServoModeNotLeft`] if
-    /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
+    /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the
+    /// controller refused: it follows no more set-points then, those that brake included;
+    /// [`ErrorKind::ServoModeNotLeft`] if servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at
+    /// rest.
     /// - [`InvalidArgument`](jaka_sync::ErrorKind::InvalidArgument): a joint would have to be too fast, or to become so
     ///   too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
@@ -147,8 +151,8 @@ impl ServoSession<'_> {
 
     /// Waits for the next cycle and sends a set-point for the tool centre point.
     ///
-    /// The speeds of the joints that follow from it are the controller's to check, unless the robot has limits. It is compared with the
-    /// set-point before if that is a pose, too, or the first, and the robot has no limits.
+    /// The speeds of the joints that follow from it are the controller's to check, unless the robot has limits. It is
+    /// compared with the set-point before if that is a pose, too, or the first, and the robot has no limits.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -166,10 +170,11 @@ impl ServoSession<'_> {
         self.send(SetPoint::PoseOffset(offset.into()))
     }
 
-    /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns, until it
-    /// returns `Break`.
+    /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns,
+    /// until it returns `Break`.
     ///
-    /// The time is that of the set-points, [`time`](Self::time), not of the clock: a late cycle delays a motion that is a function of it.
+    /// The time is that of the set-points, [`time`](Self::time), not of the clock: a late cycle delays a motion that is
+    /// a function of it.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -305,9 +310,9 @@ impl ServoSession<'_> {
         self.config.gap().saturating_sub(Duration::from_nanos(1))
     }
 
-    /// Sends the set-point of the cycle that has begun, and returns its lateness: that at the gate, since the thread may
-    /// be held up until the moment of the write. Fails for one later than `most`, and for one that follows a gap in the
-    /// middle of a motion.
+    /// Sends the set-point of the cycle that has begun, and returns its lateness: that at the gate, since the thread
+    /// may be held up until the moment of the write. Fails for one later than `most`, and for one that follows a gap in
+    /// the middle of a motion.
     pub(super) fn post(
         &mut self,
         set_point: &SetPoint,

@@ -3,7 +3,8 @@
 use super::ServoConfig;
 use super::rates::Rates;
 
-/// How a [`ServoSession`](crate::ServoSession) runs: how its set-points go out, and how far they may be from each other.
+/// How a [`ServoSession`](crate::ServoSession) runs: how its set-points go out, and how far they may be from each
+/// other.
 ///
 /// A [`ServoConfig`] is one, with the defaults for the rest: [`enter_servo_mode`](crate::Robot::enter_servo_mode) takes
 /// both.
@@ -61,16 +62,17 @@ impl SessionConfig {
         self
     }
 
-    /// Sets how fast the speed of the tool centre point may change from one set-point that is a pose to the next, and with which
-    /// acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at most (4.9).
-    /// Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets how fast the speed of the tool centre point may change from one set-point that is a pose to the next, and
+    /// with which acceleration the arm is braked after such, in mm/s²: 8000 by default, which the document advises at
+    /// most (4.9). Any other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_tcp_acceleration(mut self, acceleration_mm_s2: f64) -> Self {
         self.rates.tcp_acceleration = acceleration_mm_s2;
         self
     }
 
-    /// Sends set-points without comparing them with the ones before: also those that jump. For programs that check them by other means, and
-    /// for controllers whose filter smooths them. The arm is still braked when the session ends, and limits of the robot still hold.
+    /// Sends set-points without comparing them with the ones before: also those that jump. For programs that check them
+    /// by other means, and for controllers whose filter smooths them. The arm is still braked when the session ends,
+    /// and limits of the robot still hold.
     pub fn unchecked(mut self) -> Self {
         self.rates.are_checked = false;
         self

@@ -39,12 +39,12 @@ pub(crate) struct Dispatched {
 }
 
 impl Link {
-    /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with an index; of long
-    /// ones, not all go out at once.
+    /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with
+    /// an index; of long ones, not all go out at once.
     ///
     /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: the exchange has
-    /// the order of the wire, and nothing goes out after a stop that the gate knows of. Between the gate and the write no
-    /// code of the program's own runs; the logger gets its lines afterwards, when others can send again.
+    /// the order of the wire, and nothing goes out after a stop that the gate knows of. Between the gate and the write
+    /// no code of the program's own runs; the logger gets its lines afterwards, when others can send again.
     pub(super) fn transmit<R>(
         &self,
         outgoing: &Outgoing<'_>,

@@ -10,8 +10,9 @@ use super::{Handle, Link, Outgoing, Sent};
 use crate::Error;
 
 impl Link {
-    /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll). [`forget`](Self::forget) gives up a reply that is no longer
-    /// wanted. A send that takes longer than the reply timeout fails.
+    /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll).
+    /// [`forget`](Self::forget) gives up a reply that is no longer wanted. A send that takes longer than the reply
+    /// timeout fails.
     pub fn ask(
         &self,
         by: Handle,
@@ -21,8 +22,9 @@ impl Link {
         self.send(&Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by), write)
     }
 
-    /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if it has not come
-    /// by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an error, which answers the question too.
+    /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if
+    /// it has not come by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an
+    /// error, which answers the question too.
     pub fn poll(
         &self,
         question: &Sent<'_>,

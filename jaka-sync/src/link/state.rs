@@ -13,8 +13,8 @@ use crate::socket::Socket;
 
 #[derive(Debug)]
 pub(super) struct State {
-    /// The socket; none once the connection was reset. A thread that reads or writes holds a clone only as long as it does, so that
-    /// a reset closes the socket at once.
+    /// The socket; none once the connection was reset. A thread that reads or writes holds a clone only as long as it
+    /// does, so that a reset closes the socket at once.
     pub(super) stream: Option<Arc<Socket>>,
     /// The requests, and their outcomes.
     pub(super) exchange: Exchange,

@@ -30,8 +30,8 @@ pub(super) struct Worker<S> {
     pub(super) number: u64,
     /// The packet before the latest, whose memory is used again.
     spare: Option<Arc<Snapshot<S>>>,
-    /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes its time over an
-    /// old packet must not delay the newest.
+    /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes
+    /// its time over an old packet must not delay the newest.
     passed: Vec<Arc<Snapshot<S>>>,
     silence: Silence,
 }
@@ -77,7 +77,8 @@ impl<S: Decode> Worker<S> {
             match taken {
                 Ok(chunk) => {
                     waiting = waiting.or((!newest.is_empty()).then(|| self.config.clock.stopwatch()));
-                    // Of what has accumulated, all but the end is old. A controller that floods the port never lets this catch up.
+                    // Of what has accumulated, all but the end is old. A controller that floods the port never lets
+                    // this catch up.
                     let is_behind =
                         chunk == Chunk::Part && waiting.as_ref().is_some_and(|since| since.passed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {

@@ -41,7 +41,8 @@ struct Outcome {
     result: Result<Option<Report>, Error>,
 }
 
-/// A session of some set-points, each with a number. In every other one set-points may be unanswered for as long as it lasts.
+/// A session of some set-points, each with a number. In every other one set-points may be unanswered for as long as it
+/// lasts.
 pub(super) fn servo_session(arm: &mut Arm, session: &mut Session) {
     if !is_ready(arm, session) {
         return;
@@ -136,7 +137,8 @@ fn not_entered(error: &Error) -> Vec<Sent> {
         ErrorKind::Refused { .. } => (Fate::Seen, Fate::Perhaps),
         ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered, .. } => (Fate::Seen, Fate::Seen),
         _ if command.is_some() => (Fate::Seen, Fate::Seen),
-        // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the connection is broken.
+        // Servo mode was not asked for: the arm moves, the status is not known, somebody must look first, or the
+        // connection is broken.
         _ => return vec![asking(), is_on()],
     };
     entering(switched, Fate::Perhaps).into_iter().chain(leaving(left)).collect()

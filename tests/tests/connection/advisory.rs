@@ -1,4 +1,5 @@
-//! What needs no model of the arm is checked before a byte goes out: positions, speeds, accelerations and steps that no arm has.
+//! What needs no model of the arm is checked before a byte goes out: positions, speeds, accelerations and steps that no
+//! arm has.
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::{Request, Visit};
@@ -241,7 +242,8 @@ fn what_an_arm_may_do_goes_out() {
     assert_eq!(controller.requests(), SENT);
 }
 
-/// By the model, with values under their names and a whole object in place of an array, the same is refused and the same sent.
+/// By the model, with values under their names and a whole object in place of an array, the same is refused and the
+/// same sent.
 #[test]
 fn the_model_refuses_the_same_in_the_same_words() {
     let spec = spec();

@@ -1,4 +1,5 @@
-//! `docs/troubleshooting.md`: each mistake that it names is made, and each message that it quotes is one that this code gives.
+//! `docs/troubleshooting.md`: each mistake that it names is made, and each message that it quotes is one that this code
+//! gives.
 
 mod messages;
 

@@ -18,7 +18,8 @@ const MOST_RECONNECTS: u32 = 3;
 /// Sends every query that needs no argument, and nothing else.
 ///
 /// # Errors
-/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes wrong later is a finding.
+/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes
+/// wrong later is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Result<Vec<Finding>, Failure> {
     let mut connection = Connection { target, client: Ok(target.client()?), has_answered: false, reconnects: 0 };
     let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();

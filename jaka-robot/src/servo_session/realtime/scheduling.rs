@@ -44,13 +44,15 @@ impl Scheduling {
     }
 }
 
-/// The priority by the system's number. The crate has a scale of its own, and says which of its numbers is which of the system's.
+/// The priority by the system's number. The crate has a scale of its own, and says which of its numbers is which of the
+/// system's.
 fn priority_of(policy: ThreadSchedulePolicy, number: i32) -> Option<ThreadPriority> {
     let mut priorities = (0..=99).filter_map(|priority| ThreadPriority::try_from(priority).ok());
     priorities.find(|priority| priority.to_posix(policy) == Ok(number))
 }
 
-/// The nice value of this thread: the 19th field of `/proc/…/stat`, whose second one may contain spaces, but ends with a parenthesis.
+/// The nice value of this thread: the 19th field of `/proc/…/stat`, whose second one may contain spaces, but ends with
+/// a parenthesis.
 fn nice_value() -> io::Result<i32> {
     let stat = fs::read_to_string("/proc/thread-self/stat")?;
     let nice = stat.rsplit(')').next().and_then(|fields| fields.split_whitespace().nth(16)?.parse().ok());

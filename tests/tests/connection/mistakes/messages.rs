@@ -1,4 +1,5 @@
-//! The other messages of the page, in its order: made with a simulated controller where it can make them, and otherwise by themselves.
+//! The other messages of the page, in its order: made with a simulated controller where it can make them, and otherwise
+//! by themselves.
 
 use std::io;
 use std::sync::Arc;
