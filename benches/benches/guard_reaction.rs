@@ -62,10 +62,12 @@ fn measure(
     let (arrived, arrivals) = mpsc::channel();
     let answering = thread::spawn(move || answer(commands.accept()?.0, &arrived));
     let witness = thread::spawn(move || watch(status.accept()?.0, &arrivals, trips));
-    program(addresses.0, addresses.1, trips)?;
-    let samples = witness.join().map_err(|_| "the witness panicked")?;
+    let outcome = program(addresses.0, addresses.1, trips);
+    // A program whose witness has failed sees a lost connection.
+    let samples = witness.join().map_err(|_| "the witness panicked")??;
+    outcome?;
     answering.join().map_err(|_| "the controller panicked")??;
-    samples
+    Ok(samples)
 }
 
 /// One thread that reads packets and writes the stop, with nothing between: what the machine can do.
@@ -136,6 +138,10 @@ fn watch(mut status: TcpStream, arrivals: &Receiver<Arrived>, trips: u32) -> Res
         let Arrived::Stop(at) = arrivals.recv()? else { return Err("another motion came, and no stop".into()) };
         samples.push(at.saturating_duration_since(sent));
         moving = None;
+    }
+    // The program waits for the arm's rest, and closes the connection then.
+    while status.write_all(&packet(true, false)).is_ok() {
+        thread::sleep(PERIOD);
     }
     Ok(samples)
 }
