@@ -5,6 +5,9 @@
 use std::error::Error;
 use std::io::{ErrorKind, Read, Write};
 use std::net::TcpStream;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_benches::system::canned::SET_POINT;
@@ -43,16 +46,23 @@ fn main() -> Result<(), Failure> {
     let [prompt, late] = servers;
     let (prompt, late) = (prompt?, late?);
     let time = Duration::from_secs(seconds.into());
-    let mut ways = ["bare loop, sleeping", "session, sleeping", "session, spinning", "spinning, late answers"]
-        .map(|name| Way { name, ..Way::default() });
+    let mut ways = [
+        "bare loop, sleeping",
+        "session, sleeping",
+        "session, spinning",
+        "spinning, late answers",
+        "spinning, beside 60 KB",
+    ]
+    .map(|name| Way { name, ..Way::default() });
     for round in 0..rounds {
-        for turn in 0..4 {
-            let way = (round + turn) as usize % 4;
+        for turn in 0..5 {
+            let way = (round + turn) as usize % 5;
             match way {
                 0 => ways[way].bare(prompt.robots()[0], time)?,
-                1 => ways[way].session(prompt.robots()[0], Duration::ZERO, time)?,
-                2 => ways[way].session(prompt.robots()[0], spin, time)?,
-                _ => ways[way].session(late.robots()[0], spin, time)?,
+                1 => ways[way].session(prompt.robots()[0], Duration::ZERO, time, false)?,
+                2 => ways[way].session(prompt.robots()[0], spin, time, false)?,
+                3 => ways[way].session(late.robots()[0], spin, time, false)?,
+                _ => ways[way].session(prompt.robots()[0], spin, time, true)?,
             }
         }
     }
@@ -76,7 +86,7 @@ impl Way {
                 ErrorKind::WouldBlock => Ok(0),
                 _ => Err(error),
             });
-            std::thread::sleep((start + due).saturating_duration_since(Instant::now()));
+            thread::sleep((start + due).saturating_duration_since(Instant::now()));
             lateness.push((due, micros(start.elapsed()) - micros(due)));
             stream.write_all(SET_POINT)?;
             std::hint::black_box(&buffer[..answers?]);
@@ -86,12 +96,25 @@ impl Way {
         Ok(())
     }
 
-    fn session(&mut self, robot: Addresses, spin: Duration, time: Duration) -> Result<(), Failure> {
+    /// A session, beside another handle that sends a request of 60 KB every 50 ms if `is_shared`.
+    fn session(&mut self, robot: Addresses, spin: Duration, time: Duration, is_shared: bool) -> Result<(), Failure> {
         let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
-        let mut robot = Robot::new(Client::connect(robot.commands)?, monitor);
+        let client = Client::connect(robot.commands)?;
+        let mut other = client.try_clone()?;
+        let mut robot = Robot::new(client, monitor);
         robot.configure(&RobotConfig::new().allow_motion_without_status())?;
         let mut session =
             robot.enter_servo_mode(ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;
+        let ended = Arc::new(AtomicBool::new(!is_shared));
+        let is_over = Arc::clone(&ended);
+        let sending = thread::spawn(move || {
+            let long = format!(r#"{{"cmdName":"get_joint_pos","pad":"{}"}}"#, "x".repeat(60_000));
+            while !is_over.load(Ordering::SeqCst) {
+                other.call_text(&long, Duration::from_secs(1))?;
+                thread::sleep(Duration::from_millis(50));
+            }
+            Ok::<_, jaka_sync::Error>(())
+        });
         let (cpu, start) = (process::thread_cpu(), Instant::now());
         let mut late = Vec::new();
         while session.time() < time {
@@ -101,6 +124,8 @@ impl Way {
         }
         let run_time = start.elapsed();
         self.ran(start, cpu, &late);
+        ended.store(true, Ordering::SeqCst);
+        sending.join().map_err(|_| "the other handle's thread panicked")??;
         let report = session.land()?.report;
         self.late.extend(lateness(&report));
         self.passed_over += u64::try_from(run_time.as_nanos() / PERIOD.as_nanos())?.saturating_sub(report.cycles);
@@ -141,14 +166,14 @@ fn lateness(report: &Report) -> impl Iterator<Item = f64> {
     (0..report.cycles).map(move |cycle| micros(report.lateness(share(cycle))) + 1.0)
 }
 
-fn print(ways: &mut [Way; 4], run: &str) {
+fn print(ways: &mut [Way; 5], run: &str) {
     report::title("Servo pacing", run);
     println!("  {:<24} {:>8} {:>8} {:>8} {:>8} us {:>7}", "", "p50", "p90", "p99", "maximum", "CPU");
     for way in &mut *ways {
         let [p50, p90, p99, most] = [0.5, 0.9, 0.99, 1.0].map(|share| way.percentile(share));
         println!("  {:<24} {p50:>8.1} {p90:>8.1} {p99:>8.1} {most:>8.1} {:>8.2} %", way.name, way.cpu_percent());
     }
-    let [bare, sleeping, spinning, late] = ways;
+    let [bare, sleeping, spinning, late, shared] = ways;
     let ratio = |share| (spinning.percentile(share), sleeping.percentile(share));
     let [p50, p90] = [0.5, 0.9].map(ratio).map(|(spinning, sleeping)| spinning / sleeping);
     report::figure(
@@ -166,7 +191,11 @@ fn print(ways: &mut [Way; 4], run: &str) {
     println!("  {LATE} answers late: at most {} were outstanding", late.most_outstanding);
     #[expect(clippy::cast_precision_loss)]
     report::figure("  cycles passed over, answers late", late.passed_over as f64);
-    report::figure("  p90 relative to that with prompt answers", late.percentile(0.9) / ways[2].percentile(0.9));
+    report::figure("  p90 relative to that with prompt answers", late.percentile(0.9) / spinning.percentile(0.9));
+    report::figure(
+        "60 KB of another handle: p99 relative to none",
+        shared.percentile(0.99) / spinning.percentile(0.99),
+    );
 }
 
 fn micros(time: Duration) -> f64 {

@@ -6,6 +6,7 @@
 use std::error::Error;
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream};
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
@@ -14,12 +15,14 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
+use jaka_robot::Robot;
 use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
-use jaka_sync::{Client, Command};
+use jaka_sync::{Client, Command, Monitor};
 
 type Failure = Box<dyn Error + Send + Sync>;
+type ClientError = jaka_sync::Error;
 
 /// How many commands the long pipeline has.
 const COMMANDS: usize = 100_000;
@@ -31,7 +34,7 @@ const PAUSE: Duration = Duration::from_millis(1);
 const BOUND: f64 = 20.0;
 
 /// What a program does meanwhile, until it is told to end.
-type Load = fn(&mut Client, &AtomicBool) -> Result<(), jaka_sync::Error>;
+type Load = fn(&mut Client, &AtomicBool) -> Result<(), ClientError>;
 
 const LOADS: [(&str, Load); 5] = [
     ("nothing else", |_, _| Ok(())),
@@ -40,6 +43,13 @@ const LOADS: [(&str, Load); 5] = [
     ("pipelines that are dropped", dropped_pipelines),
     ("replies that are odd", odd_replies),
 ];
+
+/// Robots that take packets at 1 kHz, and how long the program's observer takes for each packet.
+const OBSERVERS: [(&str, Duration); 2] =
+    [("a robot, packets at 1 kHz", Duration::ZERO), ("the same, observer of 5 ms", Duration::from_millis(5))];
+
+const PACKET: &[u8] =
+    br#"{"len": 120, "emergency_stop": 0, "protective_stop": 0, "powered_on": 1, "enabled": true, "inpos": false}"#;
 
 /// What the peer says in place of the fields of a version: half a surrogate pair, no number, and bytes that are no UTF-8.
 const ODD: [&[u8]; 3] = [
@@ -56,6 +66,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let samples = measure(stops, load).map_err(|failure| failure.to_string())?;
         let mut contender = Contender::new(name, |_| Ok(()));
         contender.samples = samples;
+        contenders.push(contender);
+    }
+    for (name, observer) in OBSERVERS {
+        let mut contender = Contender::new(name, |_| Ok(()));
+        contender.samples = beside_packets(stops, observer).map_err(|failure| failure.to_string())?;
         contenders.push(contender);
     }
     report::percentiles(&contenders);
@@ -79,7 +94,7 @@ fn measure(stops: u32, load: Load) -> Result<Samples, Failure> {
                 load(&mut client, &ended)?;
                 thread::yield_now();
             }
-            Ok::<(), jaka_sync::Error>(())
+            Ok::<(), ClientError>(())
         });
         let samples = times(stops, || stop.stop(), &arrivals);
         ended.store(true, Ordering::SeqCst);
@@ -91,9 +106,35 @@ fn measure(stops: u32, load: Load) -> Result<Samples, Failure> {
     samples
 }
 
-fn times(
+/// Times of the stops of a robot that takes packets at 1 kHz, with a program's observer that takes a time for each.
+fn beside_packets(stops: u32, observer: Duration) -> Result<Samples, Failure> {
+    let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
+    let (client, monitor) = (Client::connect(commands.local_addr()?)?, Monitor::connect(status.local_addr()?)?);
+    monitor.observe(move |_| {
+        thread::sleep(observer);
+        ControlFlow::Continue(())
+    });
+    let (arrived, arrivals) = mpsc::channel();
+    let (peer, mut packets) = (commands.accept()?.0, status.accept()?.0);
+    packets.set_nodelay(true)?;
+    let witness = thread::spawn(move || watch(peer, &arrived));
+    let sending = thread::spawn(move || {
+        while packets.write_all(PACKET).is_ok() {
+            thread::sleep(Duration::from_millis(1));
+        }
+    });
+    let robot = Robot::new(client, monitor);
+    let stop = robot.stop_handle();
+    let samples = times(stops, || stop.stop(), &arrivals);
+    drop(robot);
+    sending.join().map_err(|_| "the packets' thread panicked")?;
+    witness.join().map_err(|_| "the witness panicked")??;
+    samples
+}
+
+fn times<E: Error + Send + Sync + 'static>(
     stops: u32,
-    stop: impl Fn() -> Result<(), jaka_sync::Error>,
+    stop: impl Fn() -> Result<(), E>,
     arrivals: &Receiver<Instant>,
 ) -> Result<Samples, Failure> {
     let mut samples = Samples::default();
@@ -141,14 +182,14 @@ fn output(number: usize) -> SetDigitalOutput {
     SetDigitalOutput::cabinet(index, Switch::On)
 }
 
-fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+fn calls(client: &mut Client, ended: &AtomicBool) -> Result<(), ClientError> {
     (0..1000)
         .filter(|_| !ended.load(Ordering::SeqCst))
         .try_for_each(|number| client.set_digital_output(&output(number)))
 }
 
 /// None of these replies breaks the connection.
-fn odd_replies(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+fn odd_replies(client: &mut Client, ended: &AtomicBool) -> Result<(), ClientError> {
     let answered = |client: &mut Client| match client.get_version() {
         Err(error) if error.is_disconnected() => Err(error),
         // Refused, or a reply that does not fit.
@@ -157,7 +198,7 @@ fn odd_replies(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync:
     (0..1000).filter(|_| !ended.load(Ordering::SeqCst)).try_for_each(|_| answered(client))
 }
 
-fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), ClientError> {
     let outputs: Vec<_> = (0..COMMANDS).map(output).collect();
     let mut pipeline = client.pipeline(COMMANDS);
     for some in outputs.chunks(COMMANDS / 10) {
@@ -169,7 +210,7 @@ fn long_pipeline(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_syn
     pipeline.finish().map(drop)
 }
 
-fn dropped_pipelines(client: &mut Client, ended: &AtomicBool) -> Result<(), jaka_sync::Error> {
+fn dropped_pipelines(client: &mut Client, ended: &AtomicBool) -> Result<(), ClientError> {
     for _ in 0..1000 {
         if ended.load(Ordering::SeqCst) {
             break;

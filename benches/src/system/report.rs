@@ -20,10 +20,10 @@ pub fn title(title: &str, run: impl Display) {
 
 /// Prints the percentiles of each contender in microseconds.
 pub fn percentiles(contenders: &[Contender<'_>]) {
-    println!("  {:<34} {:>9} {:>9} {:>9} {:>9}   us", "", "p50", "p90", "p99", "maximum");
+    println!("  {:<34} {:>9} {:>9} {:>9} {:>9} {:>9}   us", "", "p50", "p90", "p99", "p99.9", "maximum");
     for Contender { name, samples, .. } in contenders {
-        let [p50, p90, p99, max] = [0.5, 0.9, 0.99, 1.0].map(|share| samples.percentile(share));
-        println!("  {name:<34} {p50:>9.2} {p90:>9.2} {p99:>9.2} {max:>9.2}");
+        let [p50, p90, p99, p999, max] = [0.5, 0.9, 0.99, 0.999, 1.0].map(|share| samples.percentile(share));
+        println!("  {name:<34} {p50:>9.2} {p90:>9.2} {p99:>9.2} {p999:>9.2} {max:>9.2}");
     }
 }
 
