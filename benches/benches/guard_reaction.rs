@@ -16,7 +16,7 @@ use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Client, Monitor, Motion as _, Numbering, Robot};
+use jaka_robot::{Client, Monitor, MotionExt as _, Numbering, Robot};
 
 type Failure = Box<dyn Error + Send + Sync>;
 

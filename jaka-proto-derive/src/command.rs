@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{Scope, ident, variant};
-use crate::{choice, construct, docs, typedef, validate};
+use crate::{choice, construct, docs, motion, typedef, validate};
 
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -25,6 +25,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let reply = reply(scope, command);
     let reply_type = scope.reply_type(&TokenStream::new(), command);
     let info = info(command);
+    let motion = motion::render(scope, command, &name);
     quote! {
         #request
         #constructors
@@ -34,6 +35,8 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
             type Reply = #reply_type;
             const INFO: &'static proto::CommandInfo = &#info;
         }
+
+        #motion
 
         #reply
     }
@@ -50,6 +53,15 @@ fn info(command: &Command) -> TokenStream {
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
     let effect = variant(command.effect);
+    let role = command.role.map(|role| {
+        let role = variant(role);
+        quote!(role: Some(proto::Role::#role),)
+    });
+    let changes = (!command.changes.is_empty()).then(|| {
+        let changes = command.changes.iter().map(variant);
+        quote!(changes: &[#(proto::Change::#changes),*],)
+    });
+    let motion = command.motion.as_ref().map(|_| quote!(is_motion: true,));
     let requires = (!command.requires.is_empty()).then(|| {
         let requires = command.requires.iter().map(variant);
         quote!(requires: &[#(proto::Requirement::#requires),*],)
@@ -63,7 +75,7 @@ fn info(command: &Command) -> TokenStream {
     let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
     let firmware = validate::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
     quote!(
-        proto::__command_info!(#name, #head, #section, #effect, #requires #deadline #uncertain #ends #bare #firmware)
+        proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware)
     )
 }
 

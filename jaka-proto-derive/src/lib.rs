@@ -14,6 +14,7 @@ mod enums;
 mod error_codes;
 mod events;
 mod literal;
+mod motion;
 mod pack;
 mod request;
 mod scope;

@@ -61,6 +61,12 @@ pub struct CommandInfo {
     pub section: &'static str,
     /// What the command does to the robot.
     pub effect: Effect,
+    /// Role of the command to the arm. That of a pack is its author's claim.
+    pub role: Option<Role>,
+    /// Properties of the arm that it changes.
+    pub changes: &'static [Change],
+    /// True for a motion whose end can be waited for: its request is a [`Motion`](crate::Motion).
+    pub is_motion: bool,
     /// States without which the controller refuses.
     pub requires: &'static [Requirement],
     /// How long a reply may take, where the client's default does not fit.
@@ -89,6 +95,11 @@ macro_rules! __command_info {
 }
 
 impl CommandInfo {
+    /// Facts of the built-in command with this `cmdName`; none where the spec does not have it.
+    pub fn of(name: &str) -> Option<&'static Self> {
+        crate::Request::COMMANDS.iter().copied().find(|info| info.name == name)
+    }
+
     #[doc(hidden)]
     pub const fn usual(name: &'static str, head: &'static str, section: &'static str, effect: Effect) -> Self {
         Self {
@@ -96,6 +107,9 @@ impl CommandInfo {
             head,
             section,
             effect,
+            role: None,
+            changes: &[],
+            is_motion: false,
             requires: &[],
             deadline: None,
             reply_certain: true,
@@ -120,6 +134,60 @@ pub enum Effect {
     Power,
     /// Concerns the connection alone.
     Session,
+}
+
+/// Role of a command to the arm, which decides what may be sent when.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// Stops the arm. Stop handles, guards and sessions send the built-in `stop_program` alone.
+    Stop,
+    /// Pauses a motion or a program.
+    Pause,
+    /// Resumes what is paused.
+    Resume,
+    /// Set-point of servo mode.
+    SetPoint,
+    /// Enters or leaves servo mode.
+    ServoMode,
+    /// Sets an output. Passes while a session, a stream or a trajectory moves the arm.
+    Output,
+    /// Short query for a state of the robot. Passes likewise.
+    State,
+}
+
+impl Role {
+    /// True for a command that another handle of the connection may send while a session, a stream or a trajectory moves
+    /// the arm: a stop, an output, a short query. Power, enabling and servo mode are kept back: at speed the arm would
+    /// fall into its brakes, where a stop brakes it.
+    pub fn passes_beside_set_points(self) -> bool {
+        match self {
+            Self::Stop | Self::Output | Self::State => true,
+            Self::Pause | Self::Resume | Self::SetPoint | Self::ServoMode => false,
+        }
+    }
+}
+
+/// Property of the arm that a command changes, and on which other commands depend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Change {
+    /// Frames to which poses refer: the user frame, or the mounting of the arm.
+    Frames,
+    /// Tool frame, whose origin is the tool centre point.
+    Tool,
+    /// Payload.
+    Payload,
+}
+
+impl Change {
+    /// True where poses mean something else afterwards.
+    pub fn concerns_poses(self) -> bool {
+        match self {
+            Self::Frames | Self::Tool => true,
+            Self::Payload => false,
+        }
+    }
 }
 
 /// A state that a command needs.

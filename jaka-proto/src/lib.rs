@@ -12,6 +12,7 @@ pub mod exchange;
 mod firmware;
 pub mod framing;
 pub mod geometry;
+mod motion;
 mod near;
 pub mod recording;
 mod refusal;
@@ -26,12 +27,13 @@ pub mod messages {
     jaka_proto_derive::messages!();
 }
 
-pub use command::{Command, CommandInfo, Effect, Requirement, Visit};
+pub use command::{Change, Command, CommandInfo, Effect, Requirement, Role, Visit};
 pub use controller_event::{ControllerEvent, Severity, UnreadableEvent};
 pub use envelope::Envelope;
 pub use error_code::ErrorCode;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use messages::Request;
+pub use motion::{Motion, Path, Target};
 pub use refusal::Refusal;
 pub use reply::{Reply, read_envelope, read_payload, read_reply, write_refusal, write_reply};
 pub use request::RequestError;

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use jaka_robot::motion::MoveL;
-use jaka_robot::{ForceComponent, ForceLimit, Motion as _, Robot};
+use jaka_robot::{ForceComponent, ForceLimit, MotionExt as _, Robot};
 use jaka_sim::Contact;
 
 /// How long a motion may take.

@@ -31,7 +31,7 @@ use crate::inputs::{AnalogCondition, InputCondition};
 ///
 /// An [`InputCondition`], an [`AnalogCondition`], a [`ForceLimit`] or a [`TcpBox`] is a guard by itself;
 /// [`when`](Self::when) makes one of any question about a packet, and [`or`](Self::or) joins two.
-/// [`Motion::guard`](crate::Motion::guard) puts a motion under a guard.
+/// [`MotionExt::guard`](crate::MotionExt::guard) puts a motion under a guard.
 ///
 /// ```
 /// use jaka_robot::{Guard, Numbering, TcpBox};

@@ -1,36 +1,14 @@
-//! Motions that can be waited for.
+//! Motions as a robot runs them: by themselves, under a guard, or as text.
 
-mod target;
+use jaka_proto::check::{NotSent, Rules};
+use jaka_proto::wire::Writer;
+use jaka_proto::{CommandInfo, Motion, Path, Target};
+use jaka_sync::layer::Written;
 
-use jaka_proto::Command;
-use jaka_proto::messages::force::StartTorqSensorPayloadIdentify;
-use jaka_proto::messages::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
-use jaka_proto::messages::types::{MoveMode, Pose};
-
-pub use self::target::Target;
 use crate::Guard;
 
-/// A planned motion: one whose reply says that it was accepted, and whose end is waited for.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a motion whose end a robot waits for",
-    note = "any other command goes out by `Robot::client`: `robot.client().call(&request)`",
-    note = "a motion of a pack implements `Motion`, which says where it ends"
-)]
-pub trait Motion: Command<Reply = ()> {
-    /// Where it ends, as far as the request determines it. The controller's own answer says whether the arm is there.
-    fn target(&self) -> Target;
-
-    /// The way on which it goes there. A robot with limits refuses a motion whose way is not known, as it is by
-    /// default.
-    fn path(&self) -> Path {
-        Path::Unknown
-    }
-
-    /// How far from its target it may end, in mm, since the controller may blend it into the next motion. 0 for none.
-    fn tolerance(&self) -> f64 {
-        0.0
-    }
-
+/// Methods of each [`Motion`].
+pub trait MotionExt: Motion {
     /// The same motion under a guard, for [`Robot::run`](crate::Robot::run), which waits until it has ended or the
     /// guard has tripped, upon which the arm is stopped. [`Guard`] tells what can be expected of that, and what not: it
     /// is **not a safety function**.
@@ -51,7 +29,7 @@ pub trait Motion: Command<Reply = ()> {
     /// ```no_run
     /// use std::time::Duration;
     /// use jaka_robot::motion::MoveL;
-    /// use jaka_robot::{Motion, Numbering, Robot};
+    /// use jaka_robot::{MotionExt as _, Numbering, Robot};
     ///
     /// const IO: Numbering = Numbering::FromOne;
     /// let mut robot = Robot::connect("10.5.5.100")?;
@@ -70,149 +48,130 @@ pub trait Motion: Command<Reply = ()> {
     /// [`allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status),
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) (a condition has a value that it does not take),
     /// and [`ErrorKind::Thread`](crate::ErrorKind::Thread).
-    fn guard(self, guard: impl Into<Guard>) -> Guarded<Self> {
+    fn guard(self, guard: impl Into<Guard>) -> Guarded<Self>
+    where
+        Self: Sized,
+    {
         Guarded { motion: self, guard: guard.into() }
     }
 }
 
-/// A motion under a guard, from [`Motion::guard`].
+impl<M: Motion> MotionExt for M {}
+
+/// Motion under a guard, from [`MotionExt::guard`].
 #[derive(Debug, Clone)]
 #[must_use = "a guarded motion does nothing until a robot runs it"]
 pub struct Guarded<M> {
-    pub(crate) motion: M,
-    pub(crate) guard: Guard,
+    motion: M,
+    guard: Guard,
 }
 
-/// What a robot runs to its end: a [`Motion`], or a motion [under a guard](Motion::guard).
+/// Motion whose request is text, for programs that know its command at run time alone, such as a command line with
+/// packs.
+///
+/// The text is sent unchanged, byte for byte, and unchecked: check it first, as `jaka-dynamic` does.
+#[derive(Debug, Clone)]
+#[must_use = "a motion does nothing until a robot runs it"]
+pub struct MotionText {
+    info: &'static CommandInfo,
+    text: String,
+    target: Target,
+    path: Path,
+    tolerance_mm: f64,
+}
+
+impl MotionText {
+    /// Motion of the command with these facts, by the text of its request, to a target of which nothing is known.
+    pub fn new(info: &'static CommandInfo, text: impl Into<String>) -> Self {
+        Self { info, text: text.into(), target: Target::Unknown, path: Path::Unknown, tolerance_mm: 0.0 }
+    }
+
+    /// Target of the motion. Default: unknown.
+    pub fn target(self, target: Target) -> Self {
+        Self { target, ..self }
+    }
+
+    /// Path to the target. Default: unknown.
+    pub fn path(self, path: Path) -> Self {
+        Self { path, ..self }
+    }
+
+    /// Distance from the target at which the controller may blend into the next motion, in mm. Default: 0.
+    pub fn tolerance_mm(self, tolerance_mm: f64) -> Self {
+        Self { tolerance_mm, ..self }
+    }
+}
+
+/// Motion that a robot runs to its end: a [`Motion`], one [under a guard](MotionExt::guard), or a [`MotionText`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a motion whose end a robot waits for",
     note = "any other command goes out by `Robot::client`: `robot.client().call(&request)`",
-    note = "a motion of a pack implements `Motion`, which says where it ends"
+    note = "a command of a pack is a motion by a table `[command.motion]` in the pack"
 )]
 pub trait Run {
-    /// Type of the motion.
-    type Motion: Motion;
+    /// The motion as it is sent.
+    fn motion(&self) -> PlannedMotion<'_>;
+}
 
-    /// The motion, and its guard if it has one.
-    fn motion_and_guard(&self) -> (&Self::Motion, Option<&Guard>);
+/// Motion as it is sent: command, request, target, path, and guard if it has one.
+#[derive(Clone, Copy)]
+pub struct PlannedMotion<'m> {
+    pub(crate) info: &'static CommandInfo,
+    pub(crate) request: &'m dyn Written,
+    pub(crate) target: Target,
+    pub(crate) path: Path,
+    /// Distance from the target at which the controller may blend into the next motion, in mm.
+    pub(crate) tolerance_mm: f64,
+    pub(crate) guard: Option<&'m Guard>,
+}
+
+impl<'m> PlannedMotion<'m> {
+    pub(crate) fn of<M: Motion>(motion: &'m M) -> Self {
+        Self {
+            info: M::INFO,
+            request: motion,
+            target: motion.target(),
+            path: motion.path(),
+            tolerance_mm: motion.tolerance(),
+            guard: None,
+        }
+    }
+}
+
+impl std::fmt::Debug for PlannedMotion<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PlannedMotion")
+            .field("command", &self.info.name)
+            .field("target", &self.target)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<M: Motion> Run for M {
-    type Motion = M;
-
-    fn motion_and_guard(&self) -> (&M, Option<&Guard>) {
-        (self, None)
+    fn motion(&self) -> PlannedMotion<'_> {
+        PlannedMotion::of(self)
     }
 }
 
 impl<M: Motion> Run for Guarded<M> {
-    type Motion = M;
-
-    fn motion_and_guard(&self) -> (&M, Option<&Guard>) {
-        (&self.motion, Some(&self.guard))
+    fn motion(&self) -> PlannedMotion<'_> {
+        PlannedMotion { guard: Some(&self.guard), ..PlannedMotion::of(&self.motion) }
     }
 }
 
-/// The way of a [`Motion`] to its target, and how fast it goes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Path {
-    /// All joints at once, from beginning to end together.
-    Joints {
-        /// The speed of the joint with the longest way, in deg/s.
-        speed: f64,
-        /// Its acceleration in deg/s²; none where the controller chooses it.
-        acceleration: Option<f64>,
-    },
-    /// The tool centre point on a straight line.
-    Line {
-        /// Its speed in mm/s.
-        speed: f64,
-        /// Its acceleration in mm/s²; none where the controller chooses it.
-        acceleration: Option<f64>,
-    },
-    /// The tool centre point on an arc.
-    Arc {
-        /// The pose between its ends, in the frames that are selected when it is sent; mm and degrees.
-        through: Pose,
-        /// The speed of the tool centre point in mm/s.
-        speed: f64,
-        /// Its acceleration in mm/s²; none where the controller chooses it.
-        acceleration: Option<f64>,
-    },
-    /// The request does not determine it.
-    Unknown,
-}
-
-impl Motion for JointMove {
-    fn target(&self) -> Target {
-        match self.mode {
-            MoveMode::Absolute => Target::Joints(self.joint_position),
-            MoveMode::Relative => Target::JointOffset(self.joint_position),
-            _ => Target::Unknown,
-        }
-    }
-
-    /// No source says which joint has the speed that is given; taken is the one with the longest way, as controllers of
-    /// such arms do.
-    fn path(&self) -> Path {
-        Path::Joints { speed: self.speed, acceleration: self.acceleration }
+impl Run for MotionText {
+    fn motion(&self) -> PlannedMotion<'_> {
+        let Self { info, text: _, target, path, tolerance_mm } = *self;
+        PlannedMotion { info, request: self, target, path, tolerance_mm, guard: None }
     }
 }
 
-/// Its way to the position is the controller's choice.
-impl Motion for StartTorqSensorPayloadIdentify {
-    fn target(&self) -> Target {
-        Target::Joints(self.joint_position)
-    }
-}
-
-impl Motion for EndMove {
-    fn target(&self) -> Target {
-        Target::Pose(self.pose)
+impl Written for MotionText {
+    fn check(&self, _rules: Rules) -> Result<(), NotSent> {
+        Ok(())
     }
 
-    fn path(&self) -> Path {
-        Path::Joints { speed: self.speed, acceleration: self.acceleration }
-    }
-}
-
-impl Motion for MoveL {
-    /// An offset is one along the axes of the selected user frame; the document does not say how an offset of the
-    /// orientation counts.
-    fn target(&self) -> Target {
-        let pose = self.pose;
-        let turns = [pose.rx, pose.ry, pose.rz].iter().any(|angle| *angle != 0.0);
-        match self.mode {
-            LineMode::Absolute => Target::Pose(pose),
-            LineMode::Relative if !turns => Target::Offset([pose.x, pose.y, pose.z]),
-            _ => Target::Unknown,
-        }
-    }
-
-    fn path(&self) -> Path {
-        Path::Line { speed: self.speed, acceleration: self.acceleration }
-    }
-
-    fn tolerance(&self) -> f64 {
-        self.tolerance.unwrap_or(0.0)
-    }
-}
-
-impl Motion for MoveC {
-    /// The document does not say from where the offsets of an arc count.
-    fn target(&self) -> Target {
-        match self.mode {
-            MoveMode::Absolute => Target::Pose(self.end_pose),
-            _ => Target::Unknown,
-        }
-    }
-
-    fn path(&self) -> Path {
-        Path::Arc { through: self.mid_pose, speed: self.speed, acceleration: Some(self.acceleration) }
-    }
-
-    fn tolerance(&self) -> f64 {
-        self.tolerance
+    fn write(&self, out: &mut Writer) {
+        out.raw(&self.text);
     }
 }

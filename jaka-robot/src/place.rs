@@ -1,5 +1,6 @@
 //! Places of an arm, and how near two of them are.
 
+use jaka_proto::Target;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 /// How close a joint is to its target when it is there, in degrees.
@@ -28,6 +29,17 @@ pub(crate) enum Place {
 pub(crate) enum Quantity {
     Joints,
     Pose,
+}
+
+impl Quantity {
+    /// Quantity that must be known of the beginning of a motion to `target`, if its end follows from it.
+    pub(crate) fn of_start(target: Target) -> Option<Self> {
+        match target {
+            Target::JointOffset(_) => Some(Self::Joints),
+            Target::Offset(_) => Some(Self::Pose),
+            _ => None,
+        }
+    }
 }
 
 impl Place {
@@ -59,6 +71,21 @@ impl Place {
 }
 
 impl Place {
+    /// Place at which a motion to `target` ends that begins at `start`, if that determines it.
+    pub(crate) fn of(target: Target, start: Option<Self>) -> Option<Self> {
+        match (target, start) {
+            (Target::Joints(joints), _) => Some(Self::Joints(joints)),
+            (Target::Pose(pose), _) => Some(Self::Pose(pose)),
+            (Target::JointOffset(by), Some(Self::Joints(from))) => {
+                Some(Self::Joints(JointPosition(std::array::from_fn(|i| from.0[i] + by.0[i]))))
+            }
+            (Target::Offset([x, y, z]), Some(Self::Pose(from))) => {
+                Some(Self::Pose(Pose { x: from.x + x, y: from.y + y, z: from.z + z, ..from }))
+            }
+            _ => None,
+        }
+    }
+
     /// Query that gives such a place.
     pub(crate) fn quantity(&self) -> Quantity {
         match self {

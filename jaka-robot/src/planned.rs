@@ -24,7 +24,9 @@ use crate::arm::{Arm, SETTLING, Sending};
 use crate::cause::{Consequence, Occurrence};
 use crate::guard::Armed;
 use crate::limits::{Beginning, LimitChecks};
-use crate::{Cause, End, Error, Motion, Report, Rest, Run};
+use crate::motions::PlannedMotion;
+use crate::place::Quantity;
+use crate::{Cause, End, Error, Report, Rest, Run};
 
 /// Motions that have been started, and how their end is waited for.
 #[derive(Debug)]
@@ -74,8 +76,8 @@ pub(crate) struct Moving<'a> {
 impl Moving<'_> {
     /// Sends a motion, and waits for its end.
     pub(crate) fn run(mut self, run: &impl Run, timeout: Duration) -> Result<End, Error> {
-        let (motion, guard) = run.motion_and_guard();
-        if let Some(guard) = guard {
+        let motion = run.motion();
+        if let Some(guard) = motion.guard {
             return GuardedRun { moving: self, guard }.run(motion, timeout);
         }
         let since = self.arm.clock().stopwatch();
@@ -84,14 +86,14 @@ impl Moving<'_> {
     }
 
     /// Sends a motion, under a guard if there is one, which lets it out or not.
-    pub(crate) fn send<M: Motion>(
+    pub(crate) fn send(
         &mut self,
-        motion: &M,
+        motion: PlannedMotion<'_>,
         timeout: Duration,
         guard: Option<&Armed>,
     ) -> Result<(), Error> {
         let since = self.arm.clock().stopwatch();
-        self.arm.link().check_open(M::INFO.name)?;
+        self.arm.link().check_open(motion.info.name)?;
         self.arm.check_acknowledged()?;
         let begin = self.begin(motion, timeout)?;
         let left = || since.left_of(timeout);
@@ -100,11 +102,11 @@ impl Moving<'_> {
         let end = self.limits.check_motion(self.arm, motion, beginning, times)?;
         let gate = self.arm.gate(Sending::Motion);
         let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
-        let sent = self.arm.client().call_through(Some(&guarded), motion, left());
+        let sent = self.arm.client().call_written(Some(&guarded), (motion.info, motion.request), left());
         self.planned.frame_changes = begin.frames.changes;
         match sent {
             Ok(()) => {
-                let goal = Goal::new(motion.target(), motion.tolerance(), begin.start);
+                let goal = Goal::new(motion.target, motion.tolerance_mm, begin.start);
                 self.planned.accepted(self.arm, goal, begin);
                 self.limits.plan(self.arm, end);
             }
@@ -123,7 +125,7 @@ impl Moving<'_> {
     }
 
     /// What is known of the arm before a motion.
-    fn begin<M: Motion>(&mut self, motion: &M, timeout: Duration) -> Result<Begin, Error> {
+    fn begin(&mut self, motion: PlannedMotion<'_>, timeout: Duration) -> Result<Begin, Error> {
         let since = self.arm.clock().stopwatch();
         let Some(newest) = self.arm.known_status(timeout)? else {
             return Ok(Begin::default());
@@ -132,7 +134,7 @@ impl Moving<'_> {
         let frames = Frames::new(&newest.status, changes, self.planned.frame_changes);
         let mut begin = Begin::new(&newest.status, frames);
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
-        if let Some(quantity) = motion.target().start_quantity().filter(|_| is_first_at_rest) {
+        if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {
             begin.start = self.arm.position.place_at_rest(quantity, since.left_of(timeout))?;
         }
         Ok(begin)

@@ -15,7 +15,7 @@ use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
 use serde_json::Value;
 
-use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, unexpected};
+use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, Written, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 
 /// A connection to a controller's command port.
@@ -149,6 +149,18 @@ impl Client {
         self.call_as(C::INFO, gate, timeout, &mut |out| command.write_request(out))
     }
 
+    /// Sends a request of a type that is known to its caller alone, and returns once it is accepted, unless the gate
+    /// keeps it back.
+    pub(crate) fn call_written<R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        (info, request): (&'static CommandInfo, &dyn Written),
+        timeout: Duration,
+    ) -> Result<(), SendError<R>> {
+        request.check(self.rules()).map_err(Error::from)?;
+        self.call_as(info, gate, timeout, &mut |out| request.write(out))
+    }
+
     /// Sends a request and waits for its reply, of this type.
     ///
     /// Generic over the reply alone, which many commands have in common.
@@ -215,7 +227,7 @@ impl Client {
         commands: &[C],
     ) -> Result<Dispatched, SendError<R>> {
         let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
-        self.link.post((C::INFO.name, self.handle), self.config.reply_timeout, gate, commands.len(), write)
+        self.link.post((C::INFO, self.handle), self.config.reply_timeout, gate, commands.len(), write)
     }
 
     /// Checks commands against the spec and the firmware.

@@ -21,7 +21,7 @@ pub use crate::address::names_a_port;
 pub use crate::clock::{Clock, Place, Stopwatch};
 pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
-pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, unexpected};
+pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
 pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::told;
 pub use crate::stop::WrittenStop;
@@ -124,6 +124,18 @@ pub trait ClientParts: Sized {
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>>;
 
+    /// Sends a request, of whatever type, unless the gate keeps it back, and returns once it is accepted. Fields of the
+    /// reply are not read.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn call_written<R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        request: (&'static CommandInfo, &dyn Written),
+        timeout: Duration,
+    ) -> Result<(), SendError<R>>;
+
     /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
     ///
     /// # Errors
@@ -155,6 +167,15 @@ impl ClientParts for Client {
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>> {
         Client::call_through(self, gate, command, timeout)
+    }
+
+    fn call_written<R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        request: (&'static CommandInfo, &dyn Written),
+        timeout: Duration,
+    ) -> Result<(), SendError<R>> {
+        Client::call_written(self, gate, request, timeout)
     }
 
     fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {

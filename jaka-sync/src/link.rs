@@ -17,7 +17,6 @@ mod state;
 mod turn;
 mod wait;
 
-use std::borrow::Cow;
 use std::error::Error as StdError;
 use std::io;
 use std::net::{Shutdown, SocketAddr};
@@ -25,18 +24,16 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
 
+use jaka_proto::CommandInfo;
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
-use jaka_proto::messages::beyond_settings::SetInstallationAngle;
-use jaka_proto::messages::frames::{SetToolId, SetToolOffsets, SetUserId, SetUserOffsets};
 use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo};
 
 use self::failure::Progress;
 pub use self::failure::unexpected;
 use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
-pub use self::outgoing::{Gate, Handle, Reservation, SendError};
+pub use self::outgoing::{Gate, Handle, Reservation, SendError, Written};
 pub(crate) use self::outgoing::{OPEN, Outgoing, Right};
 pub use self::posted::Answers;
 pub(crate) use self::posted::MOST_OUTSTANDING;
@@ -76,15 +73,6 @@ pub struct Link {
 
 /// Target of log records of the wire.
 const WIRE: &str = "jaka_sync::wire";
-
-/// What changes the frames to which poses refer.
-const FRAME_COMMANDS: [&str; 5] = [
-    SetToolId::INFO.name,
-    SetUserId::INFO.name,
-    SetToolOffsets::INFO.name,
-    SetUserOffsets::INFO.name,
-    SetInstallationAngle::INFO.name,
-];
 
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]
@@ -230,13 +218,13 @@ impl Link {
     /// commands are outstanding. `write` writes the request with an index.
     pub(crate) fn post<R>(
         &self,
-        (command, by): (&'static str, Handle),
+        (info, by): (&'static CommandInfo, Handle),
         timeout: Duration,
         gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, SendError<R>> {
-        let outgoing = Outgoing::named(&self.clock, command, Cow::Borrowed(command), timeout).of_handle(by);
+        let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by);
         self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
     }
 

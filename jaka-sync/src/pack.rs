@@ -46,8 +46,10 @@
 /// jaka_sync::pack!("later.toml" on "newer.toml");
 /// ```
 ///
-/// A motion of a pack can be waited for by `jaka_robot::Robot::run` once you implement `jaka_robot::Motion` for it,
-/// which says where it ends, and on which way, for a robot with limits.
+/// A command with a table `[command.motion]`, which names the fields of its target and path, is a
+/// [`Motion`](jaka_proto::Motion): `jaka_robot::Robot::run` waits for its end, and a robot with limits compares it with
+/// them. A command with `role = "stop"` is the pack's claim: stop handles, guards and sessions send the built-in
+/// `stop_program` alone. Nothing can recognise a command that its pack describes wrongly.
 ///
 /// From the first look at a controller with newer firmware to a finished pack: the guide in
 /// [`newer_firmware`](crate::newer_firmware).

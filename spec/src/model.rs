@@ -7,6 +7,7 @@ use crate::envelope::COMMAND_NAME;
 use crate::names::to_camel;
 use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
+use crate::role::{Change, Motion, Role};
 use crate::scalar::Scalar;
 use crate::similar::nearest;
 use crate::version::Versions;
@@ -164,6 +165,12 @@ pub struct Command {
     pub evidence: Option<String>,
     /// What the command does to the robot.
     pub effect: Effect,
+    /// Role of the command to the arm.
+    pub role: Option<Role>,
+    /// Properties of the arm that it changes.
+    pub changes: Vec<Change>,
+    /// Motion that it starts, if its end can be waited for.
+    pub motion: Option<Motion>,
     /// States without which the controller refuses.
     pub requires: Vec<Requirement>,
     /// What says so.
@@ -222,6 +229,11 @@ impl Command {
         let mut head = format!("{{{}", key(COMMAND_NAME));
         push_string(&mut head, &self.wire);
         head
+    }
+
+    /// Variants of the request; none where all requests have the same fields.
+    pub fn variants(&self) -> &[Variant] {
+        if let Request::Choice(choice) = &self.request { &choice.variants } else { &[] }
     }
 
     /// True where nothing is sent but `cmdName`.
@@ -326,6 +338,8 @@ pub struct Variant {
     pub name: String,
     /// What the variant does.
     pub doc: String,
+    /// Role of requests of this variant.
+    pub role: Option<Role>,
     /// The fields sent with it.
     pub fields: Vec<Field>,
 }

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use self::change::Target;
 pub use self::module::Module;
 use crate::item::Item;
-use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId};
+use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId, Variant};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
@@ -73,6 +73,7 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let mut topic = read::file(source, &report, |root, topic| draft.read(root, topic));
     topic.is_pack = true;
     draft.check_optional(&report);
+    draft.check_motions(source, &report);
     resolve::check(&draft.index, &report);
     let Draft { mut spec, index, codes, events, changed, covered, .. } = draft;
     spec.types = index.finish();
@@ -141,7 +142,9 @@ impl<'s> Draft<'s, '_> {
             if item.has("bare_reply") {
                 item.error(item.at, "`bare_reply` is for commands of the built-in spec");
             }
-            return Some(read::command(item, &mut self.index));
+            let command = read::command(item, &mut self.index);
+            no_roles_of_variants(item, command.variants());
+            return Some(command);
         };
         let new = read::command(item, &mut self.index.again());
         match covers::command(&self.spec, &known, &new) {
@@ -180,6 +183,13 @@ impl<'s> Draft<'s, '_> {
         };
         self.codes.push(new.clone());
         (!is_known).then_some(new)
+    }
+}
+
+/// Refuses roles of variants, since a variant has parameters: a pack's stop has none.
+fn no_roles_of_variants(item: &Item<'_, '_>, variants: &[Variant]) {
+    if variants.iter().any(|variant| variant.role.is_some()) {
+        item.error(item.at, "`role` of a variant is for the built-in spec");
     }
 }
 

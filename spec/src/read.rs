@@ -15,12 +15,14 @@ use crate::version::Versions;
 mod common;
 mod event;
 mod field;
+mod role;
 mod types;
 
 use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::event;
 pub(crate) use field::{OPTIONAL_LAST, changed_field, field, fields};
+pub(crate) use role::motion;
 use types::variants;
 pub(crate) use types::{array_variant, changed_value, enum_value, type_def, variant};
 
@@ -102,6 +104,9 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         title_zh: item.text("title_zh").map(|text| text.value),
         evidence: evidence.map(|text| text.value),
         effect: keyword(item, "effect", EFFECTS).unwrap_or(Effect::Query),
+        role: role::role(item),
+        changes: role::changes(item),
+        motion: motion(item),
         requires: requires(item),
         requires_source: item.text("requires_source").map(|text| text.value),
         deadline: deadline(item),
@@ -120,6 +125,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         wire: wire.value,
         name: name.value,
     };
+    role::check(item, &command, index);
     item.finish();
     command
 }

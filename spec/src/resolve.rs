@@ -3,15 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
-use crate::advice;
 use crate::envelope::ENVELOPE;
 use crate::item::{Item, Placed};
-use crate::model::{Field, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::model::{Command, Field, Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
 use crate::report::{At, Report};
 use crate::type_text::notation;
 use crate::unique::Unique;
 use crate::words::event_code;
+use crate::{advice, role};
 
 /// Why a field cannot have `constructors`.
 pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
@@ -46,6 +46,8 @@ pub(crate) enum Need {
     Reply(TypeId),
     /// What is advised of these fields, which stand next to each other, makes sense.
     Advised(Vec<Field>),
+    /// The command's role and motion fit its fields.
+    Meaning(Box<Command>),
 }
 
 impl<'s> Index<'s> {
@@ -131,6 +133,11 @@ impl<'s> Index<'s> {
         id
     }
 
+    /// All types that are defined or used, each at the place of its id.
+    pub(crate) fn types(&self) -> &[TypeDef] {
+        &self.types
+    }
+
     pub(crate) fn definition(&self, id: TypeId) -> &TypeDef {
         &self.types[id.0]
     }
@@ -188,6 +195,7 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
             Need::Advised(fields) if has_ends => advice::problem(fields, &index.types),
             Need::Advised(_) => None,
+            Need::Meaning(command) => role::problem(command, &index.types),
         };
         if let Some(problem) = problem {
             report.error(*at, format!("{what}: {problem}"));

@@ -3,7 +3,10 @@
 use std::ops::RangeInclusive;
 
 pub use crate::similar::{distance, nearest};
-use crate::{Advice, Command, Effect, Field, Range, Requirement, Severity, Spec, TypeKind, Versions};
+use crate::{
+    Advice, Change, Command, Effect, Field, Motion, PathKind, Range, Requirement, Role, Severity, Spec, TypeKind,
+    Versions,
+};
 
 /// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -79,6 +82,70 @@ pub fn effect(effect: Effect) -> &'static str {
         Effect::Power => "power",
         Effect::Session => "session",
     }
+}
+
+/// The word of the TOML files.
+pub fn role(role: Role) -> &'static str {
+    match role {
+        Role::Stop => "stop",
+        Role::Pause => "pause",
+        Role::Resume => "resume",
+        Role::SetPoint => "set_point",
+        Role::ServoMode => "servo_mode",
+        Role::Output => "output",
+        Role::State => "state",
+    }
+}
+
+/// Role of a command in a sentence.
+pub fn role_sentence(role: Role) -> &'static str {
+    match role {
+        Role::Stop => "Stops the arm; goes out without a question.",
+        Role::Pause => "Pauses; goes out without a question.",
+        Role::Resume => "Resumes what is paused.",
+        Role::SetPoint => "Set-point of servo mode.",
+        Role::ServoMode => "Enters or leaves servo mode.",
+        Role::Output => "Output: passes while a session, a stream or a trajectory moves the arm.",
+        Role::State => "State of the robot: passes while a session, a stream or a trajectory moves the arm.",
+    }
+}
+
+/// `the frames of poses, the tool frame and the payload`; nothing where nothing is changed.
+pub fn changes(changes: &[Change]) -> Option<String> {
+    let words: Vec<_> = changes
+        .iter()
+        .map(|change| match change {
+            Change::Frames => "the frames of poses",
+            Change::Tool => "the tool frame",
+            Change::Payload => "the payload",
+        })
+        .collect();
+    (!words.is_empty()).then(|| list(&words, "and"))
+}
+
+/// `all joints to joint_position at speed, with acceleration`: a motion by the names that `name` gives its fields.
+pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
+    let way = match motion.path {
+        Some(PathKind::Joints) => "moves all joints",
+        Some(PathKind::Line) => "moves the tool centre point on a line",
+        Some(PathKind::Arc) => "moves the tool centre point on an arc",
+        None => "moves on a path that the controller chooses",
+    };
+    let part = |word: &str, field: &Option<String>| field.as_ref().map(|field| format!("{word} {}", name(field)));
+    let mode = motion.mode.as_ref().map(|mode| match mode.offset {
+        Some(offset) => format!("where {} is {} (an offset where it is {offset})", name(&mode.field), mode.absolute),
+        None => format!("where {} is {}", name(&mode.field), mode.absolute),
+    });
+    let parts = [
+        Some(way.to_owned()),
+        part("through", &motion.through),
+        Some(format!("to {}", name(&motion.target))),
+        mode,
+        part("at", &motion.speed),
+        part("with", &motion.acceleration),
+        part("within", &motion.tolerance),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 /// The word of the TOML files.

@@ -534,3 +534,16 @@ fn a_bare_reply_follows_its_field_s_name() {
     let command = spec.command("get_extio_status").expect("the spec has it");
     assert_eq!(command.bare_reply.as_deref(), Some("modules"));
 }
+
+#[test]
+fn a_motion_follows_its_fields_and_can_be_unknown() {
+    let pack = pack(
+        "\
+         [[override]]\ntarget = 'joint_move'\nrequest = 'speed'\nname = 'velocity'\n\
+         [[override]]\ntarget = 'moveL'\nrequest = 'speed'\nunit = 'm/s'\n\
+         [[override]]\ntarget = 'moveL'\nmotion = 'unknown'\n",
+    );
+    let motion = |name: &str| pack.spec.command(name).expect("the spec has it").motion.as_ref();
+    assert_eq!(motion("joint_move").and_then(|motion| motion.speed.as_deref()), Some("velocity"));
+    assert_eq!(motion("moveL"), None);
+}

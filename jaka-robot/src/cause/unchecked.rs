@@ -13,7 +13,7 @@ jaka_proto::worded! {
         /// The request does not determine where it ends, such as an arc by offsets or a relative motion with a
         /// rotation. Give an absolute target.
         Target => "the request does not say where it ends",
-        /// The request does not determine its way: implement [`Motion::path`](crate::Motion::path) for it, or send it
+        /// The request does not determine its path: name the `path` in the `[command.motion]` of a pack, or send it
         /// without limits.
         Path => "the request does not say on which way the arm goes",
         /// The controller's pose of the arm does not fit its joint positions, for the frames that its `kine_forward`

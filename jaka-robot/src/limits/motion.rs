@@ -9,8 +9,9 @@ use jaka_sync::layer::Stopwatch;
 
 use super::{LimitChecks, Limited, beyond_limit, not_checked};
 use crate::arm::Arm;
+use crate::motions::PlannedMotion;
 use crate::place::{Place, Quantity};
-use crate::{Error, Motion, Path, Unchecked};
+use crate::{Error, Path, Unchecked};
 
 /// Where a motion begins, as far as that is known.
 #[derive(Debug, Clone, Copy)]
@@ -34,17 +35,17 @@ struct Check<'a> {
 impl LimitChecks {
     /// The joint positions at which a motion will end, where the robot has limits and it is within them. After motions
     /// that were given up the arm must rest for the time of `settling`.
-    pub(crate) fn check_motion<M: Motion>(
+    pub(crate) fn check_motion(
         &mut self,
         arm: &mut Arm,
-        motion: &M,
+        motion: PlannedMotion<'_>,
         beginning: Beginning,
         (settling, timeout): (Duration, Duration),
     ) -> Result<Option<JointPosition>, Error> {
         let Some(limited) = &mut self.0 else { return Ok(None) };
         limited.warning = None;
         let since = arm.clock().stopwatch();
-        let mut check = Check { arm, limited, command: M::INFO.name, since, timeout };
+        let mut check = Check { arm, limited, command: motion.info.name, since, timeout };
         let end = check.start(beginning, settling).and_then(|from| check.end(motion, from));
         end.or_else(|error| limited.judged(error).map(|()| None))
     }
@@ -60,17 +61,17 @@ impl Check<'_> {
     }
 
     /// The joint positions at which a motion ends that begins at these.
-    fn end<M: Motion>(&mut self, motion: &M, from: JointPosition) -> Result<Option<JointPosition>, Error> {
-        let (target, path, tolerance_mm) = (motion.target(), motion.path(), motion.tolerance());
+    fn end(&mut self, motion: PlannedMotion<'_>, from: JointPosition) -> Result<Option<JointPosition>, Error> {
+        let PlannedMotion { target, path, tolerance_mm, .. } = motion;
         if path == Path::Unknown {
             return Err(self.not_checked(Unchecked::Path));
         }
         let checker = &self.limited.checker;
-        let start = match target.start_quantity() {
+        let start = match Quantity::of_start(target) {
             Some(Quantity::Pose) => Place::Pose(checker.frames().pose(checker.limits().model().forward(from))),
             _ => Place::Joints(from),
         };
-        let Some(end) = target.from(Some(start)) else {
+        let Some(end) = Place::of(target, Some(start)) else {
             return Err(self.not_checked(Unchecked::Target));
         };
         let tcp_pace = |speed_mm_s| TcpPace { speed_mm_s, tolerance_mm };

@@ -1,6 +1,7 @@
 //! Goals of batches, and whether the arm is there.
 
-use crate::Target;
+use jaka_proto::Target;
+
 use crate::place::{Place, Quantity};
 
 /// Where a batch of motions ends, once it has been accepted.
@@ -24,7 +25,7 @@ pub(super) enum Nearness {
 impl Goal {
     /// The goal of a motion to `target` that begins at `start`, if that is known.
     pub(super) fn new(target: Target, tolerance: f64, start: Option<Place>) -> Self {
-        target.from(start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
+        Place::of(target, start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
     }
 
     /// What to ask for, to see whether the arm is there.

@@ -12,7 +12,8 @@ use super::guard_thread::{GuardThread, Relieved, Stopped, Why, lost};
 use crate::arm::{Sent, unknown};
 use crate::cause::Occurrence;
 use crate::guard::{Armed, Guard, longest_silence, packet_period};
-use crate::{End, Error, ErrorKind, GuardTrip, Motion, NotGuarded, Path, Report, Rest, TripReason};
+use crate::motions::PlannedMotion;
+use crate::{End, Error, ErrorKind, GuardTrip, NotGuarded, Path, Report, Rest, TripReason};
 
 /// How long an arm that was stopped is waited for until it rests.
 const REST: Duration = Duration::from_secs(2);
@@ -26,14 +27,14 @@ pub(crate) struct GuardedRun<'a> {
 
 impl GuardedRun<'_> {
     /// Sends a motion, and waits until it has ended or the guard has tripped, upon which the arm is stopped.
-    pub(crate) fn run<M: Motion>(mut self, motion: &M, timeout: Duration) -> Result<End, Error> {
+    pub(crate) fn run(mut self, motion: PlannedMotion<'_>, timeout: Duration) -> Result<End, Error> {
         let arm = &self.moving.arm;
         let since = arm.clock().stopwatch();
         self.guard.check()?;
-        arm.link().check_open(M::INFO.name)?;
+        arm.link().check_open(motion.info.name)?;
         arm.check_acknowledged()?;
         let left = || since.left_of(timeout);
-        let fresh_for = self.check_speed(M::INFO, motion.path(), left())?;
+        let fresh_for = self.check_speed(motion.info, motion.path, left())?;
         let armed = Armed::new(self.guard, &arm.state, left()).map_err(|problem| arm.attach(unknown(problem)))?;
         if let Some(trip) = armed.trip() {
             return self.not_begun(trip, since.passed());

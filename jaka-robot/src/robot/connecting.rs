@@ -15,6 +15,7 @@ use crate::input_wait::wait_for;
 use crate::limits::LimitChecks;
 use crate::planned::Planned;
 use crate::preflight::Preflight;
+use crate::motions::PlannedMotion;
 use crate::{
     AnalogCondition, Client, Config, End, Error, ErrorKind, Explanation, InputCondition, Monitor, Motion, MotionStatus,
     Occurrence, PowerStep, RobotStop, Run, Snapshot, power_steps, status::RobotStatus,
@@ -166,11 +167,11 @@ impl<S: MotionStatus> Robot<S> {
         power_steps::down(&mut self.arm, timeout, &mut observer)
     }
 
-    /// Sends a motion and waits for its end; [under a guard](Motion::guard) also for its trip.
+    /// Sends a motion and waits for its end; [under a guard](MotionExt::guard) also for its trip.
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
-    /// motion was accepted is reported by the [`End`]. Under a guard also as [`Motion::guard`] says.
+    /// motion was accepted is reported by the [`End`]. Under a guard also as [`MotionExt::guard`] says.
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]
@@ -194,7 +195,7 @@ impl<S: MotionStatus> Robot<S> {
     /// `ErrorKind::NotChecked`.
     pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
         let timeout = self.arm.queries().timeout_of(M::INFO);
-        self.moving().send(motion, timeout, None)
+        self.moving().send(PlannedMotion::of(motion), timeout, None)
     }
 
     /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once

@@ -2,16 +2,9 @@
 
 use std::time::Duration;
 
-use jaka_proto::Command;
-use jaka_proto::messages::collision::ProtectiveStopStatus;
-use jaka_proto::messages::io::{
-    GetDigitalInputStatus, GetExtioStatus, GetFuncdiStatus, SetAnalogOutput, SetDigitalOutput,
-};
-use jaka_proto::messages::kinematics::{GetJointPos, GetTcpPos};
-use jaka_proto::messages::power::GetRobotState;
-use jaka_proto::messages::program::{GetProgramState, StopProgram};
 use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
+use jaka_proto::{Command, Role};
 use jaka_sync::layer::{ClientParts as _, Reservation};
 
 use super::course::Course;
@@ -27,23 +20,8 @@ use crate::{Error, Explanation, Report, Rest};
 /// it.
 const MEANWHILE: Reservation = Reservation {
     because: "a servo session, a stream or a trajectory leads the arm, and only outputs, short queries and stops pass",
-    lets_pass: |command| PASSING.contains(&command),
+    lets_pass: |info| info.and_then(|info| info.role).is_some_and(Role::passes_beside_set_points),
 };
-
-/// Commands that pass.
-const PASSING: [&str; 11] = [
-    StopProgram::INFO.name,
-    SetDigitalOutput::INFO.name,
-    SetAnalogOutput::INFO.name,
-    GetDigitalInputStatus::INFO.name,
-    GetExtioStatus::INFO.name,
-    GetFuncdiStatus::INFO.name,
-    GetRobotState::INFO.name,
-    GetProgramState::INFO.name,
-    GetJointPos::INFO.name,
-    GetTcpPos::INFO.name,
-    ProtectiveStopStatus::INFO.name,
-];
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.

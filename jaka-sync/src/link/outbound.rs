@@ -11,7 +11,7 @@ use super::halves::Outbound;
 use super::outgoing::{Gate, Outgoing, Right, SendError};
 use super::state::{Mode, State};
 use super::turn::Passing;
-use super::{FRAME_COMMANDS, Link, WIRE};
+use super::{Link, WIRE};
 use crate::socket::Socket;
 use crate::{Disconnect, Error};
 
@@ -108,7 +108,7 @@ impl Link {
                 (Some(now), Cow::Borrowed(command)) => state.exchange.post(command, now),
                 (_, name) => state.exchange.send(name.clone()),
             };
-            state.frame_changes += u64::from(FRAME_COMMANDS.contains(&&*outgoing.name));
+            state.frame_changes += u64::from(outgoing.changes_frames());
             state.stops += u64::from(outgoing.right != Right::Usual);
             state.count_change(outgoing);
         }

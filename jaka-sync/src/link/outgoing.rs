@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::convert::Infallible;
 use std::time::Duration;
 
-use jaka_proto::{CommandInfo, Effect};
+use jaka_proto::check::{NotSent, Rules};
+use jaka_proto::wire::Writer;
+use jaka_proto::{Command, CommandInfo, Effect};
 
 use super::failure::not_sent_in_time;
 use crate::Error;
@@ -32,8 +34,8 @@ impl Handle {
 pub struct Reservation {
     /// Reason for the error of what is kept back.
     pub because: &'static str,
-    /// Whether a command passes, by its `cmdName`.
-    pub lets_pass: fn(&str) -> bool,
+    /// Decides whether a command passes; none for a command that neither the spec nor its caller knows.
+    pub lets_pass: fn(Option<&CommandInfo>) -> bool,
 }
 
 /// Question that the thread whose turn it is to send asks as the last thing before a command goes out: its error, the
@@ -69,6 +71,28 @@ impl From<SendError<Infallible>> for Error {
     }
 }
 
+/// Request of any type, as it goes out.
+pub trait Written {
+    /// Checks it against the spec, as [`Command::check`].
+    ///
+    /// # Errors
+    /// As [`Command::check`].
+    fn check(&self, rules: Rules) -> Result<(), NotSent>;
+
+    /// Writes it as it goes over the wire.
+    fn write(&self, out: &mut Writer);
+}
+
+impl<C: Command> Written for C {
+    fn check(&self, rules: Rules) -> Result<(), NotSent> {
+        Command::check(self, rules)
+    }
+
+    fn write(&self, out: &mut Writer) {
+        self.write_request(out);
+    }
+}
+
 /// What goes out: commands of one name, and until when.
 pub(crate) struct Outgoing<'o> {
     /// The command as its caller names it.
@@ -82,19 +106,22 @@ pub(crate) struct Outgoing<'o> {
     /// Whether the outcomes are counted, with no thread waiting for one in particular.
     pub(super) is_posted: bool,
     pub(super) by: Handle,
-    /// True where it changes nothing.
-    pub(super) is_query: bool,
+    /// Facts of the command; none for one that neither the spec nor its caller knows.
+    pub(super) info: Option<&'static CommandInfo>,
 }
 
 impl<'o> Outgoing<'o> {
     /// A command of the spec, whose time begins now.
     pub(crate) fn of(clock: &Clock, info: &'static CommandInfo, timeout: Duration) -> Self {
-        let is_query = info.effect == Effect::Query;
-        Self { is_query, ..Self::named(clock, info.name, Cow::Borrowed(info.name), timeout) }
+        Self { info: Some(info), ..Self::unknown(clock, info.name, Cow::Borrowed(info.name), timeout) }
     }
 
-    /// Any command, whose time begins now; `name` is the name that its reply has.
+    /// Any command, whose time begins now; `name` is the name that its reply has, and by which the spec knows it.
     pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
+        Self { info: CommandInfo::of(&name), ..Self::unknown(clock, command, name, timeout) }
+    }
+
+    fn unknown(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
         Self {
             command,
             name,
@@ -103,7 +130,7 @@ impl<'o> Outgoing<'o> {
             right: Right::Usual,
             is_posted: false,
             by: Handle::FIRST,
-            is_query: false,
+            info: None,
         }
     }
 
@@ -114,6 +141,16 @@ impl<'o> Outgoing<'o> {
 
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
+    }
+
+    /// True where it changes nothing. A command that is not known may change anything.
+    pub(super) fn is_query(&self) -> bool {
+        self.info.is_some_and(|info| info.effect == Effect::Query)
+    }
+
+    /// True where poses may mean something else after it.
+    pub(super) fn changes_frames(&self) -> bool {
+        self.info.is_none_or(|info| info.changes.iter().any(|change| change.concerns_poses()))
     }
 
     pub(super) fn left(&self) -> Duration {

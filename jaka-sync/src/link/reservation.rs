@@ -51,7 +51,7 @@ impl State {
     /// Fails where the reservation of another handle keeps this back.
     pub(super) fn check_reserved(&self, outgoing: &Outgoing<'_>) -> Result<(), Error> {
         let keeps_back = |by: Handle, reservation: &Reservation| {
-            outgoing.right != Right::Stop && outgoing.by != by && !(reservation.lets_pass)(outgoing.command)
+            outgoing.right != Right::Stop && outgoing.by != by && !(reservation.lets_pass)(outgoing.info)
         };
         match self.reservations.iter().find(|(_, by, reservation)| keeps_back(*by, reservation)) {
             Some((_, _, Reservation { because, .. })) => {
@@ -63,7 +63,7 @@ impl State {
 
     /// Counts what has been entered.
     pub(super) fn count_change(&mut self, outgoing: &Outgoing<'_>) {
-        if !outgoing.is_query {
+        if !outgoing.is_query() {
             self.changes += 1;
             *self.changes_of.entry(outgoing.by).or_default() += 1;
         }

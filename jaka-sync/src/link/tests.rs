@@ -4,10 +4,12 @@ mod question;
 mod reset;
 mod sending;
 
+use std::borrow::Cow;
 use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::Instant;
 
+use jaka_proto::Effect;
 use jaka_proto::wire::Writer;
 use socket2::SockRef;
 
@@ -45,12 +47,15 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
     (link, server)
 }
 
+/// A command that the spec does not have.
+static X: CommandInfo = CommandInfo::usual("x", "", "", Effect::Motion);
+
 /// Posts this many commands.
 fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {
         let posting =
-            link.post(("x", Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+            link.post((&X, Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
         (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
     Ok(outstanding)

@@ -7,9 +7,9 @@ use crate::advice;
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
-use crate::read;
-use crate::report::Report;
+use crate::report::{At, Report};
 use crate::similar::nearest;
+use crate::{Source, read, role};
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,6 +127,7 @@ impl<'s> Draft<'s, '_> {
             }
             Target::Type(_) => read::array_variant(item, index),
         };
+        super::no_roles_of_variants(item, std::slice::from_ref(&new));
         let same = choice.variants.iter().find(|old| old.wire == new.wire || old.name == new.name);
         match same.map(|old| covers::variant(old, &new)) {
             Some(Ok(())) => {
@@ -204,10 +205,15 @@ impl<'s> Draft<'s, '_> {
             return self.covered.changes.add(place.0);
         }
         let is_undisputed = old.disputed.is_empty();
+        let (old_name, new_name) = (list.fields[at].name.clone(), new.name.clone());
         list.replace(at, new);
         index.advised(item, list.fields);
         if item.has("settled") && is_undisputed {
             self.note(item, UNDISPUTED);
+        }
+        if let (Target::Command(wire), Part::Request) = (place.0, place.2) {
+            let motion = command_mut(&mut self.spec.topics, wire).and_then(|command| command.motion.as_mut());
+            motion.into_iter().for_each(|motion| motion.rename(&old_name, &new_name));
         }
         self.changed(item, place.0);
     }
@@ -238,6 +244,18 @@ impl<'s> Draft<'s, '_> {
         }
         command.deadline = read::deadline(item).or(command.deadline);
         command.versions = read::versions(item, &before.versions);
+        if item.is_text("motion") {
+            let word = item.text("motion").filter(|word| word.value != "unknown");
+            if let Some(word) = word {
+                item.error(
+                    word.at,
+                    "`motion` is a table, or `unknown` where the command's motion cannot be told any more",
+                );
+            }
+            command.motion = None;
+        } else if item.has("motion") {
+            command.motion = read::motion(item);
+        }
         if item.has("doc") {
             command.doc = read::required_doc(item);
         }
@@ -271,6 +289,18 @@ impl Changed {
 }
 
 impl Draft<'_, '_> {
+    /// Checks the roles and motions of the spec's commands, of which an entry may have changed the fields or the types.
+    pub(super) fn check_motions(&self, source: Source<'_>, report: &Report) {
+        for command in self.spec.commands() {
+            let Some(problem) = role::problem(command, self.index.types()) else { continue };
+            let of_command = |target: &Target| matches!(target, Target::Command(wire) if *wire == command.wire);
+            let entry = self.edits.iter().find(|(_, _, target)| of_command(target)).or_else(|| self.edits.first());
+            let at = entry.map_or(At { source, offset: 0 }, |(at, ..)| *at);
+            let hint = "give it another `motion` in an `[[override]]`, or `motion = \"unknown\"`";
+            report.error(at, format!("`{}` is a motion: {problem}; {hint}", command.wire));
+        }
+    }
+
     /// Checks which fields are optional, now that all of them are known.
     pub(super) fn check_optional(&self, report: &Report) {
         for (at, what, target) in &self.edits {

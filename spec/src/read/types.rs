@@ -2,6 +2,7 @@
 
 use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{fields, wrapped_type};
+use super::role::role;
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::Index;
@@ -44,6 +45,9 @@ pub(crate) fn array_variant<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> V
 fn array_variant_fields<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Vec<Field> {
     if item.text("name").is_some_and(|name| name.value == "Other") {
         item.error(item.at, OTHER);
+    }
+    if item.has("role") {
+        item.error(item.at, "`role` is for a command, or a variant of its request");
     }
     fields(item, ("field", "field"), None, index)
 }
@@ -127,7 +131,7 @@ pub(super) fn variants<'s>(item: &Item<'_, 's>, mut fields: impl FnMut(&Item<'_,
 /// One variant, whose fields are read by `fields`.
 pub(crate) fn variant<'s>(item: &Item<'_, 's>, fields: impl FnOnce(&Item<'_, 's>) -> Vec<Field>) -> Variant {
     let (wire, name, fields) = (wire_int(item).value, camel_name(item).value, fields(item));
-    let variant = Variant { wire, name, doc: required_doc(item), fields };
+    let variant = Variant { wire, name, doc: required_doc(item), role: role(item), fields };
     item.finish();
     variant
 }

@@ -82,7 +82,8 @@ impl fmt::Display for Change {
 /// | the same in what is only received | patch | nothing is checked there: documentation |
 /// | a struct is no longer `Copy`, as a field needs memory of its own | major | the derive is gone; minor where it comes |
 /// | array: `exact` set | major | longer arrays were read and are not any more |
-/// | effect, requirements, deadline | minor | `CommandInfo` says so at run time; the request is sent either way |
+/// | effect, role, changes, requirements, deadline | minor | `CommandInfo` says so at run time; the request is sent either way |
+/// | motion: added or changed | minor | its end can be waited for; where it is removed, major, since a program may run it |
 /// | the session ends with the command, or a missing reply becomes an error | major | calls that succeeded fail |
 /// | the opposite of these two | minor | calls succeed that failed |
 /// | bare reply read | minor | a reply is understood that was not; major where it is given up |

@@ -1,8 +1,7 @@
 //! A program that uses commands of newer firmware, which a pack describes.
 
 use jaka_robot::jaka_sync::Error;
-use jaka_robot::types::MoveMode;
-use jaka_robot::{Call, Client, Motion, Target};
+use jaka_robot::{Call, Client};
 
 jaka_robot::pack!("newer.toml");
 jaka_robot::pack!("changed.toml");
@@ -25,15 +24,4 @@ pub fn is_stopped(robot: &mut impl Call) -> Result<bool, Error> {
 /// Moves the joints, with the field that newer firmware has.
 pub fn move_with_zone(robot: &mut Client, joints: [f64; 6], zone: f64) -> Result<(), Error> {
     robot.joint_move_changed(&changed::JointMove::absolute(joints, 20.0).zone(zone))
-}
-
-/// The pack's motion can be waited for, since this says where it ends.
-impl Motion for changed::JointMove {
-    fn target(&self) -> Target {
-        match self.mode {
-            MoveMode::Absolute => Target::Joints(self.joint_position),
-            MoveMode::Relative => Target::JointOffset(self.joint_position),
-            _ => Target::Unknown,
-        }
-    }
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_robot::jaka_motion::{Dynamics, Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
-    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, Motion as _, Numbering, Robot, RobotConfig,
+    Cause, End, Error, ErrorKind, Evidence, FollowConfig, GuardTrip, MotionExt as _, Numbering, Robot, RobotConfig,
     ServoConfig, StreamConfig, TripReason,
 };
 use jaka_sim::{Direction, Port, StatusFault};

@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_robot::motion::JointMove;
 use jaka_robot::status::RobotStatus;
-use jaka_robot::{Cause, ErrorKind, Guard, Monitor, Motion as _, MotionStatus, Robot, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Guard, Monitor, MotionExt as _, MotionStatus, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG};
 
 /// How long a state of another thread is asked for again.

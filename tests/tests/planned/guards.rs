@@ -15,7 +15,7 @@ use jaka_robot::motion::JointMove;
 use jaka_robot::program::StopProgram;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{
-    Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, Motion as _, MotionStatus, NotShown, Numbering,
+    Cause, Command, End, ErrorKind, Evidence, Guard, GuardTrip, MotionExt as _, MotionStatus, NotShown, Numbering,
     Occurrence, Robot, RobotConfig, TcpBox, TripReason,
 };
 use jaka_sim::{Contact, Fault, Port, StatusFault};

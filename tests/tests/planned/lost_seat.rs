@@ -5,7 +5,7 @@ use std::io::Write;
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, Motion as _, Numbering, Robot};
+use jaka_robot::{Cause, Disconnect, ErrorKind, Evidence, InputCondition, MotionExt as _, Numbering, Robot};
 use jaka_sim::SimulatedClock;
 use jaka_tests::simulated::beside;
 use jaka_tests::{ClockedSocket, HandFed, LONG};

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Trajectory, Via};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Client, FollowConfig, Guard, Motion as _, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
+use jaka_robot::{Client, FollowConfig, Guard, MotionExt as _, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{CommandWire, TimedMessage, beside};

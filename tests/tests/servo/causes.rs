@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_robot::jaka_motion::{Checker, Frames};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
-    Cause, Error, FollowConfig, Guard, Motion as _, Numbering, Robot, RobotConfig, ServoConfig, StopHandle,
+    Cause, Error, FollowConfig, Guard, MotionExt as _, Numbering, Robot, RobotConfig, ServoConfig, StopHandle,
     StreamConfig,
 };
 use jaka_sim::{Fault, Port, StatusFault};

@@ -7,7 +7,7 @@ use jaka_robot::jaka_motion::Dynamics;
 use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
-    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, Motion as _, Numbering, RobotConfig,
+    Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, MotionExt as _, Numbering, RobotConfig,
     ServoConfig, SessionConfig, StreamConfig, TcpBox,
 };
 use jaka_tests::{Arm, Configured as _, LONG};

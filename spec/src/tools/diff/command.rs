@@ -20,6 +20,14 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Comm
 /// What programs read from `CommandInfo`, and what the client does by it.
 fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.value(place, "effect", &words::effect(old.effect), &words::effect(new.effect), Impact::Minor);
+    let role = |command: &Command| command.role.map(words::role);
+    d.option(place, "role", (role(old).as_ref(), role(new).as_ref()), Impact::Minor);
+    let changes = |command: &Command| words::changes(&command.changes);
+    d.option(place, "change", (changes(old).as_ref(), changes(new).as_ref()), Impact::Minor);
+    let motion = |command: &Command| command.motion.as_ref().map(|motion| words::motion(motion, str::to_owned));
+    // A program may run it as a motion, and then does not compile any more.
+    let lost = if old.motion.is_some() && new.motion.is_none() { Impact::Major } else { Impact::Minor };
+    d.option(place, "motion", (motion(old).as_ref(), motion(new).as_ref()), lost);
     let (was, is) = (words::requirements(&old.requires), words::requirements(&new.requires));
     d.option(place, "requirement", (was.as_ref(), is.as_ref()), Impact::Minor);
     let ms = |command: &Command| command.deadline.map(|deadline| format!("{} ms", deadline.as_millis()));

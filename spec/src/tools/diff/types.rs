@@ -5,6 +5,7 @@ use std::fmt::Display;
 use super::Impact;
 use super::collect::{Differ, pairs};
 use super::field::{Checks, Holder, field_type, fields, unit};
+use crate::words;
 use crate::{EnumValue, Spec, Type, TypeDef, TypeKind, Variant};
 
 /// Compares one type of both specs.
@@ -73,6 +74,8 @@ pub(super) fn variants(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[
         let place = format!("{place}, variant `{}`", pair.any().wire);
         if let Some((old, new)) = d.both(&place, &pair, Impact::Minor) {
             d.value(&place, "name", &old.name, &new.name, Impact::Major);
+            let role = |variant: &Variant| variant.role.map(words::role);
+            d.option(&place, "role", (role(old).as_ref(), role(new).as_ref()), Impact::Minor);
             d.reworded(&place, "doc", &old.doc, &new.doc);
             fields(d, &place, holder, &old.fields, &new.fields);
         }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::markdown::{code, escape};
 use super::{command_heading, fields, type_phrase};
 use crate::words;
-use crate::{Command, Reply, Request, Spec};
+use crate::{Command, Motion, Reply, Request, Spec};
 
 /// All there is to know about a command.
 pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
@@ -30,6 +30,9 @@ pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
 fn facts(command: &Command) -> impl Iterator<Item = String> {
     let facts = [
         Some(format!("Effect: {}.", words::effect(command.effect))),
+        command.role.map(|role| words::role_sentence(role).to_owned()),
+        words::changes(&command.changes).map(|changes| format!("Changes {changes}.")),
+        command.motion.as_ref().map(|motion| motion_fact(command, motion)),
         Some(format!("In Rust: `Client::{}`.", command.name)),
         command.title_zh.as_ref().map(|title| format!("In the document: {title}.")),
         command.evidence.as_ref().map(|evidence| format!("Not in the document. {evidence}")),
@@ -42,6 +45,12 @@ fn facts(command: &Command) -> impl Iterator<Item = String> {
         command.reconstructed.as_ref().map(|evidence| format!("Reconstructed: {evidence}")),
     ];
     facts.into_iter().flatten()
+}
+
+/// The motion by the keys of its fields.
+fn motion_fact(command: &Command, motion: &Motion) -> String {
+    let key = |name: &str| code(command.request_field(name).map_or(name, |field| &field.wire));
+    format!("Motion: {}.", words::motion(motion, key))
 }
 
 fn requirements(command: &Command) -> Option<String> {

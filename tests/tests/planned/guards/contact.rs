@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_robot::motion::{EndMove, JointMove, MoveL};
 use jaka_robot::program::StopProgram;
-use jaka_robot::{Command, Error, ErrorKind, ForceComponent, ForceLimit, Motion as _, NotGuarded, NotShown, Robot};
+use jaka_robot::{Command, Error, ErrorKind, ForceComponent, ForceLimit, MotionExt as _, NotGuarded, NotShown, Robot};
 use jaka_tests::LONG;
 use jaka_tests::simulated::{beside, until};
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
 use jaka_robot::program::StopProgram;
-use jaka_robot::{Cause, Command, Motion as _};
+use jaka_robot::{Cause, Command, MotionExt as _};
 use jaka_sim::{Direction, LinkFault, Port};
 use jaka_tests::simulated::{beside, until};
 

@@ -8,7 +8,7 @@ use jaka_proto::wire::{Decode, DecodeError, Reader};
 use jaka_robot::motion::MoveL;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{
-    Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, Motion as _, MotionStatus,
+    Cause, ErrorKind, Evidence, ForceComponent, ForceLimit, Guard, InputCondition, MotionExt as _, MotionStatus,
     Occurrence, Robot,
 };
 use jaka_sim::{Controller, Fault, Port};
