@@ -37,6 +37,8 @@ pub(crate) struct Protocol {
     pub(crate) spec: Spec,
     /// The files of the packs, in order.
     pub(crate) packs: Vec<PathBuf>,
+    /// True if the config file names them: the user has confirmed what they say of their commands.
+    pub(crate) is_confirmed: bool,
 }
 
 impl Protocol {
@@ -58,9 +60,10 @@ impl SpecArgs {
     /// # Errors
     /// Everything that is wrong with a pack, a line each.
     pub(crate) fn load(&self, config: Option<&Path>) -> Result<Protocol, Failure> {
-        let packs = if self.packs.is_empty() { usual_packs(config)? } else { self.packs.clone() };
+        let (packs, is_confirmed) =
+            if self.packs.is_empty() { usual_packs(config)? } else { (self.packs.clone(), false) };
         let spec = packs.iter().try_fold(builtin(), |spec, path| add(&spec, path))?;
-        Ok(Protocol { spec, packs })
+        Ok(Protocol { spec, packs, is_confirmed })
     }
 }
 

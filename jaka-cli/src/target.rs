@@ -87,8 +87,8 @@ pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
         .ok_or_else(|| format!("the models are {}", Model::published().iter().map(Model::name).join(", ")))
 }
 
-/// The packs that the environment names, or else the config file.
-pub(crate) fn usual_packs(config: Option<&Path>) -> Result<Vec<PathBuf>, Failure> {
+/// The packs that the environment names, or else the config file; and true if it is the config file.
+pub(crate) fn usual_packs(config: Option<&Path>) -> Result<(Vec<PathBuf>, bool), Failure> {
     address::packs(config, &Environment::read())
 }
 

@@ -4,6 +4,7 @@ mod advice;
 mod builtin;
 mod envelope;
 mod item;
+mod meaning;
 mod model;
 mod names;
 mod pack;

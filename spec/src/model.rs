@@ -242,6 +242,25 @@ impl Command {
     }
 }
 
+impl Command {
+    /// Role of the request, which may be that of its variant.
+    pub fn role_of_variant(&self, tag: Option<i64>) -> Option<Role> {
+        let variant = match &self.request {
+            Request::Choice(choice) => choice.variants.iter().find(|variant| Some(variant.wire) == tag),
+            Request::Fields(_) => None,
+        };
+        variant.and_then(|variant| variant.role).or(self.role)
+    }
+
+    /// Field of the request, by its Rust name, where all requests have the same fields.
+    pub fn request_field(&self, name: &str) -> Option<&Field> {
+        match &self.request {
+            Request::Fields(fields) => fields.iter().find(|field| field.name == name),
+            Request::Choice(_) => None,
+        }
+    }
+}
+
 /// What a command does to the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effect {

@@ -11,7 +11,7 @@ use crate::report::{At, Report};
 use crate::type_text::notation;
 use crate::unique::Unique;
 use crate::words::event_code;
-use crate::{advice, role};
+use crate::{advice, meaning};
 
 /// Why a field cannot have `constructors`.
 pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
@@ -195,7 +195,7 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
             Need::Advised(fields) if has_ends => advice::problem(fields, &index.types),
             Need::Advised(_) => None,
-            Need::Meaning(command) => role::problem(command, &index.types),
+            Need::Meaning(command) => meaning::problem(command, &index.types),
         };
         if let Some(problem) = problem {
             report.error(*at, format!("{what}: {problem}"));

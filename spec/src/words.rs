@@ -123,29 +123,29 @@ pub fn changes(changes: &[Change]) -> Option<String> {
     (!words.is_empty()).then(|| list(&words, "and"))
 }
 
-/// `all joints to joint_position at speed, with acceleration`: a motion by the names that `name` gives its fields.
+/// `all joints; target joint_position (absolute where mode is 0); speed speed`: a motion by the names that `name` gives its
+/// fields.
 pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
-    let way = match motion.path {
-        Some(PathKind::Joints) => "moves all joints",
-        Some(PathKind::Line) => "moves the tool centre point on a line",
-        Some(PathKind::Arc) => "moves the tool centre point on an arc",
-        None => "moves on a path that the controller chooses",
+    let path = match motion.path {
+        Some(PathKind::Joints) => "all joints",
+        Some(PathKind::Line) => "tool centre point on a line",
+        Some(PathKind::Arc) => "tool centre point on an arc",
+        None => "on a path that the controller chooses",
     };
-    let part = |word: &str, field: &Option<String>| field.as_ref().map(|field| format!("{word} {}", name(field)));
-    let mode = motion.mode.as_ref().map(|mode| match mode.offset {
-        Some(offset) => format!("where {} is {} (an offset where it is {offset})", name(&mode.field), mode.absolute),
-        None => format!("where {} is {}", name(&mode.field), mode.absolute),
+    let mode = motion.mode.as_ref().map(|mode| {
+        let offset = mode.offset.map(|offset| format!(", an offset where it is {offset}")).unwrap_or_default();
+        format!(" (absolute where {} is {}{offset})", name(&mode.field), mode.absolute)
     });
+    let part = |word: &str, field: &Option<String>| field.as_ref().map(|field| format!("{word} {}", name(field)));
     let parts = [
-        Some(way.to_owned()),
+        Some(path.to_owned()),
+        Some(format!("target {}{}", name(&motion.target), mode.unwrap_or_default())),
         part("through", &motion.through),
-        Some(format!("to {}", name(&motion.target))),
-        mode,
-        part("at", &motion.speed),
-        part("with", &motion.acceleration),
-        part("within", &motion.tolerance),
+        part("speed", &motion.speed),
+        part("acceleration", &motion.acceleration),
+        part("tolerance", &motion.tolerance),
     ];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
+    parts.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }
 
 /// The word of the TOML files.

@@ -4,6 +4,8 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use jaka_robot::motion::JointMove;
+use jaka_robot::{MotionExt as _, Numbering};
 use jaka_sim::{Controller, Fault};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
@@ -13,8 +15,11 @@ use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 use log::{LevelFilter, Log, Metadata, Record};
 
-/// Panics at each message that comes, while it is to.
-struct Panicking(AtomicBool);
+/// Panics at each message that comes, while it is to, or at one alone: the reply to a motion.
+struct Panicking {
+    always: AtomicBool,
+    at_motion: AtomicBool,
+}
 
 impl Log for Panicking {
     fn enabled(&self, metadata: &Metadata<'_>) -> bool {
@@ -23,13 +28,15 @@ impl Log for Panicking {
 
     fn log(&self, record: &Record<'_>) {
         let comes = self.enabled(record.metadata()) && !record.args().to_string().starts_with("->");
-        assert!(!comes || !self.0.load(Ordering::SeqCst), "as the test wants");
+        let is_motion = || record.args().to_string().contains("joint_move") && self.at_motion.load(Ordering::SeqCst);
+        let is_to = comes && (self.always.load(Ordering::SeqCst) || is_motion());
+        assert!(!is_to, "as the test wants");
     }
 
     fn flush(&self) {}
 }
 
-static LOGGER: Panicking = Panicking(AtomicBool::new(false));
+static LOGGER: Panicking = Panicking { always: AtomicBool::new(false), at_motion: AtomicBool::new(false) };
 
 /// `get_joint_pos` with a reply that cannot be read without a panic.
 struct Ask;
@@ -86,22 +93,38 @@ fn a_panic_of_a_logger_or_of_a_reply_takes_nothing_from_the_connection() {
     for _ in 0..3 {
         assert!(panics(|| client.call(&Ask)), "the reply's type panics");
         assert_usable(&controller, &mut client);
-        LOGGER.0.store(true, Ordering::SeqCst);
+        LOGGER.always.store(true, Ordering::SeqCst);
         assert!(panics(|| client.get_version()), "the logger panics");
         let stop = client.stop_handle();
         assert!(panics(|| stop.stop()), "the logger panics");
-        LOGGER.0.store(false, Ordering::SeqCst);
+        LOGGER.always.store(false, Ordering::SeqCst);
         assert_usable(&controller, &mut client);
     }
     // A late reply is logged twice.
     controller.inject(Fault::Hold);
     assert!(client.call_within(&GetJointPos::new(), Duration::from_millis(50)).is_err_and(|error| error.is_timeout()));
-    LOGGER.0.store(true, Ordering::SeqCst);
+    LOGGER.always.store(true, Ordering::SeqCst);
     controller.release();
     assert!(panics(|| client.get_version()), "the logger panics");
-    LOGGER.0.store(false, Ordering::SeqCst);
+    LOGGER.always.store(false, Ordering::SeqCst);
     assert_usable(&controller, &mut client);
     a_panic_of_one_thread_leaves_its_reply_to_another(&controller, client);
+    a_panic_while_a_motion_runs_under_a_guard_stops_the_arm();
+}
+
+/// The logger panics over the reply to the motion: nobody waits for its end, and the guard is judged no longer.
+fn a_panic_while_a_motion_runs_under_a_guard_stops_the_arm() {
+    let (arm, mut robot) = Arm::simulated().with_robot();
+    let far = JointMove::absolute([100.0, 90.0, 90.0, 90.0, -90.0, 0.0], 25.0).acceleration(500.0);
+    let guarded = far.guard(Numbering::FromOne.cabinet(1).is_high());
+    LOGGER.at_motion.store(true, Ordering::SeqCst);
+    assert!(panics(|| robot.run(&guarded, LONG)), "the logger panics");
+    LOGGER.at_motion.store(false, Ordering::SeqCst);
+    arm.clock().sleep(Duration::from_secs(1));
+    let sent = |name: &str| arm.requests().iter().filter(|request| request.contains(name)).count();
+    assert_eq!((sent("joint_move"), sent("stop_program")), (1, 1));
+    let state = arm.state();
+    assert!(state.at_rest && state.joint_position.0[0] < 99.0, "at {:?}", state.joint_position);
 }
 
 /// The thread that reads for all panics over the reply to another.

@@ -72,11 +72,11 @@ impl RobotAddress {
     }
 }
 
-/// The packs that the environment names, or else the config file.
-pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<Vec<PathBuf>, Failure> {
+/// The packs that the environment names, or else the config file; and true if it is the config file.
+pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<(Vec<PathBuf>, bool), Failure> {
     match &environment.packs {
-        Some(paths) => Ok(split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect()),
-        None => Ok(config_file(config, environment)?.packs),
+        Some(paths) => Ok((split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect(), false)),
+        None => Ok((config_file(config, environment)?.packs, true)),
     }
 }
 

@@ -13,9 +13,9 @@ use crate::Cause;
 use crate::arm::Arm;
 use crate::input_wait::wait_for;
 use crate::limits::LimitChecks;
+use crate::motions::PlannedMotion;
 use crate::planned::Planned;
 use crate::preflight::Preflight;
-use crate::motions::PlannedMotion;
 use crate::{
     AnalogCondition, Client, Config, End, Error, ErrorKind, Explanation, InputCondition, Monitor, Motion, MotionStatus,
     Occurrence, PowerStep, RobotStop, Run, Snapshot, power_steps, status::RobotStatus,
@@ -167,11 +167,11 @@ impl<S: MotionStatus> Robot<S> {
         power_steps::down(&mut self.arm, timeout, &mut observer)
     }
 
-    /// Sends a motion and waits for its end; [under a guard](MotionExt::guard) also for its trip.
+    /// Sends a motion and waits for its end; [under a guard](crate::MotionExt::guard) also for its trip.
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
-    /// motion was accepted is reported by the [`End`]. Under a guard also as [`MotionExt::guard`] says.
+    /// motion was accepted is reported by the [`End`]. Under a guard also as [`MotionExt::guard`](crate::MotionExt::guard) says.
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]

@@ -9,7 +9,7 @@ use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
 use crate::report::{At, Report};
 use crate::similar::nearest;
-use crate::{Source, read, role};
+use crate::{Source, meaning, read};
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]
@@ -213,7 +213,9 @@ impl<'s> Draft<'s, '_> {
         }
         if let (Target::Command(wire), Part::Request) = (place.0, place.2) {
             let motion = command_mut(&mut self.spec.topics, wire).and_then(|command| command.motion.as_mut());
-            motion.into_iter().for_each(|motion| motion.rename(&old_name, &new_name));
+            if let Some(motion) = motion {
+                motion.rename(&old_name, &new_name);
+            }
         }
         self.changed(item, place.0);
     }
@@ -292,7 +294,7 @@ impl Draft<'_, '_> {
     /// Checks the roles and motions of the spec's commands, of which an entry may have changed the fields or the types.
     pub(super) fn check_motions(&self, source: Source<'_>, report: &Report) {
         for command in self.spec.commands() {
-            let Some(problem) = role::problem(command, self.index.types()) else { continue };
+            let Some(problem) = meaning::problem(command, self.index.types()) else { continue };
             let of_command = |target: &Target| matches!(target, Target::Command(wire) if *wire == command.wire);
             let entry = self.edits.iter().find(|(_, _, target)| of_command(target)).or_else(|| self.edits.first());
             let at = entry.map_or(At { source, offset: 0 }, |(at, ..)| *at);

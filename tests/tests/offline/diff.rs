@@ -95,8 +95,17 @@ fn what_is_said_about_a_command() {
             ("motion/movc", r#"name = "move_c""#, r#"name = "move_arc""#),
             ("motion/movc", "\"The `cmdName` is `movc`, while the section is titled MoveC.\",", ""),
             ("motion/joint_move", r#"section = "4.7""#, "section = \"4.107\"\nsince = \"1.6\"\nuntil = \"2\""),
-            ("motion/joint_move", r#"effect = "motion""#, r#"effect = "setting""#),
+            ("collision/clear_error", r#"effect = "power""#, r#"effect = "setting""#),
             ("motion/end_move", "deadline_ms = 60000\n", ""),
+            ("motion/joint_move", "acceleration = \"acceleration\"\n", ""),
+            (
+                "motion/movc",
+                "[command.motion]\npath = \"arc\"\ntarget = \"end_pose\"\nmode = { field = \"mode\", absolute = 0 }\nthrough = \"mid_pose\"\nspeed = \"speed\"\nacceleration = \"acceleration\"\ntolerance = \"tolerance\"\n",
+                "",
+            ),
+            ("motion/jog", "role = \"stop\"\n", ""),
+            ("program/play_program", "effect = \"motion\"\n", "effect = \"motion\"\nrole = \"resume\"\n"),
+            ("frames/set_tool_id", "changes = [\"tool\"]\n", ""),
             ("motion/moveL", "deadline_ms = 60000\n", "deadline_ms = 1500\nends_session = true\n"),
             (
                 "motion/wait_complete",
@@ -114,16 +123,21 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r"
+        &expect![[r#"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
+            major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance`
             major: command `moveL`: the session ends with it
             major: command `shutdown`: the reply is certain now, and an error if it is missing
+            minor: command `clear_error`: effect changed from `power` to `setting`
             minor: command `end_move`: deadline removed, was `60000 ms`
-            minor: command `joint_move`: effect changed from `motion` to `setting`
+            minor: command `jog`, variant `0`: role removed, was `stop`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed`
             minor: command `moveL`: deadline changed from `60000 ms` to `1500 ms`
+            minor: command `play_program`: role added: `resume`
             minor: command `servo_move`: requirement removed, was `powered and enabled`
             minor: command `set_servo_move_filter`: requirement changed from `outside servo mode` to `powered and enabled`
+            minor: command `set_tool_id`: change removed, was `the tool frame`
             patch: command `joint_move`: section changed from `4.7` to `4.107`
             patch: command `joint_move`: `since` added: `1.6`
             patch: command `joint_move`: `until` added: `2`
@@ -135,16 +149,21 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
-        &expect![[r"
+        "#]],
+        &expect![[r#"
             major: command `movc`: name changed from `move_arc` to `move_c`
+            minor: command `clear_error`: effect changed from `setting` to `power`
             minor: command `end_move`: deadline added: `60000 ms`
             minor: command `get_extio_status`: bare reply added: `extio_status`
-            minor: command `joint_move`: effect changed from `setting` to `motion`
+            minor: command `jog`, variant `0`: role added: `stop`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
+            minor: command `movc`: motion added: `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance`
             minor: command `moveL`: deadline changed from `1500 ms` to `60000 ms`
             minor: command `moveL`: the session goes on after it
+            minor: command `play_program`: role removed, was `resume`
             minor: command `servo_move`: requirement added: `powered and enabled`
             minor: command `set_servo_move_filter`: requirement changed from `powered and enabled` to `outside servo mode`
+            minor: command `set_tool_id`: change added: `the tool frame`
             minor: command `shutdown`: the reply is no longer certain
             minor: command `wait_complete`: deprecated: watch the status of port 10000 until the robot is in position
             patch: command `joint_move`: section changed from `4.107` to `4.7`
@@ -157,7 +176,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
+        "#]],
     );
 }
 
@@ -169,17 +188,18 @@ fn fields_of_requests() {
     let last_first = format!("{last}\n[[command.request]]");
     check(
         &[
-            ("motion/joint_move/speed", r#"type = "float""#, r#"type = "int""#),
-            ("motion/joint_move/speed", r#"unit = "deg/s""#, r#"unit = "rad/s""#),
+            ("payload/set_payload/mass", r#"type = "float""#, r#"type = "int""#),
+            ("payload/set_payload/mass", r#"unit = "kg""#, r#"unit = "g""#),
             ("motion/joint_move/speed", "min = 0", "min = 1\nmax = 180"),
             ("motion/joint_move/accel", r#"name = "acceleration""#, r#"name = "joint_acceleration""#),
+            ("motion/joint_move", "= \"acceleration\"\n", "= \"joint_acceleration\"\n"),
             ("motion/joint_move/accel", "= true }]\noptional = true", "= true }]\nsince = \"1.6\""),
             ("motion/joint_move/accel", "The document advises 720 at most. ", ""),
             ("motion/joint_move/accel", "[[command.example]]", &with_extra),
             ("motion/end_move/endPosition", r#"wire = "endPosition""#, r#"wire = "cartPosition""#),
             ("motion/end_move/speed", "max = 265", "max = 300"),
             ("motion/end_move/accel", "advised = [{ max = 720, nonzero = true }]", ""),
-            ("motion/moveL/speed", r#"unit = "mm/s""#, ""),
+            ("program/rapid_rate/rate_value", "min = 0\n", "min = 0\nunit = \"share\"\n"),
             ("motion/moveL/speed", "min = 0", ""),
             ("motion/movc/tol", "min = 0", "min = 0\nmax = 10\nadvisory = true"),
             ("program/load_program", "ascii = true", ""),
@@ -189,29 +209,30 @@ fn fields_of_requests() {
             ("io/set_tio_vout_param/tio_vout_ena", "2.0.4 alone", "2.0.4"),
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
-        &expect![[r"
+        &expect![[r#"
             major: command `end_move`, request field `cartPosition`: added
             major: command `end_move`, request field `endPosition`: removed
             major: command `joint_move`, request field `accel`: name changed from `acceleration` to `joint_acceleration`
             major: command `joint_move`, request field `accel`: is no longer optional
-            major: command `joint_move`, request field `speed`: type changed from `float` to `int`
-            major: command `joint_move`, request field `speed`: unit changed from `deg/s` to `rad/s`
             major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
             major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
+            major: command `set_payload`, request field `mass`: type changed from `float` to `int`
+            major: command `set_payload`, request field `mass`: unit changed from `kg` to `g`
             minor: command `clear_error`, request field `blend`: added
             minor: command `end_move`, request field `accel`: advised range removed, was `-720 to 720, not 0`
             minor: command `end_move`, request field `speed`: advised range changed from `-265 to 265, not 0` to `-300 to 300, not 0`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration`
             minor: command `joint_move`, request field `blend`: added
             minor: command `load_program`, request field `programName`: takes any text
             minor: command `moveL`, request field `speed`: range removed, was `at least 0`
             minor: command `rapid_rate`, request field `rate_value`: range changed from `0 to 1` to `0 to 2, advisory`
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` added: `1.6`
-            patch: command `moveL`, request field `speed`: unit removed, was `mm/s`
+            patch: command `rapid_rate`, request field `rate_value`: unit added: `share`
             patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "]],
-        &expect![[r"
+        "#]],
+        &expect![[r#"
             major: command `clear_error`, request field `blend`: removed
             major: command `end_move`, request field `accel`: advised range added: `-720 to 720, not 0`
             major: command `end_move`, request field `cartPosition`: removed
@@ -220,19 +241,20 @@ fn fields_of_requests() {
             major: command `joint_move`, request field `accel`: name changed from `joint_acceleration` to `acceleration`
             major: command `joint_move`, request field `accel`: becomes optional
             major: command `joint_move`, request field `blend`: removed
-            major: command `joint_move`, request field `speed`: type changed from `int` to `float`
-            major: command `joint_move`, request field `speed`: unit changed from `rad/s` to `deg/s`
             major: command `load_program`, request field `programName`: takes printable ASCII only
             major: command `movc`, request field `tol`: range changed from `0 to 10, advisory` to `at least 0`
             major: command `moveL`, request field `speed`: range added: `at least 0`
             major: command `rapid_rate`, request field `rate_value`: range changed from `0 to 2, advisory` to `0 to 1`
+            major: command `set_payload`, request field `mass`: type changed from `int` to `float`
+            major: command `set_payload`, request field `mass`: unit changed from `g` to `kg`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
             minor: command `joint_move`, request field `speed`: range changed from `1 to 180` to `at least 0`
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
-            patch: command `moveL`, request field `speed`: unit added: `mm/s`
+            patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
             patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "]],
+        "#]],
     );
 }
 

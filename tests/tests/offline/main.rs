@@ -1,6 +1,7 @@
 //! Tests without an arm: the spec and what is made of it, pages, and the mathematics of the arm.
 
 mod architecture;
+mod command_names;
 mod diff;
 mod document;
 mod dynamic;

@@ -320,7 +320,7 @@ pub fn guess(robot: &mut jaka_robot::Robot) {
     for part in [
         "error[E0277]: `jaka_robot::power::PowerOn` is not a motion whose end a robot waits for",
         "note: any other command goes out by `Robot::client`: `robot.client().call(&request)`",
-        "note: a motion of a pack implements `Motion`, which says where it ends",
+        "note: a command of a pack is a motion by a table `[command.motion]` in the pack",
     ] {
         assert!(said.contains(part), "{said}");
     }

@@ -64,18 +64,16 @@ fn assert_moves(robot: &mut Robot) {
     robot.run(&to(0.0), LONG).expect("nothing keeps it back").reached().expect("nothing is in its way");
 }
 
-/// A motion to [`FAR`] by code of the program's own, which runs at two moments.
+/// A motion to [`FAR`] by code of the program's own, which runs before it is sent.
 struct Hooked<'h> {
     target: Target,
     /// Runs when the robot has made its checks, before the motion is sent.
     before_sending: &'h dyn Fn(),
-    /// Runs when the controller has accepted the motion.
-    once_accepted: &'h dyn Fn(),
 }
 
 impl Default for Hooked<'_> {
     fn default() -> Self {
-        Self { target: Target::Joints(to(FAR).joint_position), before_sending: &|| (), once_accepted: &|| () }
+        Self { target: Target::Joints(to(FAR).joint_position), before_sending: &|| () }
     }
 }
 
@@ -87,11 +85,6 @@ impl Command for Hooked<'_> {
 impl Motion for Hooked<'_> {
     fn target(&self) -> Target {
         self.target
-    }
-
-    fn tolerance(&self) -> f64 {
-        (self.once_accepted)();
-        0.0
     }
 }
 

@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Trajectory, Via};
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Client, FollowConfig, Guard, MotionExt as _, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig};
+use jaka_robot::{
+    Client, FollowConfig, Guard, MotionExt as _, Numbering, Robot, RobotConfig, ServoConfig, StreamConfig,
+};
 use jaka_sim::{Fault, Port, StatusFault};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{CommandWire, TimedMessage, beside};

@@ -1,27 +1,33 @@
 //! Asking before something happens to the robot.
 
-use jaka_robot::motion::Jog;
-use jaka_robot::proto;
-use jaka_spec::{Effect, Spec};
+use jaka_spec::{Effect, Role, words};
+use serde_json::Value;
 
 use super::options::Options;
 use super::reply;
 use super::request::Request;
 use crate::consent;
 use crate::failure::Failure;
+use crate::output;
+use crate::packs::Protocol;
 use crate::seat;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.
-pub(super) fn obtain(spec: &Spec, request: &Request<'_>, options: &Options, title: &str) -> Result<(), Failure> {
+pub(super) fn obtain(
+    protocol: &Protocol,
+    request: &Request<'_>,
+    options: &Options,
+    title: &str,
+) -> Result<(), Failure> {
     if options.yes || options.robot.is_simulated() {
         return Ok(());
     }
-    if is_harmless(request) {
+    if is_harmless(protocol, request) {
         // A stop does not wait for a terminal either.
-        if !stops(&request.text) {
+        if !stops(protocol, request) {
             seat::warn(&options.robot);
         }
         return Ok(());
@@ -32,20 +38,58 @@ pub(super) fn obtain(spec: &Spec, request: &Request<'_>, options: &Options, titl
             "`{name}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it"
         )));
     }
-    let fields = request.command.map(|command| reply::of_request(spec, command, &request.text)).unwrap_or_default();
-    consent::obtain(request, &fields, title)
+    if role(request) == Some(Role::Stop) {
+        output::note("a pack in the config file is confirmed: its stops are sent without a question");
+    }
+    let fields = request.command.map(|command| reply::of_request(&protocol.spec, command, &request.text));
+    consent::obtain(request, &fields.unwrap_or_default(), title)
 }
 
-/// True for commands that are sent without a question: those that only read, that concern the connection alone, or that stop the arm,
-/// since a stop must not wait.
-pub(super) fn is_harmless(request: &Request<'_>) -> bool {
+/// True for commands that are sent without a question: those that only read, that concern the connection alone, or that
+/// stop the arm, since a stop must not wait.
+pub(super) fn is_harmless(protocol: &Protocol, request: &Request<'_>) -> bool {
     let effect = request.command.map(|command| command.effect);
-    matches!(effect, Some(Effect::Query | Effect::Session)) || request.command.is_some() && stops(&request.text)
+    matches!(effect, Some(Effect::Query | Effect::Session)) || stops(protocol, request)
 }
 
-fn stops(request: &str) -> bool {
-    use proto::Request::{Jog as JogRequest, PauseProgram, StopProgram};
-    matches!(proto::Request::read(request), Ok(StopProgram(_) | PauseProgram(_) | JogRequest(Jog::Stop { .. })))
+/// Says at the start which stops of packs are sent with `--yes` alone, since nobody has confirmed their packs.
+pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
+    if protocol.is_confirmed || options.robot.is_simulated() {
+        return;
+    }
+    let spec = &protocol.spec;
+    let packs = spec.topics.iter().filter(|topic| topic.is_pack).flat_map(|topic| &topic.commands);
+    let stops = packs.filter(|command| command.role == Some(Role::Stop));
+    let stops: Vec<_> = stops.map(|command| format!("`{}`", command.wire)).collect();
+    if !stops.is_empty() {
+        let stops = words::list(&stops, "and");
+        output::warning(&format!(
+            "{stops} will not be sent: a pack says that it stops the arm, and nobody has confirmed that; name the pack \
+             in the config file, or use --yes"
+        ));
+    }
+}
+
+/// True for a stop or a pause of the built-in spec, and for a stop of a pack that the user has confirmed. What a pack
+/// says of its commands is its author's claim.
+fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
+    let Some(command) = request.command else { return false };
+    let is_packs = protocol.spec.topics.iter().any(|topic| topic.is_pack && topic.commands.contains(command));
+    match role(request) {
+        Some(Role::Stop) => !is_packs || protocol.is_confirmed,
+        Some(Role::Pause) => !is_packs,
+        Some(Role::Resume | Role::SetPoint | Role::ServoMode | Role::Output | Role::State) | None => false,
+    }
+}
+
+/// Role of the request, which may be that of its variant.
+fn role(request: &Request<'_>) -> Option<Role> {
+    let command = request.command?;
+    let tag = || {
+        let jaka_spec::Request::Choice(choice) = &command.request else { return None };
+        serde_json::from_str::<Value>(&request.text).ok()?.get(&choice.tag)?.as_i64()
+    };
+    command.role_of_variant(tag())
 }
 
 #[cfg(test)]
@@ -55,27 +99,62 @@ mod tests {
 
     use super::*;
 
-    fn spec() -> Spec {
-        jaka_spec::builtin().expect("the spec's own tests load it")
+    fn protocol(pack: &str, is_confirmed: bool) -> Protocol {
+        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
+        let pack = jaka_spec::load_pack(&spec, jaka_spec::Source { path: "pack.toml", text: pack });
+        Protocol { spec: pack.expect("it is correct").spec, packs: Vec::new(), is_confirmed }
     }
 
     fn request<'s>(command: &'s Command, text: &str) -> Request<'s> {
         Request { command: Some(command), name: command.wire.clone(), text: text.to_owned() }
     }
 
+    const HALT: &str = r#"
+        title = "T"
+
+        [[command]]
+        wire = "demo_halt"
+        effect = "motion"
+        role = "stop"
+        doc = "Stops."
+
+        [[command.example]]
+        request = '{"cmdName": "demo_halt"}'
+
+        [[command]]
+        wire = "demo_pause"
+        effect = "motion"
+        role = "pause"
+        doc = "Pauses."
+
+        [[command.example]]
+        request = '{"cmdName": "demo_pause"}'
+        "#;
+
+    #[test]
+    fn a_stop_of_a_pack_that_nobody_has_confirmed_is_asked_about() {
+        for (is_confirmed, expected) in [(false, false), (true, true)] {
+            let protocol = protocol(HALT, is_confirmed);
+            let command = protocol.spec.command("demo_halt").expect("the pack has it");
+            assert_eq!(is_harmless(&protocol, &request(command, r#"{"cmdName": "demo_halt"}"#)), expected);
+        }
+    }
+
     #[test]
     fn what_changes_something_is_asked_about_unless_it_stops() {
-        let spec = spec();
+        let protocol = protocol(HALT, true);
+        let spec = &protocol.spec;
         let mut at_once = Vec::new();
         for command in spec.commands().filter(|command| !matches!(command.effect, Effect::Query | Effect::Session)) {
             for example in command.examples.iter().filter_map(|example| example.request.as_deref()) {
-                at_once.extend(is_harmless(&request(command, example)).then_some(example));
+                at_once.extend(is_harmless(&protocol, &request(command, example)).then_some(example));
             }
         }
         expect![[r#"
             {"cmdName": "jog", "jog_mode": 0, "coord_map": 1, "jnum": 1}
             {"cmdName": "pause_program"}
-            {"cmdName": "stop_program"}"#]]
+            {"cmdName": "stop_program"}
+            {"cmdName": "demo_halt"}"#]]
         .assert_eq(&at_once.join("\n"));
     }
 }

@@ -24,17 +24,17 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    let motion = options.wait.then(|| wait::must_be_motion(request)).transpose()?;
+    let motion = options.wait.then(|| wait::must_be_motion(&protocol.spec, request)).transpose()?;
     let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
-    consent::obtain(&protocol.spec, request, options, target.title())?;
+    consent::obtain(protocol, request, options, target.title())?;
     let mut connection = Connection::open(&target, options)?;
     if options.check_firmware {
         firmware::check(connection.client(), &protocol.spec, request)?;
     }
     if let (Connection::Robot(robot), Some(motion)) = (&mut connection, motion) {
         let patience = target.patience(motion::PATIENCE);
-        let end = motion::end(robot, |robot| motion(robot, patience), &protocol.spec, &under_way)?;
+        let end = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
         return motion::print(&request.name, end, Form::of(options.json.is_some()));
     }
     let client = connection.client();

@@ -25,6 +25,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     let target = options.robot.target(&protocol.packs)?;
     if !options.yes {
         seat::warn(&options.robot);
+        consent::warn_of_stops(protocol, options);
     }
     let connection = Connection::open(&target, options)?;
     let mut session = Session { protocol, options, target, connection, under_way };
@@ -76,11 +77,11 @@ impl Session<'_> {
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
-        let motion = if self.options.wait { wait::motion(&request)? } else { None };
+        let motion = if self.options.wait { wait::motion(spec, &request)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
-                let end = motion::end(robot, |robot| motion(robot, patience), spec, &self.under_way)?;
+                let end = motion::end(robot, |robot| robot.run(&motion, patience), spec, &self.under_way)?;
                 motion::describe(&end, answer);
                 Ok(end.reached()?)
             }
@@ -96,7 +97,7 @@ impl Session<'_> {
 
     /// Fails if the request needs a yes, which cannot be asked for.
     fn allow(&self, request: &Request<'_>) -> Result<(), Failure> {
-        if self.options.yes || self.options.robot.is_simulated() || consent::is_harmless(request) {
+        if self.options.yes || self.options.robot.is_simulated() || consent::is_harmless(self.protocol, request) {
             return Ok(());
         }
         Err(Failure::Usage(format!(

@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-use jaka_sync::program::StopProgram;
-use jaka_sync::proto::Command;
-use jaka_sync::recording::{Ending, Entry, Event, MotionStep, Port};
+use jaka_sync::proto::{CommandInfo, Role};
+use jaka_sync::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
 use crate::recorded::command_of;
 
@@ -71,10 +70,9 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
             let by = if *by == Ending::Controller { "closed by the controller" } else { "lost" };
             Happening::wrong(time, Kind::Connection, format!("connection {connection} {by}: {why}"))
         }
-        Event::Sent(message)
-            if *port == Port::Command && command_of(message).as_deref() == Some(StopProgram::INFO.name) =>
-        {
-            Happening::wrong(time, Kind::Motion, "the program stops the arm (`stop_program`)")
+        Event::Sent(message) if *port == Port::Command && stop(message).is_some() => {
+            let name = stop(message).unwrap_or_default();
+            Happening::wrong(time, Kind::Motion, format!("the program stops the arm (`{name}`)"))
         }
         Event::Motion { step: MotionStep::Done, text } => Happening::usual(time, Kind::Motion, text.as_str()),
         Event::Motion { text, .. } => Happening::wrong(time, Kind::Motion, text.as_str()),
@@ -86,4 +84,10 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
         }
         _ => return None,
     })
+}
+
+/// Name of the built-in stop that a message sends, if it sends one.
+fn stop(message: &Message) -> Option<&'static str> {
+    let info = CommandInfo::of(&command_of(message)?)?;
+    (info.role == Some(Role::Stop)).then_some(info.name)
 }

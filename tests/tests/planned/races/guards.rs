@@ -1,6 +1,5 @@
 //! Motions under a guard: what happens between arming the guard, sending the motion, and the end.
 
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -62,22 +61,6 @@ fn a_status_that_was_silent_after_the_guard_was_armed_sends_nothing_also_when_pa
     assert_eq!(names(&arm), [""; 0]);
     // Packets have come again: nothing keeps back the next one.
     assert_moves(&mut robot);
-}
-
-#[test]
-fn a_panic_while_a_motion_runs_under_a_guard_stops_the_arm() {
-    let (arm, mut robot) = arm().with_robot();
-    let panics = || {
-        arm.clock().sleep(Duration::from_secs(1));
-        // Without a message on standard error.
-        resume_unwind(Box::new("as it should"));
-    };
-    let motion = Hooked { once_accepted: &panics, ..Hooked::default() };
-    let unwound = catch_unwind(AssertUnwindSafe(|| robot.run(&motion.guard(input()), LONG)));
-    assert!(unwound.is_err(), "{unwound:?}");
-    assert_eq!(changes(&arm), ["joint_move", "stop_program"]);
-    arm.clock().sleep(Duration::from_secs(1));
-    assert_stopped_on_the_way(&arm);
 }
 
 /// A motion whose reply is outstanding keeps the monitor's thread from writing the stop; the guard's own thread writes

@@ -1,0 +1,108 @@
+//! Commands that sources name, where the spec could say what they mean: roles, changes and motions are data.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use jaka_tests::spec;
+
+/// Files that name commands other than by a typed call, with the reason.
+const NAMED: &[(&str, &str, &str)] = &[
+    ("jaka-cli/src/commands/jitter/report.rs", "get_joint_pos", "the query that it has sent, for the report"),
+    ("jaka-cli/src/commands/probe/finding.rs", "get_version", "the reply that names the firmware"),
+    ("jaka-cli/src/commands/up.rs", "power_on", "the step that the progress is about"),
+    ("jaka-cli/src/dashboard/keys.rs", "quit", "a word of the help for keys"),
+    (
+        "jaka-cli/src/report/session/lateness.rs",
+        "servo_j servo_move servo_p",
+        "typed set-points with their step counts",
+    ),
+    ("jaka-cli/src/report/session/packets.rs", "drag_status", "a key of the status packet"),
+    ("jaka-robot/src/arm/position.rs", "get_joint_pos get_tcp_pos", "the queries that it sends"),
+    ("jaka-robot/src/guard/set_points.rs", "servo_j", "the command of the set-points, for an error"),
+    ("jaka-robot/src/limits.rs", "kine_forward servo_j servo_move servo_p", "the commands that it sends, for errors"),
+    ("jaka-robot/src/power_steps.rs", "disable_robot enable_robot power_off power_on", "the steps that it sends"),
+    ("jaka-robot/src/preflight/packets.rs", "rapid_rate", "a key of the status packet"),
+    ("jaka-robot/src/servo_session/enter.rs", "servo_move set_servo_move_filter", "the commands that it sends"),
+    ("jaka-robot/src/servo_session/generated.rs", "servo_j", "the command of the set-points, for an error"),
+    ("jaka-robot/src/servo_session/land.rs", "servo_j", "the set-points that it sends"),
+    ("jaka-robot/src/servo_session/leave.rs", "is_in_servomove servo_j servo_move", "the commands that it sends"),
+    ("jaka-robot/src/servo_session/rates.rs", "servo_j servo_p", "the command of the set-points, for an error"),
+    ("jaka-robot/src/servo_session/session.rs", "servo_j", "the set-points that it sends"),
+    ("jaka-sync/src/client.rs", "get_version", "the query that it sends"),
+    ("jaka-sync/src/stop.rs", "stop_program", "the built-in stop, the only one that stop handles send"),
+];
+
+/// Crates whose decisions follow from the spec. The simulator's own behaviour names its commands.
+const CRATES: [&str; 5] = ["jaka-proto", "jaka-dynamic", "jaka-sync", "jaka-robot", "jaka-cli"];
+
+#[test]
+fn commands_are_named_where_there_is_a_reason() {
+    let found = named();
+    let expected: BTreeMap<_, BTreeSet<_>> = NAMED
+        .iter()
+        .map(|(file, names, _)| ((*file).to_owned(), names.split(' ').map(str::to_owned).collect()))
+        .collect();
+    let lines = |map: &BTreeMap<String, BTreeSet<String>>| -> String {
+        map.iter().map(|(file, names)| format!("{file}: {}\n", Vec::from_iter(names.clone()).join(" "))).collect()
+    };
+    assert_eq!(lines(&found), lines(&expected));
+    assert!(NAMED.iter().all(|(.., reason)| !reason.is_empty()));
+}
+
+/// The commands that each file names: by `Name::INFO`, by a pattern of a request, or by a text.
+fn named() -> BTreeMap<String, BTreeSet<String>> {
+    let spec = spec();
+    let mut named = BTreeMap::new();
+    for folder in CRATES {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        for file in sources(&root.join(folder).join("src")) {
+            let text = fs::read_to_string(&file).expect("a source can be read");
+            let code = code(&text);
+            let is_named = |command: &&jaka_spec::Command| {
+                let ty = command.request_type();
+                [format!("{ty}::INFO"), format!("Request::{ty}"), format!("\"{}\"", command.wire)]
+                    .iter()
+                    .any(|part| holds(&code, part))
+            };
+            let names: BTreeSet<_> = spec.commands().filter(is_named).map(|command| command.wire.clone()).collect();
+            if !names.is_empty() {
+                let path = file.strip_prefix(root).expect("it is below").display().to_string().replace('\\', "/");
+                named.insert(path, names);
+            }
+        }
+    }
+    named
+}
+
+/// True if the code has this part, not as the end of a longer name.
+fn holds(code: &str, part: &str) -> bool {
+    code.match_indices(part).any(|(at, _)| {
+        let before = code[..at].chars().next_back();
+        let after = code[at + part.len()..].chars().next();
+        let is_name = |sign: Option<char>| sign.is_some_and(|sign| sign.is_alphanumeric() || sign == '_');
+        !is_name(before) && !is_name(after)
+    })
+}
+
+/// A source without comments and without the tests at its end.
+fn code(text: &str) -> String {
+    let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let is_code = |line: &&str| !["//", "#[doc(alias"].iter().any(|part| line.trim_start().starts_with(part));
+    text.lines().filter(is_code).map(|line| format!("{line}\n")).collect()
+}
+
+/// The sources of a folder that are no tests.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("it can be read").path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && name != "tests" {
+            found.extend(sources(&path));
+        } else if name.ends_with(".rs") && !["tests.rs", "interleavings.rs"].contains(&&*name) {
+            found.push(path);
+        }
+    }
+    found
+}
