@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_proto::check::{Limits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
-use jaka_proto::{Command, CommandInfo};
+use jaka_proto::{Change, Command, CommandInfo, Effect};
 use jaka_robot::force::StartTorqSensorPayloadIdentify;
 use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_robot::types::{MoveMode, Pose};
@@ -402,4 +402,51 @@ fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
     let request = StartTorqSensorPayloadIdentify::new(joints);
     let end = run(&mut robot, &request);
     assert!(end.cause() == Cause::Reached && (arm.state().joint_position.0[5] - joints.0[5]).abs() < 1e-6);
+}
+
+/// A setting of a pack that selects a tool, as its TOML says.
+struct SwapTool;
+
+impl Command for SwapTool {
+    type Reply = ();
+    const INFO: &'static CommandInfo = &{
+        let mut info = CommandInfo::usual("demo_swap_tool", "{\"cmdName\":\"demo_swap_tool\"", "", Effect::Setting);
+        info.changes = &[Change::Tool];
+        info
+    };
+}
+
+impl Validate for SwapTool {
+    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+        Ok(())
+    }
+}
+
+impl Fields for SwapTool {
+    fn write_fields(&self, _out: &mut Writer) {}
+
+    fn read_fields(_reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Ok(Self)
+    }
+}
+
+/// A pose means something else after it: by the TOML of a pack, or since nobody knows what the command does.
+#[test]
+fn a_pose_is_not_reached_after_a_command_that_may_have_changed_its_frames() {
+    type Meanwhile = fn(&mut Robot);
+    let cases: [(Meanwhile, Cause); 5] = [
+        (|_| (), Cause::Reached),
+        (|robot| drop(robot.client().get_joint_pos()), Cause::Reached),
+        (|robot| drop(robot.client().call_raw("get_joint_pos", &serde_json::Value::Null)), Cause::Reached),
+        (|robot| drop(robot.client().call(&SwapTool)), Cause::AtRest),
+        (|robot| drop(robot.client().call_raw("demo_unknown", &serde_json::Value::Null)), Cause::AtRest),
+    ];
+    for (number, (meanwhile, expected)) in cases.into_iter().enumerate() {
+        let (_arm, mut robot) = ready();
+        let pose = robot.client().get_tcp_pos().expect("it answers").pose;
+        let line = MoveL::absolute(Pose { z: pose.z - 30.0, ..pose }, 50.0);
+        robot.start(&line).expect("it is reachable");
+        meanwhile(&mut robot);
+        assert_eq!(robot.wait(LONG).cause(), expected, "case {number}");
+    }
 }

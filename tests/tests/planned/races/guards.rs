@@ -1,5 +1,6 @@
 //! Motions under a guard: what happens between arming the guard, sending the motion, and the end.
 
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
