@@ -1,17 +1,19 @@
 //! The commands that do one thing to a robot, each with a question before.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
 use jaka_motion::{Limits, Trajectory};
 use jaka_robot::proto::Command;
-use jaka_robot::{End, Error, FollowConfig, Motion, Robot, RobotConfig};
+use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
 
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
-use crate::packs;
+use crate::packed_status::PackedRobot;
+use crate::packs::{self, SpecArgs};
 use crate::target::{RobotArgs, Target};
 
 /// The options of a command that does one thing to a robot.
@@ -20,6 +22,8 @@ pub(crate) struct ActArgs {
     /// Send without asking
     #[arg(long, short)]
     yes: bool,
+    #[command(flatten)]
+    spec: SpecArgs,
     #[command(flatten)]
     robot: RobotArgs,
 }
@@ -44,7 +48,8 @@ impl ActArgs {
         intents: &[Intent<'_>],
         what: impl FnOnce(&Target) -> Result<String, Failure>,
     ) -> Result<Act, Failure> {
-        let act = Act::at_once(&self.robot)?;
+        let packs = self.packs()?;
+        let act = Act::begin(&self.robot, &packs)?;
         if !self.yes && !self.robot.is_simulated() {
             consent::must_be_askable(intents)?;
             consent::obtain_act(&what(&act.target)?, intents, act.target.title())?;
@@ -54,20 +59,31 @@ impl ActArgs {
 
     /// The robot, if the line names one.
     pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
-        if self.robot.is_given() { self.robot.target(&[]).map(Some) } else { Ok(None) }
+        if self.robot.is_given() { self.robot.target(&self.packs()?).map(Some) } else { Ok(None) }
+    }
+
+    /// The packs of the line, by which status packets are read from now on.
+    fn packs(&self) -> Result<Vec<PathBuf>, Failure> {
+        let protocol = self.spec.load(self.robot.lookup())?;
+        protocol.read_status();
+        Ok(protocol.packs)
     }
 }
 
 /// The intent to send this.
 pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
-    Intent::of(packs::of_status(), request)
+    Intent::of(packs::builtin(), request)
 }
 
 impl Act {
     /// For what is sent without a question.
     pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
+        Self::begin(robot, &[])
+    }
+
+    fn begin(robot: &RobotArgs, packs: &[PathBuf]) -> Result<Self, Failure> {
         let under_way = UnderWay::begin();
-        Ok(Self { target: robot.target(&[])?, under_way })
+        Ok(Self { target: robot.target(packs)?, under_way })
     }
 
     /// How long it may take: as the command line says, or else this long.
@@ -90,7 +106,7 @@ impl Act {
     }
 
     /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
-    pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut Robot) -> Result<T, Error>) -> Result<T, Failure> {
+    pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut PackedRobot) -> Result<T, Error>) -> Result<T, Failure> {
         let mut robot = self.target.robot()?;
         self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
@@ -148,11 +164,11 @@ pub(crate) struct QueueArgs {
 
 impl QueueArgs {
     /// Fails where packets show that the arm moves, or do not show whether it does.
-    fn check(self, robot: &Robot, command: &str, patience: Duration) -> Result<(), Failure> {
+    fn check(self, robot: &PackedRobot, command: &str, patience: Duration) -> Result<(), Failure> {
         if self.queue {
             return Ok(());
         }
-        let why = match robot.monitor().wait_until(|_| true, patience)?.status.in_position {
+        let why = match robot.monitor().wait_until(|_| true, patience)?.status.status.in_position {
             Some(true) => return Ok(()),
             Some(false) => {
                 "the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"

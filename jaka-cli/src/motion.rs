@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
-use jaka_robot::{Cause, End, Error, Robot};
+use jaka_robot::{Cause, End, Error};
 use jaka_spec::Spec;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::output;
+use crate::packed_status::PackedRobot;
 
 /// How long the end of a motion is waited for, unless the command line says otherwise.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
@@ -32,8 +33,8 @@ impl Form {
 /// # Errors
 /// It was not accepted.
 pub(crate) fn end(
-    robot: &mut Robot,
-    motion: impl FnOnce(&mut Robot) -> Result<End, Error>,
+    robot: &mut PackedRobot,
+    motion: impl FnOnce(&mut PackedRobot) -> Result<End, Error>,
     spec: &Spec,
     under_way: &UnderWay,
 ) -> Result<End, Failure> {

@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use jaka_dynamic::{Reading, status_departures, value};
+use jaka_robot::{MotionStatus, Robot};
 use jaka_spec::{Field, Scalar, Spec, Type};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
@@ -37,6 +38,15 @@ impl PackedStatus {
     pub(crate) fn own_fields(&self) -> impl Iterator<Item = (&'static str, &Value)> {
         let fields = packs::of_status().status_fields().iter();
         fields.filter_map(|field| Some((&*field.name, self.own.get(&field.wire)?)))
+    }
+}
+
+/// Robot whose status packets are read by the packs of the command line.
+pub(crate) type PackedRobot = Robot<PackedStatus>;
+
+impl MotionStatus for PackedStatus {
+    fn robot_status(&self) -> RobotStatus {
+        self.status.clone()
     }
 }
 

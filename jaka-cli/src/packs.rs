@@ -9,7 +9,7 @@ use jaka_spec::{Source, Spec};
 
 use crate::failure::Failure;
 use crate::output;
-use crate::target::usual_packs;
+use crate::target::{Lookup, usual_packs};
 
 /// The option that gives packs to a command.
 #[derive(Debug, Default, Args)]
@@ -28,7 +28,7 @@ static STATUS: OnceLock<Spec> = OnceLock::new();
 
 /// The protocol by which status packets are read: the built-in one, unless [`Protocol::read_status`] says otherwise.
 pub(crate) fn of_status() -> &'static Spec {
-    STATUS.get_or_init(builtin)
+    STATUS.get_or_init(|| builtin().clone())
 }
 
 /// The protocol with packs.
@@ -43,9 +43,9 @@ pub(crate) struct Protocol {
 
 impl Protocol {
     /// Has status packets read by this protocol, which is said before the first of them comes.
-    pub(crate) fn read_status(self) {
+    pub(crate) fn read_status(&self) {
         // There is no other.
-        let _ = STATUS.set(self.spec);
+        let _ = STATUS.set(self.spec.clone());
     }
 }
 
@@ -59,18 +59,18 @@ impl SpecArgs {
     ///
     /// # Errors
     /// Everything that is wrong with a pack, a line each.
-    pub(crate) fn load(&self, config: Option<&Path>) -> Result<Protocol, Failure> {
+    pub(crate) fn load(&self, lookup: Lookup<'_>) -> Result<Protocol, Failure> {
         let (packs, is_confirmed) =
-            if self.packs.is_empty() { usual_packs(config)? } else { (self.packs.clone(), false) };
-        let spec = packs.iter().try_fold(builtin(), |spec, path| add(&spec, path))?;
+            if self.packs.is_empty() { usual_packs(lookup)? } else { (self.packs.clone(), false) };
+        let spec = packs.iter().try_fold(builtin().clone(), |spec, path| add(&spec, path))?;
         Ok(Protocol { spec, packs, is_confirmed })
     }
 }
 
 /// The built-in spec.
-pub(crate) fn builtin() -> Spec {
+pub(crate) fn builtin() -> &'static Spec {
     static BUILTIN: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
-    BUILTIN.clone()
+    &BUILTIN
 }
 
 /// The text of a file that is named on the command line.

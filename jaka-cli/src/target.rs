@@ -7,6 +7,7 @@ mod environment;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use crate::packed_status::PackedRobot;
 use clap::Args;
 use itertools::Itertools as _;
 use jaka_motion::Limits;
@@ -14,7 +15,7 @@ use jaka_robot::preflight::Preflight;
 use jaka_robot::proto::wire::Decode;
 use jaka_robot::recording::Port;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Client, Config, Monitor, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
+use jaka_robot::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
 use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;
@@ -87,9 +88,19 @@ pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
         .ok_or_else(|| format!("the models are {}", Model::published().iter().map(Model::name).join(", ")))
 }
 
-/// The packs that the environment names, or else the config file; and true if it is the config file.
-pub(crate) fn usual_packs(config: Option<&Path>) -> Result<(Vec<PathBuf>, bool), Failure> {
-    address::packs(config, &Environment::read())
+/// Robot and config file of a command line, before the robot is looked for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Lookup<'l> {
+    /// The config file that the line names.
+    pub(crate) config: Option<&'l Path>,
+    /// The robot that the line names, by its address or its name in the config file.
+    pub(crate) robot: Option<&'l str>,
+}
+
+/// The packs that the environment names, or else the config file, for this robot or for all; and true if it is the
+/// config file.
+pub(crate) fn usual_packs(lookup: Lookup<'_>) -> Result<(Vec<PathBuf>, bool), Failure> {
+    address::packs(lookup, &Environment::read())
 }
 
 /// The robots that the config file names, with their addresses; none if it cannot be read.
@@ -99,9 +110,9 @@ pub(crate) fn robots(config: Option<&Path>) -> Vec<(String, String)> {
 }
 
 impl RobotArgs {
-    /// The config file that the option names.
-    pub(crate) fn config(&self) -> Option<&Path> {
-        self.address.config.as_deref()
+    /// Where the line looks for a robot and its packs.
+    pub(crate) fn lookup(&self) -> Lookup<'_> {
+        Lookup { config: self.address.config.as_deref(), robot: self.address.robot.as_deref() }
     }
 
     /// True if the command line names a robot or a simulated one.
@@ -222,8 +233,9 @@ impl Target {
     }
 
     /// Connects to both ports, and waits for the first status packet.
-    pub(crate) fn robot(&self) -> Result<Robot, Failure> {
-        let robot = Robot::connect_at(&self.config, &self.address.commands, &self.address.status)?;
+    pub(crate) fn robot(&self) -> Result<PackedRobot, Failure> {
+        let monitor = Monitor::connect_with(&self.config, &self.address.status)?;
+        let robot = PackedRobot::with_monitor(self.client()?, monitor);
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }

@@ -61,7 +61,7 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
     let folder = path.display().to_string().replace("wrong.toml", "");
     let failed = failure(jaka(&["status", "-r", "cell1"]).arg("--config").arg(&path));
     expect![[r#"
-        error: wrong.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`
+        error: wrong.toml:3: unknown field `port`, expected one of `address`, `pack`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`
         exit code Some(2)"#]].assert_eq(&failed.replace(&folder, ""));
     let failed = failure(&mut jaka(&["status", "-r", "cell1", "--config", "nowhere.toml"]));
     expect![[r#"

@@ -27,7 +27,7 @@ class Arm:
         self.lock = threading.Lock()
         self.joints = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0]
         self.target = list(self.joints)
-        self.powered, self.enabled = True, True
+        self.powered, self.enabled = False, False
         self.tool = 0
 
     def step(self, seconds):
@@ -50,7 +50,7 @@ def answer(arm, request):
     """The fields of the reply, or an error."""
     name = request["cmdName"]
     with arm.lock:
-        if name == "demo_glide":
+        if name == "demo_glide" and arm.enabled:
             arm.target = [float(angle) for angle in request["goal"]]
             return {"plan": {"seconds": max(abs(a - b) for a, b in zip(arm.target, arm.joints)) / RATE}}
         if name in ("demo_halt", "stop_program"):
@@ -66,7 +66,15 @@ def answer(arm, request):
         if name == "get_version":
             return {"version": "9.1.0_01_X64"}
         if name == "get_robot_state":
-            return {"enable": "robot_enabled", "power": "powered_on"}
+            enable = "robot_enabled" if arm.enabled else "robot_disabled"
+            return {"enable": enable, "power": "powered_on" if arm.powered else "powered_off"}
+        if name in ("power_on", "enable_robot"):
+            arm.powered, arm.enabled = True, arm.enabled or name == "enable_robot"
+            return {}
+        if name == "joint_move" and arm.enabled:
+            start = arm.target if request["relFlag"] == 1 else [0.0] * 6
+            arm.target = [a + b for a, b in zip(start, request["jointPosition"])]
+            return {}
         if name == "is_in_servomove":
             return {"in_servomove": False}
     return None
@@ -108,8 +116,9 @@ def packet(arm):
             "joint_actual_position": list(arm.joints),
             "actual_position": arm.pose(),
             "inpos": arm.is_at_rest(),
-            "powered_on": 1,
-            "enabled": True,
+            # Another type than in any other firmware.
+            "powered_on": "on" if arm.powered else "off",
+            "enabled": arm.enabled,
             "emergency_stop": 0,
             "protective_stop": 0,
             "paused": 0,

@@ -49,6 +49,7 @@ impl Call {
             output::be_quiet();
         }
         let protocol = outline.protocol()?;
+        protocol.read_status();
         let spec = &protocol.spec;
         let name = outline.command.as_deref();
         let command = match name {

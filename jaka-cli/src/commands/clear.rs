@@ -31,7 +31,7 @@ impl Clear {
         act.with(Target::robot, "`clear_error`", |robot| {
             let patience = act.patience(PATIENCE);
             robot.client().call_within(&ClearError::new(), patience)?;
-            robot.monitor().wait_until(|status| status.protective_stop == Some(false), patience)
+            robot.monitor().wait_until(|status| status.status.protective_stop == Some(false), patience)
         })?;
         output::line("the robot is not in a protective stop")
     }

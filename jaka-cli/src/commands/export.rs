@@ -15,6 +15,7 @@ use crate::number::count;
 use crate::output;
 use crate::packs::SpecArgs;
 use crate::recorded::{self, RecordedArgs, packets};
+use crate::target::Lookup;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -54,7 +55,7 @@ enum Format {
 
 impl Export {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        self.spec.load(None)?.read_status();
+        self.spec.load(Lookup::default())?.read_status();
         let fields = Field::named(self.fields.as_deref())?;
         let recording = recorded::read(&self.recorded.file)?;
         let columns = Columns::new(fields, &widest(&recording)?);

@@ -43,7 +43,7 @@ impl Monitor {
         if logging::is_told() && stderr().is_terminal() {
             return Err(Failure::Usage("`jaka monitor -v` needs standard error in a file: `2> log.txt`".to_owned()));
         }
-        let protocol = self.spec.load(self.robot.config())?;
+        let protocol = self.spec.load(self.robot.lookup())?;
         let target = self.robot.target(&protocol.packs)?;
         protocol.read_status();
         let mut feed = Feed::new(target.monitor(RECONNECT)?);

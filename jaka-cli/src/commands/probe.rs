@@ -51,7 +51,7 @@ pub(crate) struct Probe {
 
 impl Probe {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let protocol = self.spec.load(self.robot.config())?;
+        let protocol = self.spec.load(self.robot.lookup())?;
         let target = self.robot.target(&protocol.packs)?;
         if !self.yes && !self.robot.is_simulated() {
             seat::obtain(target.title(), "nothing was probed")?;

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::packs::SpecArgs;
 use crate::recorded::{self, RecordedArgs};
 use crate::report;
+use crate::target::Lookup;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -27,7 +28,7 @@ pub(crate) struct Report {
 
 impl Report {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        self.spec.load(None)?.read_status();
+        self.spec.load(Lookup::default())?.read_status();
         let recording = recorded::read(&self.recorded.file)?;
         let name = self.recorded.file.file_name().unwrap_or_default().to_string_lossy();
         let page = report::page(&name, &recording)?;

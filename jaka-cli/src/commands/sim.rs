@@ -20,6 +20,7 @@ use crate::failure::Failure;
 use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
 use crate::packs::SpecArgs;
+use crate::target::Lookup;
 use crate::target::model;
 use crate::{logging, output};
 
@@ -133,7 +134,7 @@ impl Sim {
 
     fn builder(&self) -> Result<Builder, Failure> {
         let mut builder = Controller::builder();
-        let packs = self.spec.load(None)?.packs;
+        let packs = self.spec.load(Lookup::default())?.packs;
         builder = packs.iter().fold(builder, Builder::pack);
         builder = builder.firmware(self.firmware);
         if let Some(name) = &self.model {

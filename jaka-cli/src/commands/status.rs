@@ -77,7 +77,7 @@ enum Format {
 
 impl Status {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let protocol = self.spec.load(self.robot.config())?;
+        let protocol = self.spec.load(self.robot.lookup())?;
         let target = self.robot.target(&protocol.packs)?;
         protocol.read_status();
         let fields = Field::named(self.fields.as_deref())?;

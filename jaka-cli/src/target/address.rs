@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use jaka_sync::{COMMAND_PORT, Config, STATUS_PORT};
 
-use super::AddressArgs;
 use super::config_file::{ConfigFile, Entry};
 use super::environment::Environment;
+use super::{AddressArgs, Lookup};
 use crate::failure::Failure;
 
 /// The message where nothing gives the robot's address.
@@ -33,14 +33,8 @@ impl RobotAddress {
     /// Finds the robot: the command line takes precedence over the environment, and that over the config file.
     pub(super) fn find(args: &AddressArgs, environment: &Environment) -> Result<Self, Failure> {
         let file = config_file(args.config.as_deref(), environment)?;
-        let named = match (&args.robot, &environment.robot, &file.robot) {
-            (Some(robot), ..) | (None, None, Some(robot)) => robot.clone(),
-            (None, Some(robot), _) => {
-                let robot = robot.to_str().ok_or_else(|| Failure::Usage("JAKA_ROBOT is not valid UTF-8".to_owned()))?;
-                robot.to_owned()
-            }
-            (None, None, None) => return Err(Failure::Usage(NO_ROBOT.to_owned())),
-        };
+        let named = named(args.robot.as_deref(), environment, &file)?;
+        let named = named.ok_or_else(|| Failure::Usage(NO_ROBOT.to_owned()))?;
         let known = file.robots.get(&named).cloned();
         let is_known = known.is_some();
         let entry = known.unwrap_or_else(|| Entry { address: named.clone(), ..Entry::default() });
@@ -72,12 +66,28 @@ impl RobotAddress {
     }
 }
 
-/// The packs that the environment names, or else the config file; and true if it is the config file.
-pub(super) fn packs(config: Option<&Path>, environment: &Environment) -> Result<(Vec<PathBuf>, bool), Failure> {
-    match &environment.packs {
-        Some(paths) => Ok((split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect(), false)),
-        None => Ok((config_file(config, environment)?.packs, true)),
+/// The robot that is named: the command line takes precedence over the environment, and that over the config file.
+fn named(robot: Option<&str>, environment: &Environment, file: &ConfigFile) -> Result<Option<String>, Failure> {
+    Ok(match (robot, &environment.robot) {
+        (Some(robot), _) => Some(robot.to_owned()),
+        (None, Some(robot)) => {
+            let robot = robot.to_str().ok_or_else(|| Failure::Usage("JAKA_ROBOT is not valid UTF-8".to_owned()))?;
+            Some(robot.to_owned())
+        }
+        (None, None) => file.robot.clone(),
+    })
+}
+
+/// The packs that the environment names, or else the config file, for this robot or for all; and true if it is the
+/// config file.
+pub(super) fn packs(lookup: Lookup<'_>, environment: &Environment) -> Result<(Vec<PathBuf>, bool), Failure> {
+    if let Some(paths) = &environment.packs {
+        return Ok((split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect(), false));
     }
+    let file = config_file(lookup.config, environment)?;
+    let named = named(lookup.robot, environment, &file)?;
+    let own = named.and_then(|named| file.robots.get(&named)?.pack.clone());
+    Ok((own.map_or(file.packs, |pack| vec![pack]), true))
 }
 
 /// The config file to read; an empty one if it is the usual one and does not exist.

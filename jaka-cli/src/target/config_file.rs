@@ -17,7 +17,7 @@ use crate::seconds;
 pub(crate) struct ConfigFile {
     /// The robot to talk to where none is named.
     pub(crate) robot: Option<String>,
-    /// Command packs: paths, from the config file's folder.
+    /// Command packs of robots that have none of their own: paths, from the config file's folder.
     #[serde(default)]
     pub(crate) packs: Vec<PathBuf>,
     /// Robots by name.
@@ -31,6 +31,8 @@ pub(crate) struct ConfigFile {
 pub(crate) struct Entry {
     /// Host name or IP address, without a port.
     pub(crate) address: String,
+    /// Command pack of this robot, in place of `packs`: a path, from the config file's folder.
+    pub(crate) pack: Option<PathBuf>,
     /// Port for commands.
     pub(crate) command_port: Option<u16>,
     /// Port for status packets.
@@ -68,7 +70,8 @@ impl ConfigFile {
             Failure::Usage(format!("{}:{line}: {}", path.display(), error.message().trim_end()))
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        file.packs.iter_mut().for_each(|pack| *pack = folder.join(&pack));
+        let own = file.robots.values_mut().filter_map(|robot| robot.pack.as_mut());
+        file.packs.iter_mut().chain(own).for_each(|pack| *pack = folder.join(&pack));
         Ok(file)
     }
 }
@@ -100,7 +103,7 @@ mod tests {
         check(
             text,
             &expect![[
-                r#"ConfigFile { robot: Some("cell1"), packs: [], robots: {"cell 2": Entry { address: "arm.local", command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None, stale_after: None }, "cell1": Entry { address: "10.5.5.100", command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms), stale_after: Some(300ms) }} }"#
+                r#"ConfigFile { robot: Some("cell1"), packs: [], robots: {"cell 2": Entry { address: "arm.local", pack: None, command_port: None, status_port: Some(20000), timeout: None, connect_timeout: None, stale_after: None }, "cell1": Entry { address: "10.5.5.100", pack: None, command_port: None, status_port: None, timeout: Some(2s), connect_timeout: Some(500ms), stale_after: Some(300ms) }} }"#
             ]],
         );
     }

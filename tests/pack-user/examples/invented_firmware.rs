@@ -4,7 +4,7 @@
 use std::error::Error;
 use std::time::Duration;
 
-use jaka_robot::{Cause, Config, Robot};
+use jaka_robot::{Cause, Client, Config, Monitor, Robot};
 
 jaka_robot::pack!("../invented_firmware/invented.toml");
 
@@ -16,7 +16,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("give the port of commands and that of status packets".into());
     };
     let [commands, status] = [commands, status].map(|port| format!("127.0.0.1:{port}"));
-    let mut robot = Robot::connect_at(&Config::new(), commands, status)?;
+    let config = Config::new();
+    let monitor = Monitor::<invented::RobotStatus>::connect_with(&config, status)?;
+    let mut robot = Robot::with_monitor(Client::connect_with(&config, commands)?, monitor);
     let far = invented::DemoGlide::new([40.0, 90.0, 90.0, 90.0, -90.0, 0.0], 30.0);
     robot.run(&far, Duration::from_secs(10))?.reached()?;
     println!("the arm is there");

@@ -1,9 +1,9 @@
 //! Sending a request, and showing what comes back.
 
 use jaka_dynamic::{DepartureKind, Reading, departures};
+use jaka_robot::Explanation;
 use jaka_robot::proto::text::visible_json_line;
 use jaka_robot::proto::wire::DecodeError;
-use jaka_robot::{Explanation, Robot};
 use jaka_spec::{Command, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::json;
@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
 use crate::output;
+use crate::packed_status::PackedRobot;
 use crate::packs::Protocol;
 use crate::target::Target;
 
@@ -54,7 +55,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
 pub(super) enum Connection {
     Client(Box<Client>),
     /// Motions are waited for.
-    Robot(Box<Robot>),
+    Robot(Box<PackedRobot>),
 }
 
 impl Connection {

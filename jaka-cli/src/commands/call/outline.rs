@@ -1,13 +1,14 @@
 //! What must be known of a command line before it can be parsed: its command, and its packs.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Arg, Command};
 
 use super::parser;
 use crate::failure::Failure;
 use crate::packs::{Protocol, SpecArgs};
+use crate::target::Lookup;
 
 /// The command, the packs and the rest of a line.
 #[derive(Debug, Default)]
@@ -18,6 +19,8 @@ pub(super) struct Outline {
     pub(super) packs: Vec<PathBuf>,
     /// The value of `--config`.
     pub(super) config: Option<PathBuf>,
+    /// The value of `--robot`.
+    pub(super) robot: Option<PathBuf>,
     /// True if `--raw` is given.
     pub(super) raw: bool,
     /// True if `--quiet` is given.
@@ -57,13 +60,15 @@ impl Outline {
 
     /// The protocol with these packs, or else with those of the environment or the config file.
     pub(super) fn protocol(&self) -> Result<Protocol, Failure> {
-        SpecArgs::of(self.packs.clone()).load(self.config.as_deref())
+        let robot = self.robot.as_deref().and_then(Path::to_str);
+        SpecArgs::of(self.packs.clone()).load(Lookup { config: self.config.as_deref(), robot })
     }
 
     fn note(&mut self, option: &str, value: Option<PathBuf>) {
         match option {
             "packs" => self.packs.extend(value),
             "config" => self.config = value,
+            "robot" => self.robot = value,
             "raw" => self.raw = true,
             "quiet" => self.quiet = true,
             _ => {}

@@ -29,7 +29,7 @@ impl Check {
         let mut found = Found::default();
         let mut spec = match &self.spec {
             Some(folder) => whole(folder, &mut found)?,
-            None => packs::builtin(),
+            None => packs::builtin().clone(),
         };
         for path in &self.packs {
             if let Some(with_pack) = pack(&spec, path, &mut found)? {

@@ -12,6 +12,7 @@ use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::SpecArgs;
+use crate::target::Lookup;
 
 /// Write the protocol's reference, in Markdown.
 #[derive(Debug, Args)]
@@ -46,7 +47,7 @@ pub(super) struct Document {
 impl Document {
     /// Writes what `make` makes of the built-in spec with its packs, with invisible characters made `visible`.
     pub(super) fn run(&self, make: Make, visible: impl Fn(&str) -> Cow<'_, str>) -> Result<(), Failure> {
-        let text = make(&self.spec.load(None)?.spec);
+        let text = make(&self.spec.load(Lookup::default())?.spec);
         let text = visible(&text);
         let Some(path) = &self.output else { return output::write(text.as_bytes()) };
         fs::write(path, &*text).map_err(|error| Failure::unwritten(path, error))
