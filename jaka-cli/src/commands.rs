@@ -5,7 +5,7 @@
 //! `#[command(flatten)] robot: RobotArgs`, the last so that its options have a heading of their own, and begins with
 //! `self.robot.target(&packs)?`, with the packs of a `SpecArgs` or with none.
 
-mod call;
+pub(crate) mod call;
 mod check;
 mod clear;
 mod completions;

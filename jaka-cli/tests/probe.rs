@@ -29,22 +29,23 @@ fn unwritten(name: &str) -> PathBuf {
     path
 }
 
-#[test]
-fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
+/// The draft of a probe that reads this packet as often as is said.
+fn draft_of_packets(name: &str, count: usize, edit: impl FnOnce(&mut Value)) -> String {
     let controller = arm();
     let mut stream = jaka_sync::StatusStream::connect_with(&controller.config(), controller.status_addr())
         .expect("the port is open");
     stream.next_packet().expect("a packet comes");
     let mut packet: Value = serde_json::from_str(stream.packet_text().expect("it is kept")).expect("packets are JSON");
-    packet["brakeState"] = json!(1);
-    packet["extio"]["watch dog"] = json!(true);
+    edit(&mut packet);
     let status = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let port = status.local_addr().expect("it is bound").port().to_string();
-    let draft = unwritten("status.toml");
+    let draft = unwritten(name);
     let commands = controller.command_addr().port().to_string();
+    let packets = count.to_string();
     let run = thread::scope(|scope| {
-        let sent = scope
-            .spawn(move || status.accept().and_then(|(mut reader, _)| reader.write_all(packet.to_string().as_bytes())));
+        let sent = scope.spawn(move || {
+            status.accept().and_then(|(mut reader, _)| reader.write_all(packet.to_string().repeat(count).as_bytes()))
+        });
         let draft = draft.display().to_string();
         let run = jaka([
             "probe",
@@ -57,12 +58,22 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
             &port,
             "--draft",
             &draft,
+            "--packets",
+            &packets,
         ]);
         sent.join().expect("it does not panic").expect("the packet is sent");
         run
     });
     assert_eq!(run.code, Some(7), "{}", run.text());
-    let text = fs::read_to_string(&draft).expect("the draft is written");
+    fs::read_to_string(&draft).expect("the draft is written")
+}
+
+#[test]
+fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
+    let text = draft_of_packets("status.toml", 1, |packet| {
+        packet["brakeState"] = json!(1);
+        packet["extio"]["watch dog"] = json!(true);
+    });
     expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
         title = "What 1.6.5_01_X86 sends beyond the spec"
@@ -89,6 +100,35 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     "#]]
     .assert_eq(&text);
     load_pack(&spec(), Source { path: "status.toml", text: &text }).expect("the draft loads");
+}
+
+#[test]
+fn a_key_of_the_status_packet_that_took_the_place_of_another_is_proposed_as_its_new_name() {
+    let text = draft_of_packets("renamed_status.toml", 1, |packet| {
+        let packet = packet.as_object_mut().expect("packets are objects");
+        let value = packet.remove("inpos").expect("it is sent");
+        packet.insert("in_pos".to_owned(), value);
+    });
+    expect![[r#"
+        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
+        title = "What 1.6.5_01_X86 sends beyond the spec"
+
+        # TODO: a proposal, to be checked by somebody. status packet: `inpos` is missing, and `in_pos` is new and looks like it: true
+        [[override]]
+        target = "RobotStatus"
+        field = "inpos"
+        wire = "in_pos"
+    "#]]
+    .assert_eq(&text);
+    load_pack(&spec(), Source { path: "renamed_status.toml", text: &text }).expect("the draft loads");
+}
+
+#[test]
+fn packets_are_samples_of_a_list() {
+    for (packets, expected) in [(1, "float[]"), (2, "float[3]")] {
+        let text = draft_of_packets("packets.toml", packets, |packet| packet["demo_list"] = json!([1, 2, 3]));
+        assert!(text.contains(&format!("\ntype = \"{expected}\"\n")), "{text}");
+    }
 }
 
 #[test]

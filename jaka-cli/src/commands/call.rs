@@ -23,6 +23,7 @@ use jaka_spec::{Command, Effect, Spec};
 
 use self::outline::Outline;
 use self::parser::Parser;
+use crate::command_line;
 use crate::failure::Failure;
 use crate::output;
 use crate::packs::Protocol;
@@ -56,7 +57,10 @@ impl Call {
             Some(name) if !outline.raw => Some(find(spec, name)?),
             _ => None,
         };
-        let line = Parser::of(spec, command).parse(outline.rest)?;
+        let parser = Parser::of(spec, command);
+        let explanations = [true, false].map(|is_parsed| parser.explanation(&outline.rest, is_parsed));
+        let [of_fields, of_line] = &explanations;
+        let line = parser.parse(outline.rest).map_err(|failure| explained(failure, of_line))?;
         line.options.console.apply();
         if let Some(topic) = &line.options.list {
             return output::lines(&help::list(spec, topic)?);
@@ -69,10 +73,20 @@ impl Call {
                 }
             };
         }
-        match request::of_line(spec, command, name, &line)? {
+        let request = request::of_line(spec, command, name, &line).map_err(|failure| explained(failure, of_fields))?;
+        match request {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),
             None => output::lines(&help::list(spec, "")?),
         }
+    }
+}
+
+/// The failure of a line, with a hint to what is wrong with it, if there is one.
+fn explained(failure: Failure, hint: &str) -> Failure {
+    match failure {
+        Failure::CommandLine(error) if command_line::is_help(&error) || hint.is_empty() => Failure::CommandLine(error),
+        Failure::Usage(_) | Failure::CommandLine(_) => Failure::Usage(format!("{failure}{hint}")),
+        other => other,
     }
 }
 

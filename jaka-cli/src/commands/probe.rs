@@ -36,8 +36,9 @@ pub(crate) struct Probe {
     json: bool,
     /// Write a draft of a command pack with the keys that the spec does not know, and the types of what cannot be read
     ///
-    /// Each key is optional, with a type guessed from its value, and without documentation. A field that cannot be read gets the type
-    /// that its value looks like. An existing file is not overwritten.
+    /// Each key is optional, with a type guessed from its values, and without documentation. A field that cannot be read
+    /// gets the type that its value looks like. A key that seems to be the new name of a missing one is proposed as such.
+    /// An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     /// Connect to the command port without asking

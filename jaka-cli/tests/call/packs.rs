@@ -92,3 +92,58 @@ fn fields_give_way_to_options_of_the_same_name() {
     "#]]
     .assert_eq(&run.text());
 }
+
+/// What is printed for a line of a command with fields named `color` and `timeout`, which is optional.
+fn run_with_names_of_options(file: &str, line: &str) -> String {
+    let file = scratch(file);
+    let field = |name, more| format!("[[command.request]]\nwire = '{name}'\ntype = 'text'\ndoc = 'D.'\n{more}");
+    let command = "title = 'T'\n[[command]]\nwire = 'new_one'\neffect = 'query'\ndoc = 'D.'\n";
+    let text = command.to_owned() + &field("color", "") + &field("timeout", "optional = true\n");
+    std::fs::write(&file, text).expect("the folder is there");
+    let words = line.split(' ').map(str::to_owned);
+    jaka(["call".to_owned(), "--pack".to_owned(), file.display().to_string()].into_iter().chain(words)).text()
+}
+
+#[test]
+fn an_option_that_is_taken_for_a_field_is_explained() {
+    expect![[r"
+        error: `--color <WHEN>` cannot be `red`: it is one of `auto`, `always`, `never`
+        hint: `jaka call --help` explains what there is
+        hint: `--color` is an option of `jaka call`; the field `color` is given by `--field-color`, or by --params
+        exit code 2
+    "]]
+    .assert_eq(&run_with_names_of_options("options.toml", "new_one --color red --dry-run"));
+    expect![[r"
+        error: `new_one` was not sent:
+          field `color` is missing; allowed is text
+        hint: `--color` is an option of `jaka call`; the field `color` is given by `--field-color`, or by --params
+        exit code 2
+    "]]
+    .assert_eq(&run_with_names_of_options("options.toml", "new_one --color=never --timeout 5 --dry-run"));
+    expect![[r#"
+        {"cmdName":"new_one","color":"red"}
+        exit code 0
+    "#]]
+    .assert_eq(&run_with_names_of_options(
+        "options.toml",
+        "new_one --color never --field-color red --timeout 5 --dry-run",
+    ));
+    expect![[r#"
+        {"cmdName":"new_one","color":"red"}
+        exit code 0
+    "#]]
+    .assert_eq(&run_with_names_of_options("options.toml", r#"new_one --params {"color":"red"} --dry-run"#));
+}
+
+#[test]
+fn the_help_explains_fields_with_names_of_options() {
+    let help = run_with_names_of_options("options_help.toml", "new_one -h");
+    let fields = help.split("Fields:").nth(1).and_then(|rest| rest.split("Options").next());
+    expect![[r"
+
+              --field-color <TEXT>    D. [required] [`--color` is an option of `jaka call`]
+              --field-timeout <TEXT>  D. [`--timeout` is an option of `jaka call`]
+        exit code 0
+    "]]
+    .assert_eq(fields.unwrap_or(&help));
+}

@@ -1,6 +1,8 @@
 //! Each command of the spec does something: a query gives back a setting, port 10000 shows a motion, a wrong state is refused.
 //!
-//! A module for each topic of the spec lists its commands with the test of each. Time goes on when a test says so.
+//! A module for each topic of the document lists its commands with the test of each. These lists are written by hand, so that no
+//! command of the document loses its test unnoticed; the document is complete, so they do not grow. Commands beyond the document
+//! are taken from the spec, and their examples are sent. Time goes on when a test says so.
 
 #[macro_use]
 mod arm;
@@ -23,7 +25,7 @@ mod variables;
 
 use jaka_sync::proto::Request;
 
-/// The commands of each topic that have a test.
+/// The commands of the document that have a test, by topic.
 const COVERED: &[&[&str]] = &[
     power::COVERED,
     motion::COVERED,
@@ -40,13 +42,13 @@ const COVERED: &[&[&str]] = &[
     torque_sensor::COVERED,
     network::COVERED,
     session::COVERED,
-    beyond::COVERED,
 ];
 
 #[test]
-fn each_command_of_the_spec_has_one_test() {
+fn each_command_of_the_document_has_one_test() {
     let mut covered = COVERED.concat();
-    let mut all: Vec<_> = Request::COMMANDS.iter().map(|info| info.name).collect();
+    let of_document = Request::COMMANDS.iter().filter(|info| !info.section.is_empty());
+    let mut all: Vec<_> = of_document.map(|info| info.name).collect();
     covered.sort_unstable();
     all.sort_unstable();
     assert_eq!(covered, all);

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
+use std::fmt::Write as _;
 use std::iter;
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
@@ -71,15 +72,37 @@ impl<'s> Parser<'s> {
         Self { spec, arguments, clap }
     }
 
+    /// Explains an option of every command that seems to stand for the field of its name; empty where there is none.
+    /// In a line that can be parsed, that is one whose field is required and not given.
+    pub(super) fn explanation(&self, words: &[OsString], is_parsed: bool) -> String {
+        let is_given = |long: &str| {
+            let options = words.iter().filter_map(|word| word.to_str()?.strip_prefix("--"));
+            options.filter_map(|option| option.strip_prefix(long)).any(|rest| rest.is_empty() || rest.starts_with('='))
+        };
+        let mut text = String::new();
+        for (argument, long) in self.arguments.iter().zip(longs(&self.arguments)) {
+            let name = &argument.name;
+            if *name != long && is_given(name) && !is_given(&long) && (argument.required || !is_parsed) {
+                // A string takes all that is written.
+                let _ = write!(
+                    text,
+                    "\nhint: `--{name}` is an option of `jaka call`; the field `{}` is given by `--{long}`, or by --params",
+                    argument.field
+                );
+            }
+        }
+        text
+    }
+
     /// Parses a line without its command.
     ///
     /// # Errors
     /// It cannot be parsed, or asks for help; or every value that does not have its field's type.
-    pub(super) fn parse(self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
+    pub(super) fn parse(&self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
         let Self { spec, arguments, clap } = self;
-        let matches = clap.try_get_matches_from(iter::once("jaka call".into()).chain(words))?;
+        let matches = clap.clone().try_get_matches_from(iter::once("jaka call".into()).chain(words))?;
         let options = Options::from_arg_matches(&matches)?;
-        Ok(CommandLine { options, fields: fields(spec, &arguments, &matches)? })
+        Ok(CommandLine { options, fields: fields(spec, arguments, &matches)? })
     }
 }
 
@@ -104,8 +127,8 @@ fn id(argument: &Argument) -> String {
 }
 
 fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Command {
-    let mut taken: BTreeSet<String> = bare().get_arguments().filter_map(Arg::get_long).map(str::to_owned).collect();
-    let longs: Vec<_> = arguments.iter().map(|argument| long(&argument.name, &mut taken)).collect();
+    let longs = longs(arguments);
+    let mut taken: BTreeSet<String> = common().chain(longs.iter().cloned()).collect();
     let mut parser = clap::Command::new("jaka call").next_help_heading("Fields");
     for (argument, long) in arguments.iter().zip(&longs) {
         let mut alias = |name: &String, all: fn(&Argument) -> &String| {
@@ -123,6 +146,18 @@ fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Co
         .about(help::about(command).into_owned())
         .long_about(help::long_about(command))
         .after_long_help(help::notes(spec, command))
+}
+
+/// The options that every command has.
+fn common() -> impl Iterator<Item = String> {
+    let bare = bare();
+    bare.get_arguments().filter_map(Arg::get_long).map(str::to_owned).collect::<Vec<_>>().into_iter()
+}
+
+/// The option of each field.
+fn longs(arguments: &[Argument]) -> Vec<String> {
+    let mut taken = common().collect();
+    arguments.iter().map(|argument| long(&argument.name, &mut taken)).collect()
 }
 
 /// The option of a field; its name must differ from those that all commands have.
@@ -147,7 +182,11 @@ fn field(argument: &Argument, long: &str) -> Arg {
     Arg::new(id(argument))
         .long(long.to_owned())
         .value_name(if argument.values.is_empty() { argument.hint.clone() } else { "VALUE".to_owned() })
-        .help(help::field(argument))
+        .help(if argument.name == long {
+            help::field(argument)
+        } else {
+            format!("{} [`--{}` is an option of `jaka call`]", help::field(argument), argument.name)
+        })
         .allow_negative_numbers(true)
         .allow_hyphen_values(has_parts)
         .conflicts_with("params")

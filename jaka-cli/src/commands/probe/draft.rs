@@ -1,8 +1,10 @@
 //! A draft of a command pack.
 
+mod samples;
+
 use std::fmt::Write;
 
-use jaka_dynamic::{Departure, DepartureKind, Reading, notation};
+use jaka_dynamic::{Departure, DepartureKind, Reading, is_readable, notation, sample_value};
 use jaka_spec::{Field, Shape, Source, Spec, Type, load_pack};
 use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
@@ -12,9 +14,15 @@ use super::finding::{Finding, Findings};
 /// A pack with the keys that the spec does not know and the types of what cannot be read; none if there is neither.
 ///
 /// It loads as it is. What its author has to find out is marked `TODO`.
-pub(super) fn text(spec: &Spec, findings: &Findings) -> Option<String> {
+pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
-    let mut draft = Draft { spec, version, text: head(version, &findings.packs), written: Vec::new() };
+    let mut draft = Draft {
+        spec,
+        version,
+        text: head(version, &findings.packs),
+        written: Vec::new(),
+        known_arrays: samples::fixed(spec),
+    };
     for finding in &findings.commands {
         let command = spec.command(&finding.name);
         let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
@@ -43,37 +51,122 @@ fn head(version: &str, packs: &[String]) -> String {
     )
 }
 
-struct Draft<'s> {
-    spec: &'s Spec,
-    version: &'s str,
+struct Draft<'f> {
+    spec: &'f Spec,
+    version: &'f str,
     text: String,
     /// What it has entries or comments for.
-    written: Vec<Location>,
+    written: Vec<Location<'f>>,
+    /// The arrays of fixed length that the spec has.
+    known_arrays: Vec<(String, usize)>,
 }
 
-impl Draft<'_> {
-    fn take(&mut self, finding: &Finding, find: impl Fn(&str) -> Option<Location>) {
-        for departure in &finding.departures {
-            let Some(location) = find(&departure.field).filter(|location| !self.written.contains(location)) else {
+/// A departure, and the part of the spec that it concerns.
+type Located<'f> = (&'f Departure, Location<'f>);
+
+impl<'f> Draft<'f> {
+    fn take(&mut self, finding: &'f Finding, find: impl Fn(&'f str) -> Option<Location<'f>>) {
+        let locate = |departure: &'f Departure| Some((departure, find(&departure.field)?));
+        let located: Vec<Located<'f>> = finding.departures.iter().filter_map(locate).collect();
+        for (new, location) in &located {
+            if let Some((field, old)) = self.renamed(finding, (new, location), &located) {
+                self.rename(finding, field, &old, (new, location));
+            }
+        }
+        for (departure, location) in located {
+            if self.is_written(&location) {
                 continue;
-            };
+            }
             if departure.kind == DepartureKind::Unknown && !location.is_known {
-                self.extend(departure, location);
+                self.extend(finding, departure, location);
             } else if departure.reading == Reading::Unreadable && location.is_known {
                 self.change(finding, departure, location);
             }
         }
     }
 
+    /// Field that a new key seems to be the new name of: the one field of its object that is missing, if no other new
+    /// key there has its type.
+    ///
+    /// Controllers leave out optional fields, and all fields of status packets are optional. Where no required field is
+    /// missing, it is the one absent field of the new key's type.
+    fn renamed(
+        &self,
+        finding: &Finding,
+        (new, location): (&Departure, &Location<'f>),
+        all: &[Located<'f>],
+    ) -> Option<(&'f Field, Location<'f>)> {
+        if new.kind != DepartureKind::Unknown || location.is_known {
+            return None;
+        }
+        let object = new.field.strip_suffix(location.key)?;
+        let is_near = |(departure, other): &&Located<'f>| {
+            other.is_in(location) && departure.field.strip_suffix(other.key) == Some(object)
+        };
+        let near = |kind| all.iter().filter(is_near).filter(move |(departure, _)| departure.kind == kind);
+        let samples = |key: &str| samples::at(&finding.samples, &format!("{object}{key}"));
+        let is_missing = |field: &Field| near(DepartureKind::Missing).any(|(_, missing)| missing.key == key(field));
+        let is_absent = |field: &Field| samples(key(field)).is_empty() && self.has_type(field, &samples(location.key));
+        let mut candidates: Vec<_> = location.fields.iter().filter(|field| is_missing(field)).collect();
+        if candidates.is_empty() {
+            candidates = location.fields.iter().filter(|field| is_absent(field)).collect();
+        }
+        let [field] = candidates[..] else { return None };
+        let mut alike = near(DepartureKind::Unknown).filter(|(_, other)| self.has_type(field, &samples(other.key)));
+        let is_it = alike.next().is_some_and(|(_, first)| first.key == location.key) && alike.next().is_none();
+        is_it.then(|| (field, Location { key: key(field), is_known: true, ..*location }))
+    }
+
+    /// True if all values can be read as the field, and look as its values do.
+    fn has_type(&self, field: &Field, values: &[&Value]) -> bool {
+        let kind = |value: &Value| match &*notation(value) {
+            "int" => "float".to_owned(),
+            other => other.to_owned(),
+        };
+        let own = kind(&sample_value(self.spec, field));
+        !values.is_empty() && values.iter().all(|value| is_readable(self.spec, field, value) && kind(value) == own)
+    }
+
+    /// Proposes that a field has another key, where the draft loads with it.
+    fn rename(
+        &mut self,
+        finding: &Finding,
+        field: &Field,
+        old: &Location<'f>,
+        (new, location): (&Departure, &Location<'f>),
+    ) {
+        if self.is_written(old) || self.is_written(location) {
+            return;
+        }
+        let (target, was, is) = (quoted(old.target), quoted(old.key), quoted(location.key));
+        let entry = format!("[[override]]\ntarget = {target}\n{} = {was}\nwire = {is}\n", old.part);
+        if self.loads(&format!("\n{entry}")) {
+            let comment = comment(&format!(
+                "TODO: a proposal, to be checked by somebody. {}: `{}` is missing, and `{}` is new and looks like it: {}",
+                finding.name,
+                key(field),
+                location.key,
+                new.found,
+            ));
+            self.text.extend(["\n", &comment, &entry]);
+            self.written.extend([*old, *location]);
+        }
+    }
     /// Adds a field for an unknown key, under a name that the spec takes.
-    fn extend(&mut self, departure: &Departure, location: Location) {
+    fn extend(&mut self, finding: &Finding, departure: &Departure, location: Location<'f>) {
+        let ty = samples::ty(&samples::at(&finding.samples, &departure.field), &self.known_arrays);
+        let ty = ty.unwrap_or_else(|| departure.expected.clone());
         let count = self.written.len() + 1;
-        let names = [snake(&location.key), format!("{}_value", snake(&location.key)), format!("unknown_key_{count}")];
-        let entries = names.iter().map(|name| self.entry(departure, &location, name));
+        let names = [snake(location.key), format!("{}_value", snake(location.key)), format!("unknown_key_{count}")];
+        let entries = names.iter().map(|name| self.entry(departure, &location, (name, &ty)));
         if let Some(entry) = entries.into_iter().find(|entry| self.loads(entry)) {
             self.text += &entry;
             self.written.push(location);
         }
+    }
+
+    fn is_written(&self, location: &Location<'_>) -> bool {
+        self.written.iter().any(|written| written.is(location))
     }
 
     /// True if the draft loads with this entry.
@@ -82,28 +175,29 @@ impl Draft<'_> {
         load_pack(self.spec, Source { path: "draft.toml", text: &text }).is_ok()
     }
 
-    fn entry(&self, departure: &Departure, location: &Location, name: &str) -> String {
+    fn entry(&self, departure: &Departure, location: &Location<'_>, (name, ty): (&str, &str)) -> String {
         let doc = format!("TODO: what it means is not known yet. {} sends {}.", self.version, departure.found);
         let Location { target, part, key, .. } = location;
         format!(
-            "\n[[extend]]\ntarget = {}\n\n[[extend.{part}]]\nwire = {}\nname = \"{name}\"\ntype = \"{}\"\noptional = \
+            "\n[[extend]]\ntarget = {}\n\n[[extend.{part}]]\nwire = {}\nname = \"{name}\"\ntype = \"{ty}\"\noptional = \
              true\ndoc = {}\n",
             quoted(target),
             quoted(key),
-            departure.expected,
             quoted(&visible(&doc)),
         )
     }
 
     /// Changes a field that cannot be read into one that can; as a comment, where the draft would not load with it.
-    fn change(&mut self, finding: &Finding, departure: &Departure, location: Location) {
-        let change = match departure.kind {
-            DepartureKind::Missing => "optional = true".to_owned(),
-            _ => retyped(&guess(&departure.found)),
+    fn change(&mut self, finding: &Finding, departure: &Departure, location: Location<'f>) {
+        let change = if departure.kind == DepartureKind::Missing {
+            "optional = true".to_owned()
+        } else {
+            let ty = samples::ty(&samples::at(&finding.samples, &departure.field), &self.known_arrays);
+            retyped(&ty.unwrap_or_else(|| guess(&departure.found)))
         };
-        let target = quoted(&location.target);
+        let target = quoted(location.target);
         let entry =
-            format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(&location.key));
+            format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(location.key));
         let comment = comment(&format!("TODO: whether this is right. {}: {departure}", finding.name));
         let entry = if self.loads(&format!("\n{entry}")) { entry } else { entry.lines().map(self::comment).collect() };
         self.text.extend(["\n", &comment, &entry]);
@@ -157,22 +251,41 @@ fn quoted(text: &str) -> String {
 }
 
 /// The part of the spec that a pack would change.
-#[derive(Debug, Clone, PartialEq, Eq)]
-struct Location {
+#[derive(Debug, Clone, Copy)]
+struct Location<'f> {
     /// A command's `cmdName` or a type's name.
-    target: String,
+    target: &'f str,
     /// The key of a pack that names fields there: `reply` or `field`.
     part: &'static str,
     /// The field's key, or its name where it is an element of an array.
-    key: String,
+    key: &'f str,
     /// True if the spec has the field.
     is_known: bool,
+    /// The fields beside which it stands.
+    fields: &'f [Field],
+}
+
+impl Location<'_> {
+    /// True for the same field, or the same new key.
+    fn is(&self, other: &Location<'_>) -> bool {
+        self.is_in(other) && self.key == other.key
+    }
+
+    /// True if it stands in the same reply or type.
+    fn is_in(&self, other: &Location<'_>) -> bool {
+        (self.target, self.part) == (other.target, other.part)
+    }
 }
 
 /// Follows a departure's path from the fields at its beginning; `None` if it ends where a pack can change nothing.
-fn locate(spec: &Spec, target: &str, part: &'static str, fields: &[Field], path: &str) -> Option<Location> {
-    let location =
-        |key: &str, is_known| Some(Location { target: target.to_owned(), part, key: key.to_owned(), is_known });
+fn locate<'f>(
+    spec: &'f Spec,
+    target: &'f str,
+    part: &'static str,
+    fields: &'f [Field],
+    path: &'f str,
+) -> Option<Location<'f>> {
+    let location = |key, is_known| Some(Location { target, part, key, is_known, fields });
     let steps = fields.iter().filter_map(|field| Some((field, rest(path, key(field))?)));
     // Where one key begins with another, the longer one matches.
     let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return location(path, false) };

@@ -6,6 +6,9 @@ use jaka_dynamic::{Departure, Reading};
 use jaka_sync::power::GetVersion;
 use jaka_sync::proto::read_payload;
 use jaka_sync::{Command, ErrorCode};
+use serde_json::Value;
+
+use crate::commands::call::reply_json;
 
 /// All that was found at a controller.
 #[derive(Debug)]
@@ -30,6 +33,8 @@ pub(super) struct Finding {
     pub(super) departures: Vec<Departure>,
     /// The message as it came, if one did.
     pub(super) raw: Option<String>,
+    /// All messages of the kind, as JSON.
+    pub(super) samples: Vec<Value>,
 }
 
 /// The outcome of a question.
@@ -86,12 +91,12 @@ impl Finding {
     pub(super) fn of(name: impl Into<String>, departures: Vec<Departure>, raw: String) -> Self {
         let unreadable = departures.iter().find(|departure| departure.reading == Reading::Unreadable);
         let outcome = unreadable.map_or(Outcome::Answered, |_| Outcome::Unreadable(String::new()));
-        Self { name: name.into(), outcome, departures, raw: Some(raw) }
+        Self { name: name.into(), outcome, departures, samples: vec![reply_json(&raw)], raw: Some(raw) }
     }
 
     /// The finding of a question to which no message came.
     pub(super) fn without(name: impl Into<String>, outcome: Outcome) -> Self {
-        Self { name: name.into(), outcome, departures: Vec::new(), raw: None }
+        Self { name: name.into(), outcome, departures: Vec::new(), raw: None, samples: Vec::new() }
     }
 
     fn is_asked(&self) -> bool {

@@ -23,21 +23,27 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress
         Err(failure) => return Finding::without(NAME, Outcome::NoReply(chain(&failure))),
     };
     let mut found: Option<Finding> = None;
+    let mut samples = Vec::new();
     for _ in (0..count).take_while(|_| !progress.is_interrupted()) {
         let packet = match next(&mut stream) {
             Ok(packet) => packet,
             // What came before still counts.
-            Err(outcome) => return Finding { outcome, ..found.unwrap_or_else(|| Finding::without(NAME, none())) },
+            Err(outcome) => {
+                let found = found.unwrap_or_else(|| Finding::without(NAME, none()));
+                return Finding { outcome, samples, ..found };
+            }
         };
         let mut departures = found.as_ref().map(|found| found.departures.clone()).unwrap_or_default();
         let before = departures.len();
-        add_new(&mut departures, status_departures(spec, &reply_json(&packet)));
+        let sample = reply_json(&packet);
+        add_new(&mut departures, status_departures(spec, &sample));
+        samples.push(sample);
         // The packet that is shown is one that departs.
         if found.is_none() || departures.len() > before {
             found = Some(Finding::of(NAME, departures, packet));
         }
     }
-    found.unwrap_or_else(|| Finding::without(NAME, none()))
+    Finding { samples, ..found.unwrap_or_else(|| Finding::without(NAME, none())) }
 }
 
 fn none() -> Outcome {
