@@ -121,7 +121,7 @@ mod tests {
         check(
             "[robots.a]\naddress = 'x'\nport = 1\n",
             &expect![
-                "config.toml:3: unknown field `port`, expected one of `address`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`"
+                "config.toml:3: unknown field `port`, expected one of `address`, `pack`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`"
             ],
         );
         check("[robots.a]\nstatus_port = 1\n", &expect!["config.toml:1: missing field `address`"]);

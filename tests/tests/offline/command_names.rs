@@ -43,36 +43,33 @@ fn commands_are_named_where_there_is_a_reason() {
         .iter()
         .map(|(file, names, _)| ((*file).to_owned(), names.split(' ').map(str::to_owned).collect()))
         .collect();
-    let lines = |map: &BTreeMap<String, BTreeSet<String>>| -> String {
-        map.iter().map(|(file, names)| format!("{file}: {}\n", Vec::from_iter(names.clone()).join(" "))).collect()
-    };
-    assert_eq!(lines(&found), lines(&expected));
+    assert_eq!(found, expected);
     assert!(NAMED.iter().all(|(.., reason)| !reason.is_empty()));
 }
 
 /// The commands that each file names: by `Name::INFO`, by a pattern of a request, or by a text.
 fn named() -> BTreeMap<String, BTreeSet<String>> {
     let spec = spec();
-    let mut named = BTreeMap::new();
+    let mut found = BTreeMap::new();
     for folder in CRATES {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
         for file in sources(&root.join(folder).join("src")) {
             let text = fs::read_to_string(&file).expect("a source can be read");
             let code = code(&text);
-            let is_named = |command: &&jaka_spec::Command| {
+            let is_in = |command: &&jaka_spec::Command| {
                 let ty = command.request_type();
                 [format!("{ty}::INFO"), format!("Request::{ty}"), format!("\"{}\"", command.wire)]
                     .iter()
                     .any(|part| holds(&code, part))
             };
-            let names: BTreeSet<_> = spec.commands().filter(is_named).map(|command| command.wire.clone()).collect();
-            if !names.is_empty() {
+            let commands: BTreeSet<_> = spec.commands().filter(is_in).map(|command| command.wire.clone()).collect();
+            if !commands.is_empty() {
                 let path = file.strip_prefix(root).expect("it is below").display().to_string().replace('\\', "/");
-                named.insert(path, names);
+                found.insert(path, commands);
             }
         }
     }
-    named
+    found
 }
 
 /// True if the code has this part, not as the end of a longer name.
@@ -89,7 +86,7 @@ fn holds(code: &str, part: &str) -> bool {
 fn code(text: &str) -> String {
     let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap_or_default();
     let is_code = |line: &&str| !["//", "#[doc(alias"].iter().any(|part| line.trim_start().starts_with(part));
-    text.lines().filter(is_code).map(|line| format!("{line}\n")).collect()
+    text.lines().filter(is_code).flat_map(|line| [line, "\n"]).collect()
 }
 
 /// The sources of a folder that are no tests.
