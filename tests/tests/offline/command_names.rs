@@ -97,7 +97,9 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && name != "tests" {
             found.extend(sources(&path));
-        } else if name.ends_with(".rs") && !["tests.rs", "interleavings.rs"].contains(&&*name) {
+        } else if path.extension().is_some_and(|extension| extension == "rs")
+            && !["tests.rs", "interleavings.rs"].contains(&&*name)
+        {
             found.push(path);
         }
     }
