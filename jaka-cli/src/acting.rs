@@ -107,7 +107,7 @@ impl Act {
 
     /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
     pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut PackedRobot) -> Result<T, Error>) -> Result<T, Failure> {
-        let mut robot = self.target.robot()?;
+        let mut robot: PackedRobot = self.target.robot()?;
         self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
         self.under_way.set(Stage::Answered);
@@ -121,7 +121,7 @@ impl Act {
         limits: Limits,
         config: &FollowConfig,
     ) -> Result<End, Failure> {
-        let mut robot = self.target.robot()?;
+        let mut robot: PackedRobot = self.target.robot()?;
         robot.configure(&RobotConfig::new().limits(limits))?;
         let stop = robot.stop_handle();
         self.under_way.set(Stage::Moving(stop.clone()));

@@ -7,7 +7,6 @@ mod environment;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::packed_status::PackedRobot;
 use clap::Args;
 use itertools::Itertools as _;
 use jaka_motion::Limits;
@@ -15,7 +14,7 @@ use jaka_robot::preflight::Preflight;
 use jaka_robot::proto::wire::Decode;
 use jaka_robot::recording::Port;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Client, Config, Monitor, Reconnect, Recorder, StatusSampling, StatusStream};
+use jaka_robot::{Client, Config, Monitor, MotionStatus, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
 use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;
@@ -233,9 +232,9 @@ impl Target {
     }
 
     /// Connects to both ports, and waits for the first status packet.
-    pub(crate) fn robot(&self) -> Result<PackedRobot, Failure> {
+    pub(crate) fn robot<S: MotionStatus>(&self) -> Result<Robot<S>, Failure> {
         let monitor = Monitor::connect_with(&self.config, &self.address.status)?;
-        let robot = PackedRobot::with_monitor(self.client()?, monitor);
+        let robot = Robot::with_monitor(self.client()?, monitor);
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }

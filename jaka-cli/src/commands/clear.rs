@@ -8,6 +8,7 @@ use jaka_sync::collision::ClearError;
 use crate::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::output;
+use crate::packed_status::PackedStatus;
 use crate::target::Target;
 
 /// How long it may take by default.
@@ -28,7 +29,7 @@ impl Clear {
         let act = self
             .act
             .begin("leave its protective stop, after which it can be moved again", &[intent(&ClearError::new())?])?;
-        act.with(Target::robot, "`clear_error`", |robot| {
+        act.with(Target::robot::<PackedStatus>, "`clear_error`", |robot| {
             let patience = act.patience(PATIENCE);
             robot.client().call_within(&ClearError::new(), patience)?;
             robot.monitor().wait_until(|status| status.status.protective_stop == Some(false), patience)
