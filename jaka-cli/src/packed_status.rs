@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use jaka_dynamic::{Reading, status_departures, value};
+use jaka_dynamic::{Reading, status_departures, truth_value};
 use jaka_robot::{MotionStatus, Robot};
 use jaka_spec::{Field, Scalar, Spec, Type};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
@@ -19,8 +19,10 @@ pub(crate) struct PackedStatus {
     pub(crate) status: RobotStatus,
     /// The keys that packs add or change, with what came.
     pub(crate) own: Map<String, Value>,
-    /// What does not fit, in addition to what the reader tells.
+    /// What does not fit, by names in Rust, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
+    /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
+    is_by_packs: bool,
 }
 
 impl PackedStatus {
@@ -45,8 +47,13 @@ impl PackedStatus {
 pub(crate) type PackedRobot = Robot<PackedStatus>;
 
 impl MotionStatus for PackedStatus {
+    /// Of a packet that is too odd for packs, nothing counts.
     fn robot_status(&self) -> RobotStatus {
-        self.status.clone()
+        if self.is_by_packs { self.status.clone() } else { RobotStatus::default() }
+    }
+
+    fn unfit(&self) -> Vec<DecodeError> {
+        self.unfit.clone()
     }
 }
 
@@ -55,73 +62,157 @@ impl Decode for PackedStatus {
         let start = reader.mark();
         if !changed().is_empty() {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet);
+                return packed(packet, packs::of_status(), changed());
             }
             reader.go_back(start);
         }
         // What is odd JSON is read as far as it can be, and not by packs.
-        RobotStatus::decode(reader).map(|status| Self { status, ..Self::default() })
+        let is_by_packs = changed().is_empty();
+        RobotStatus::decode(reader).map(|status| Self { status, is_by_packs, ..Self::default() })
     }
 }
 
 /// A field of the packet that is not as built in, and the built-in one of that name.
-type Changed = (&'static Field, Option<Field>);
+type Changed = (Field, Option<Field>);
 
 /// The fields that packs add or change.
 fn changed() -> &'static [Changed] {
     static CHANGED: OnceLock<Vec<Changed>> = OnceLock::new();
-    CHANGED.get_or_init(|| {
-        let built_in = packs::builtin();
-        let changed = packs::of_status().status_fields().iter().filter_map(|field| {
-            let known = built_in.status_fields().iter().find(|known| known.name == field.name);
-            let is_same = known.is_some_and(|known| known.wire == field.wire && known.ty == field.ty);
-            (!is_same).then(|| (field, known.cloned()))
-        });
-        changed.collect()
-    })
+    CHANGED.get_or_init(|| changed_in(packs::of_status()))
 }
 
-fn packed(packet: Map<String, Value>) -> Result<PackedStatus, DecodeError> {
-    let spec = packs::of_status();
-    let is_own = |key: &str| changed().iter().any(|(field, _)| field.wire == key);
+fn changed_in(spec: &Spec) -> Vec<Changed> {
+    let built_in = packs::builtin();
+    let changed = spec.status_fields().iter().filter_map(|field| {
+        let known = built_in.status_fields().iter().find(|known| known.name == field.name);
+        let is_same = known.is_some_and(|known| known.wire == field.wire && means_same(spec, field, known));
+        (!is_same).then(|| (field.clone(), known.cloned()))
+    });
+    changed.collect()
+}
+
+fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Result<PackedStatus, DecodeError> {
+    let is_own = |key: &str| changed.iter().any(|(field, _)| field.wire == key);
     let mut own: Map<_, _> =
         packet.iter().filter(|(key, _)| is_own(key)).map(|(k, v)| (k.clone(), v.clone())).collect();
     let mut unfit = Vec::new();
     for departure in status_departures(spec, &Value::Object(packet.clone())) {
         let key = departure.field.split(['.', '[']).next().unwrap_or_default();
-        if departure.reading == Reading::Unreadable && is_own(key) {
+        let field = changed.iter().find(|(field, _)| field.wire == key);
+        if let Some((field, _)) = field.filter(|_| departure.reading == Reading::Unreadable) {
             own.remove(key);
-            unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&departure.field));
+            let place = departure.field.replacen(key, &field.name, 1);
+            unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
         }
     }
-    let text = Value::Object(as_built_in(spec, packet, &own)).to_string();
+    let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
     let mut reader = Reader::new(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
-    Ok(PackedStatus { status, own, unfit })
+    Ok(PackedStatus { status, own, unfit, is_by_packs: true })
 }
 
-/// The packet with the keys and words of the built-in type. What packs give another type is left out.
-fn as_built_in(spec: &Spec, mut packet: Map<String, Value>, own: &Map<String, Value>) -> Map<String, Value> {
-    for (field, known) in changed() {
+/// The packet with the keys and words of the built-in type. What packs give another type, unit or meaning is left out.
+fn as_built_in(
+    spec: &Spec,
+    changed: &[Changed],
+    mut packet: Map<String, Value>,
+    own: &Map<String, Value>,
+) -> Map<String, Value> {
+    // A key may be that of another field by now.
+    for (field, known) in changed {
         packet.remove(&field.wire);
-        let Some(known) = known else { continue };
-        packet.remove(&known.wire);
-        let Some(found) = own.get(&field.wire) else { continue };
-        if let Some(value) = same(spec, &field.ty, &known.ty, found) {
+        known.as_ref().and_then(|known| packet.remove(&known.wire));
+    }
+    for (field, known) in changed {
+        let (Some(known), Some(found)) = (known, own.get(&field.wire)) else { continue };
+        if let Some(value) = same(spec, field, known, found) {
             packet.insert(known.wire.clone(), value);
         }
     }
     packet
 }
 
-/// A value in the form of another type that is the same in Rust; none of a type that is not.
-fn same(spec: &Spec, ty: &Type, known: &Type, found: &Value) -> Option<Value> {
-    match (ty, known) {
-        (Type::Scalar(Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => {
-            let text = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
-            value(spec, ty, &text).ok()
+/// A value of a field in the form of the built-in field that means the same; none if that means something else.
+fn same(spec: &Spec, field: &Field, known: &Field, found: &Value) -> Option<Value> {
+    match (&field.ty, &known.ty) {
+        (Type::Scalar(scalar @ Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => {
+            truth_value(scalar, found).map(Value::Bool)
         }
-        _ => (ty == known).then(|| found.clone()),
+        _ => means_same(spec, field, known).then(|| found.clone()),
+    }
+}
+
+/// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made of.
+fn means_same(spec: &Spec, field: &Field, known: &Field) -> bool {
+    field.ty == known.ty && field.unit == known.unit && spec.defines_as(packs::builtin(), &field.ty)
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_sync::proto::wire::Decode as _;
+
+    use super::*;
+
+    /// A packet as a robot takes it, by a pack with this text.
+    fn read(pack: &str, packet: &str) -> PackedStatus {
+        let pack = format!("title = 'T'\n{pack}");
+        let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: &pack });
+        let spec = pack.unwrap_or_else(|errors| panic!("{errors}")).spec;
+        let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
+            panic!("{packet} is no object")
+        };
+        packed(packet, &spec, &changed_in(&spec)).expect("it can be read")
+    }
+
+    const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\
+                           optional = true\ndoc = 'D.'\n";
+
+    fn renamed(field: &str, more: &str) -> String {
+        format!("[[override]]\ntarget = 'RobotStatus'\nfield = '{field}'\n{more}\n")
+    }
+
+    #[test]
+    fn a_stop_that_does_not_fit_is_told_of_next_to_a_new_key() {
+        let status = read(NEW_KEY, r#"{"mood": "calm", "protective_stop": "perhaps", "enabled": true}"#);
+        assert_eq!(status.robot_status().protective_stop, None);
+        assert!(status.unfit().iter().any(|error| error.is_in("protective_stop")), "{:?}", status.unfit());
+    }
+
+    #[test]
+    fn a_changed_field_that_does_not_fit_is_told_of_by_its_name() {
+        let pack = renamed("protective_stop", "wire = 'halted'");
+        let status = read(&pack, r#"{"halted": "perhaps", "enabled": true}"#);
+        assert!(status.unfit().iter().any(|error| error.is_in("protective_stop")), "{:?}", status.unfit());
+        let status = read(&pack, r#"{"halted": 1, "enabled": true}"#);
+        assert_eq!((status.robot_status().protective_stop, status.unfit().len()), (Some(true), 0));
+    }
+
+    /// A circuit that is closed where nothing is pressed.
+    #[test]
+    fn a_truth_value_is_read_as_its_pack_writes_it() {
+        let pack = renamed("emergency_stop", "written = ['on', 'off']");
+        for (word, expected) in [("off", Some(true)), ("on", Some(false)), ("perhaps", None)] {
+            let status = read(&pack, &format!(r#"{{"emergency_stop": "{word}"}}"#));
+            assert_eq!(status.robot_status().emergency_stop, expected, "{word}");
+        }
+    }
+
+    #[test]
+    fn a_key_can_be_that_of_another_field() {
+        let pack = renamed("protective_stop", "wire = 'other'") + &renamed("drag_status", "wire = 'protective_stop'");
+        for (stop, drag) in [(1, 0), (0, 1)] {
+            let status = read(&pack, &format!(r#"{{"other": {stop}, "protective_stop": {drag}}}"#)).robot_status();
+            assert_eq!((status.protective_stop, status.drag_status), (Some(stop == 1), Some(drag == 1)));
+        }
+    }
+
+    #[test]
+    fn a_value_in_another_unit_is_left_out() {
+        let position = r#"{"joint_actual_position": [1, 2, 3, 4, 5, 6], "rapidrate": 0.5}"#;
+        assert!(read(NEW_KEY, position).robot_status().joint_actual_position.is_some());
+        assert_eq!(read(NEW_KEY, position).robot_status().rapid_rate, Some(0.5));
+        let pack = renamed("rapidrate", "unit = '%'");
+        assert_eq!(read(&pack, position).robot_status().rapid_rate, None);
     }
 }

@@ -27,4 +27,5 @@ pub use motion::{RequestedMotion, command_info, motion};
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};
 pub use sample::{complete_reply, is_readable, sample_reply, sample_value};
+pub use scalar::truth_value;
 pub use value::value;

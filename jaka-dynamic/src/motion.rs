@@ -97,8 +97,8 @@ impl Fields<'_> {
     /// A joint position or a pose of the built-in types.
     fn place<T: Decode>(&self, name: &str) -> Result<T, String> {
         let field = self.field(name)?;
-        let topic = field.ty.named().and_then(|id| self.spec.topic_of(id));
-        if topic.is_none_or(|topic| topic.is_pack) {
+        let built_in = spec::builtin().map_err(|errors| errors.to_string())?;
+        if !self.spec.defines_as(&built_in, &field.ty) {
             return Err(format!("a pack has changed the type of `{}`", field.wire));
         }
         let text = self.values.get(&field.wire).map(Value::to_string).unwrap_or_default();

@@ -65,7 +65,8 @@ pub struct CommandInfo {
     pub role: Option<Role>,
     /// Properties of the arm that it changes.
     pub changes: &'static [Change],
-    /// True for a motion whose end can be waited for: its request is a [`Motion`](crate::Motion).
+    /// True for a motion whose end can be waited for: its request is a [`Motion`](crate::Motion), unless a pack has
+    /// changed the type of its target.
     pub is_motion: bool,
     /// States without which the controller refuses.
     pub requires: &'static [Requirement],

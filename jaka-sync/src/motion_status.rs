@@ -41,16 +41,24 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// packets up.
     fn robot_status(&self) -> RobotStatus;
 
+    /// Fields of the built-in type that came and do not fit, by their Rust names, in addition to those that the reader
+    /// left out ([`Snapshot::unfit`](crate::Snapshot::unfit)).
+    #[doc(hidden)]
+    fn unfit(&self) -> Vec<DecodeError> {
+        Vec::new()
+    }
+
     /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come,
     /// and the packet as a whole does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
-        let Snapshot { status, received, number, unfit, follows_silence, clock } = &**snapshot;
+        let Snapshot { status: packet, received, number, unfit, follows_silence, clock } = &**snapshot;
         let (mut unfit, clock) = (unfit.clone(), clock.clone());
-        let status = told(status).unwrap_or_else(|error| {
+        let status = told(packet).unwrap_or_else(|error| {
             unfit.push(error);
             RobotStatus::default()
         });
+        unfit.extend(told_unfit(packet));
         let (received, number, follows_silence) = (*received, *number, *follows_silence);
         Arc::new(Snapshot { status, received, number, unfit, follows_silence, clock })
     }
@@ -61,6 +69,12 @@ pub fn told<S: MotionStatus>(status: &S) -> Result<RobotStatus, DecodeError> {
     // What a panic leaves half done is the type's own.
     catch_unwind(AssertUnwindSafe(|| status.robot_status()))
         .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
+}
+
+/// Fields that do not fit, unless the packet's own type panics: then nothing of it does.
+fn told_unfit<S: MotionStatus>(status: &S) -> Vec<DecodeError> {
+    catch_unwind(AssertUnwindSafe(|| status.unfit()))
+        .unwrap_or_else(|_| vec![DecodeError::unfit("a packet that the program's own type accepts", "a panic")])
 }
 
 impl MotionStatus for RobotStatus {

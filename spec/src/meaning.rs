@@ -1,6 +1,6 @@
 //! Checks of what a command means to the arm against its fields.
 
-use crate::model::{Command, Field, Reply, Request, Type, TypeDef, TypeKind};
+use crate::model::{Command, Effect, Field, Reply, Request, Type, TypeDef, TypeKind};
 use crate::role::{JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 use crate::scalar::Scalar;
 
@@ -13,6 +13,9 @@ pub(crate) fn problem(command: &Command, types: &[TypeDef]) -> Option<String> {
         );
     }
     let motion = motion?;
+    if command.effect != Effect::Motion || command.role.is_some() {
+        return Some("a command with `[command.motion]` has the effect `motion`, and no `role`".into());
+    }
     if !matches!(command.request, Request::Fields(_)) {
         return Some("a motion has `request` fields, and no `choice`".into());
     }

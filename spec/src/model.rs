@@ -101,6 +101,18 @@ impl Spec {
         }
     }
 
+    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges
+    /// and versions.
+    pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
+        let Some(id) = ty.named() else { return true };
+        let def = &self[id];
+        let Some(known) = other.type_id(&def.name) else { return false };
+        // Ids are those of the same types in all specs that packs make of one; a type cannot contain itself.
+        id == known
+            && def.kind.undescribed() == other[known].kind.undescribed()
+            && def.kind.types().all(|part| self.defines_as(other, part))
+    }
+
     /// The fields of an object; none of any other type.
     fn object_fields(&self, id: TypeId) -> &[Field] {
         if let TypeKind::Object(fields) = &self[id].kind { fields } else { &[] }
@@ -471,6 +483,30 @@ pub enum TypeKind {
 }
 
 impl TypeKind {
+    /// The same without docs, ranges and versions.
+    fn undescribed(&self) -> Self {
+        let mut kind = self.clone();
+        let plain = |fields: &mut Vec<Field>| {
+            for field in fields {
+                (field.doc, field.range, field.versions) = (String::new(), Range::default(), Versions::default());
+                (field.advised, field.disputed) = (Vec::new(), Vec::new());
+            }
+        };
+        match &mut kind {
+            Self::Object(fields) | Self::Array { fields, .. } => plain(fields),
+            Self::Choice(choice) => {
+                for variant in &mut choice.variants {
+                    variant.doc.clear();
+                    plain(&mut variant.fields);
+                }
+            }
+            Self::IntEnum(values) => values.iter_mut().for_each(EnumValue::undescribe),
+            Self::TextEnum(values) => values.iter_mut().for_each(EnumValue::undescribe),
+            Self::Wrapper(..) => {}
+        }
+        kind
+    }
+
     /// The named types that it is made of.
     pub fn parts(&self) -> impl Iterator<Item = TypeId> {
         self.types().filter_map(Type::named)
@@ -506,6 +542,13 @@ pub struct EnumValue<T> {
     pub advisory: bool,
     /// First and last firmware that takes it.
     pub versions: Versions,
+}
+
+impl<T> EnumValue<T> {
+    fn undescribe(&mut self) {
+        self.doc.clear();
+        (self.advisory, self.versions) = (false, Versions::default());
+    }
 }
 
 /// A code that the controller answers.

@@ -68,12 +68,13 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
         events: Vec::new(),
         changed: Changed::default(),
         covered: Covered::default(),
+        motions: BTreeSet::new(),
         edits: Vec::new(),
     };
     let mut topic = read::file(source, &report, |root, topic| draft.read(root, topic));
     topic.is_pack = true;
     draft.check_optional(&report);
-    draft.check_motions(source, &report);
+    draft.check_motions(base, source, &report);
     resolve::check(&draft.index, &report);
     let Draft { mut spec, index, codes, events, changed, covered, .. } = draft;
     spec.types = index.finish();
@@ -101,6 +102,8 @@ struct Draft<'s, 'r> {
     events: Vec<Event>,
     changed: Changed,
     covered: Covered,
+    /// Commands of the spec to which it gives another motion.
+    motions: BTreeSet<String>,
     /// Where it is changed: the entries, in the order of the file.
     edits: Vec<(At<'s>, String, Target)>,
 }

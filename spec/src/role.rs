@@ -3,9 +3,9 @@
 /// Role of a command, or of a variant of its request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// Stops the arm. Goes out without a question.
+    /// Stops the arm. `jaka` sends the built-in one, and one of a confirmed pack, without a question.
     Stop,
-    /// Pauses a motion or a program. Goes out without a question.
+    /// Pauses a motion or a program. `jaka` sends the built-in one without a question.
     Pause,
     /// Resumes what is paused.
     Resume,
@@ -96,6 +96,14 @@ impl PathKind {
 }
 
 impl Motion {
+    /// True if it names this field.
+    pub(crate) fn names(&self, field: &str) -> bool {
+        let Self { path: _, target, mode, through, speed, acceleration, tolerance } = self;
+        let mode = mode.as_ref().map(|mode| &mode.field);
+        let names = [Some(target), mode, through.as_ref(), speed.as_ref(), acceleration.as_ref(), tolerance.as_ref()];
+        names.into_iter().flatten().any(|name| name == field)
+    }
+
     /// Follows a field that gets another name in Rust.
     pub(crate) fn rename(&mut self, old: &str, new: &str) {
         let Self { path: _, target, mode, through, speed, acceleration, tolerance } = self;

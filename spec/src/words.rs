@@ -100,8 +100,8 @@ pub fn role(role: Role) -> &'static str {
 /// Role of a command in a sentence.
 pub fn role_sentence(role: Role) -> &'static str {
     match role {
-        Role::Stop => "Stops the arm; goes out without a question.",
-        Role::Pause => "Pauses; goes out without a question.",
+        Role::Stop => "Stops the arm.",
+        Role::Pause => "Pauses a motion or a program.",
         Role::Resume => "Resumes what is paused.",
         Role::SetPoint => "Set-point of servo mode.",
         Role::ServoMode => "Enters or leaves servo mode.",

@@ -122,6 +122,7 @@ fn an_option_that_is_taken_for_a_field_is_explained() {
     .assert_eq(&run_with_names_of_options("options.toml", "new_one --color=never --timeout 5 --dry-run"));
     expect![[r#"
         {"cmdName":"new_one","color":"red"}
+        note: `--timeout` is an option of `jaka call`; the field `timeout` is given by `--field-timeout`, or by --params
         exit code 0
     "#]]
     .assert_eq(&run_with_names_of_options(

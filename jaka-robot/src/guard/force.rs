@@ -46,7 +46,7 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// ```no_run
 /// use std::time::Duration;
 /// use jaka_robot::motion::MoveL;
-/// use jaka_robot::{ForceComponent, ForceLimit, Motion, Robot};
+/// use jaka_robot::{ForceComponent, ForceLimit, MotionExt as _, Robot};
 ///
 /// let mut robot = Robot::connect("10.5.5.100")?;
 /// let down = MoveL::relative([0.0, 0.0, -50.0, 0.0, 0.0, 0.0], 5.0).acceleration(500.0);

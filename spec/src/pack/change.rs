@@ -6,8 +6,9 @@ use super::{COVERED, Changed, Draft, covers};
 use crate::advice;
 use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
-use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, TypeDef, TypeId, TypeKind};
+use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, Type, TypeDef, TypeId, TypeKind};
 use crate::report::{At, Report};
+use crate::role::MotionMode;
 use crate::similar::nearest;
 use crate::{Source, meaning, read};
 
@@ -257,6 +258,7 @@ impl<'s> Draft<'s, '_> {
             command.motion = None;
         } else if item.has("motion") {
             command.motion = read::motion(item);
+            self.motions.insert(wire.to_owned());
         }
         if item.has("doc") {
             command.doc = read::required_doc(item);
@@ -292,15 +294,33 @@ impl Changed {
 
 impl Draft<'_, '_> {
     /// Checks the roles and motions of the spec's commands, of which an entry may have changed the fields or the types.
-    pub(super) fn check_motions(&self, source: Source<'_>, report: &Report) {
+    pub(super) fn check_motions(&self, base: &Spec, source: Source<'_>, report: &Report) {
         for command in self.spec.commands() {
-            let Some(problem) = meaning::problem(command, self.index.types()) else { continue };
+            let changed = || base.command(&command.wire).and_then(|old| self.changed_field(base, old, command));
+            let Some(problem) = meaning::problem(command, self.index.types()).or_else(changed) else { continue };
             let of_command = |target: &Target| matches!(target, Target::Command(wire) if *wire == command.wire);
             let entry = self.edits.iter().find(|(_, _, target)| of_command(target)).or_else(|| self.edits.first());
             let at = entry.map_or(At { source, offset: 0 }, |(at, ..)| *at);
-            let hint = "give it another `motion` in an `[[override]]`, or `motion = \"unknown\"`";
-            report.error(at, format!("`{}` is a motion: {problem}; {hint}", command.wire));
+            let hint = match command.motion {
+                Some(_) => "; give it another `motion` in an `[[override]]`, or `motion = \"unknown\"`",
+                None => "",
+            };
+            report.error(at, format!("`{}`: {problem}{hint}", command.wire));
         }
+    }
+
+    /// The field of a motion that means something else than in the base, where the pack says nothing of the motion.
+    fn changed_field(&self, base: &Spec, old: &Command, command: &Command) -> Option<String> {
+        let motion = command.motion.as_ref().filter(|_| !self.motions.contains(&command.wire))?;
+        // Fields keep their places; those that a pack adds come after them.
+        let mut pairs = old.request.fields().zip(command.request.fields());
+        let is_alike = |new: &Field| match motion.mode.as_ref().filter(|mode| mode.field == new.name) {
+            Some(mode) => same_values(base, &self.spec, &new.ty, mode),
+            None => self.spec.defines_as(base, &new.ty),
+        };
+        let is_changed = |old: &Field, new: &Field| old.ty != new.ty || old.unit != new.unit || !is_alike(new);
+        let (_, new) = pairs.find(|(old, new)| motion.names(&new.name) && is_changed(old, new))?;
+        Some(format!("its motion names the field `{}`, whose type or unit this pack changes", new.name))
     }
 
     /// Checks which fields are optional, now that all of them are known.
@@ -332,6 +352,16 @@ impl Draft<'_, '_> {
         };
         (!is_right).then_some(read::OPTIONAL_LAST)
     }
+}
+
+/// True if the values of a motion's mode have the names in Rust that they have in the base. There may be others by now.
+fn same_values(base: &Spec, spec: &Spec, ty: &Type, mode: &MotionMode) -> bool {
+    let Some(id) = ty.named() else { return false };
+    let name = |spec: &Spec, wire: i64| match &spec[id].kind {
+        TypeKind::IntEnum(values) => values.iter().find(|value| value.wire == wire).map(|value| value.name.clone()),
+        _ => None,
+    };
+    [Some(mode.absolute), mode.offset].into_iter().flatten().all(|wire| name(base, wire) == name(spec, wire))
 }
 
 const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";

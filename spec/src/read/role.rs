@@ -72,9 +72,6 @@ fn mode(item: &Item<'_, '_>) -> MotionMode {
 
 /// Checks what a command says of its meaning: now against its effect, and later against the types.
 pub(super) fn check<'s>(item: &Item<'_, 's>, command: &Command, index: &mut Index<'s>) {
-    if command.motion.is_some() && (command.effect != Effect::Motion || command.role.is_some()) {
-        item.error(item.at, "a command with `[command.motion]` has the effect `motion`, and no `role`");
-    }
     let roles = command.variants().iter().filter_map(|variant| variant.role).chain(command.role);
     if roles.into_iter().any(|role| effect_of(role) != command.effect) {
         item.error(

@@ -9,7 +9,7 @@ use super::request::Request;
 use crate::consent;
 use crate::failure::Failure;
 use crate::output;
-use crate::packs::Protocol;
+use crate::packs::{self, Protocol};
 use crate::seat;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
@@ -74,7 +74,7 @@ pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
 /// says of its commands is its author's claim.
 fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
     let Some(command) = request.command else { return false };
-    let is_packs = protocol.spec.topics.iter().any(|topic| topic.is_pack && topic.commands.contains(command));
+    let is_packs = packs::builtin().command(&command.wire).is_none_or(|known| known.request != command.request);
     match role(request) {
         Some(Role::Stop) => !is_packs || protocol.is_confirmed,
         Some(Role::Pause) => !is_packs,
