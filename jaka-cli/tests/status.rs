@@ -376,7 +376,7 @@ fn a_pack_says_how_packets_are_read() {
         powered_on       –
         enabled          true
         warning: field `protective_stop`: expected "free" or "stopped", found `"maybe"`; it is left out
-        warning: field `demo_brakes`: expected a whole number, found `"on"`; it is left out
+        warning: field `brakes`: expected a whole number, found `"on"`; it is left out
         warning: field `powered_on`: expected a truth value, found `"perhaps"`; it is left out
         Some(0)"#]]
     .assert_eq(&printed_with_pack(packet, "in_position,protective_stop,brakes,powered_on,enabled"));
