@@ -1,4 +1,4 @@
-//! How long it takes from a status packet that trips a guard until the stop is on the wire. The witness has the
+//! Time from a status packet that trips a guard until the stop is on the wire. The witness has the
 //! controller's ends of both connections as plain sockets, and knows nothing of this SDK: it says when it has sent the
 //! packet, and when the bytes of `stop_program` have come.
 //!

@@ -19,7 +19,7 @@ pub(crate) struct PackedStatus {
     pub(crate) status: RobotStatus,
     /// The keys that packs add or change, with what came.
     pub(crate) own: Map<String, Value>,
-    /// What does not fit, by names in Rust, in addition to what the reader tells.
+    /// Fields that do not fit, by names in Rust, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
     /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
     is_by_packs: bool,
@@ -143,7 +143,8 @@ fn same(spec: &Spec, field: &Field, known: &Field, found: &Value) -> Option<Valu
     }
 }
 
-/// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made of.
+/// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made
+/// of.
 fn means_same(spec: &Spec, field: &Field, known: &Field) -> bool {
     field.ty == known.ty && field.unit == known.unit && spec.defines_as(packs::builtin(), &field.ty)
 }

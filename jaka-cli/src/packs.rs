@@ -1,11 +1,14 @@
 //! The protocol with the user's command packs.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, OnceLock};
 
 use clap::Args;
-use jaka_spec::{Source, Spec};
+use jaka_robot::proto::CommandInfo;
+use jaka_spec::{Command, Source, Spec};
 
 use crate::failure::Failure;
 use crate::output;
@@ -39,9 +42,21 @@ pub(crate) struct Protocol {
     pub(crate) packs: Vec<PathBuf>,
     /// True if the config file names them: the user has confirmed what they say of their commands.
     pub(crate) is_confirmed: bool,
+    /// Facts of the commands that were asked for, which stay in memory: once for each.
+    infos: RefCell<BTreeMap<String, &'static CommandInfo>>,
 }
 
 impl Protocol {
+    pub(crate) fn new(spec: Spec, packs: Vec<PathBuf>, is_confirmed: bool) -> Self {
+        Self { spec, packs, is_confirmed, infos: RefCell::default() }
+    }
+
+    /// Facts of a command of this protocol.
+    pub(crate) fn info(&self, command: &Command) -> &'static CommandInfo {
+        let mut infos = self.infos.borrow_mut();
+        infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(command))
+    }
+
     /// Has status packets read by this protocol, which is said before the first of them comes.
     pub(crate) fn read_status(&self) {
         // There is no other.
@@ -63,7 +78,7 @@ impl SpecArgs {
         let (packs, is_confirmed) =
             if self.packs.is_empty() { usual_packs(lookup)? } else { (self.packs.clone(), false) };
         let spec = packs.iter().try_fold(builtin().clone(), |spec, path| add(&spec, path))?;
-        Ok(Protocol { spec, packs, is_confirmed })
+        Ok(Protocol::new(spec, packs, is_confirmed))
     }
 }
 

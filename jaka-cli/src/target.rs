@@ -109,7 +109,7 @@ pub(crate) fn robots(config: Option<&Path>) -> Vec<(String, String)> {
 }
 
 impl RobotArgs {
-    /// Where the line looks for a robot and its packs.
+    /// Robot and config file that the line names.
     pub(crate) fn lookup(&self) -> Lookup<'_> {
         Lookup { config: self.address.config.as_deref(), robot: self.address.robot.as_deref() }
     }

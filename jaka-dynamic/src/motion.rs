@@ -22,13 +22,19 @@ pub struct RequestedMotion {
 }
 
 /// Motion of a request that [`request`](crate::request) has made of this command; none for a command without one.
+/// `built_in` is the built-in spec, whose types targets have.
 ///
 /// # Errors
 /// A phrase with the field that cannot be read, or whose type a pack has changed.
-pub fn motion(spec: &Spec, command: &Command, request: &str) -> Result<Option<RequestedMotion>, String> {
+pub fn motion(
+    spec: &Spec,
+    built_in: &Spec,
+    command: &Command,
+    request: &str,
+) -> Result<Option<RequestedMotion>, String> {
     let Some(motion) = &command.motion else { return Ok(None) };
     let fields: Map<String, Value> = serde_json::from_str(request).map_err(|error| error.to_string())?;
-    let fields = Fields { spec, command, values: &fields };
+    let fields = Fields { spec, built_in, command, values: &fields };
     Ok(Some(RequestedMotion {
         target: fields.target(motion)?,
         path: fields.path(motion)?,
@@ -39,6 +45,7 @@ pub fn motion(spec: &Spec, command: &Command, request: &str) -> Result<Option<Re
 /// Fields of a request.
 struct Fields<'s> {
     spec: &'s Spec,
+    built_in: &'s Spec,
     command: &'s Command,
     values: &'s Map<String, Value>,
 }
@@ -97,8 +104,7 @@ impl Fields<'_> {
     /// A joint position or a pose of the built-in types.
     fn place<T: Decode>(&self, name: &str) -> Result<T, String> {
         let field = self.field(name)?;
-        let built_in = spec::builtin().map_err(|errors| errors.to_string())?;
-        if !self.spec.defines_as(&built_in, &field.ty) {
+        if !self.spec.defines_as(self.built_in, &field.ty) {
             return Err(format!("a pack has changed the type of `{}`", field.wire));
         }
         let text = self.values.get(&field.wire).map(Value::to_string).unwrap_or_default();
@@ -171,7 +177,7 @@ mod tests {
         spec::builtin().expect("the built-in spec is correct")
     }
 
-    /// What the generated code and the spec say of the same request.
+    /// Compares the generated code with the spec for the same request.
     fn assert_same(motion: &impl Motion) {
         let spec = builtin();
         let mut out = Writer::new();
@@ -181,7 +187,7 @@ mod tests {
         let command = spec.command(name).expect("the spec has it");
         let expected =
             RequestedMotion { target: motion.target(), path: motion.path(), tolerance_mm: motion.tolerance() };
-        assert_eq!(super::motion(&spec, command, text), Ok(Some(expected)), "{text}");
+        assert_eq!(super::motion(&spec, &spec, command, text), Ok(Some(expected)), "{text}");
     }
 
     fn with<T>(mut value: T, change: impl FnOnce(&mut T)) -> T {
@@ -220,6 +226,6 @@ mod tests {
     fn a_command_without_a_motion_has_none() {
         let spec = builtin();
         let command = spec.command("get_joint_pos").expect("the spec has it");
-        assert_eq!(motion(&spec, command, r#"{"cmdName":"get_joint_pos"}"#), Ok(None));
+        assert_eq!(motion(&spec, &spec, command, r#"{"cmdName":"get_joint_pos"}"#), Ok(None));
     }
 }

@@ -54,27 +54,24 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
         let Snapshot { status: packet, received, number, unfit, follows_silence, clock } = &**snapshot;
         let (mut unfit, clock) = (unfit.clone(), clock.clone());
-        let status = told(packet).unwrap_or_else(|error| {
-            unfit.push(error);
-            RobotStatus::default()
-        });
-        unfit.extend(told_unfit(packet));
+        let told = caught(|| (packet.robot_status(), packet.unfit()));
+        let (status, more) = told.unwrap_or_else(|error| (RobotStatus::default(), vec![error]));
+        unfit.extend(more);
         let (received, number, follows_silence) = (*received, *number, *follows_silence);
         Arc::new(Snapshot { status, received, number, unfit, follows_silence, clock })
     }
 }
 
-/// What a packet tells, unless its own type panics. Nothing else calls [`MotionStatus::robot_status`].
+/// Status that a packet tells, unless its own type panics.
 pub fn told<S: MotionStatus>(status: &S) -> Result<RobotStatus, DecodeError> {
-    // What a panic leaves half done is the type's own.
-    catch_unwind(AssertUnwindSafe(|| status.robot_status()))
-        .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
+    caught(|| status.robot_status())
 }
 
-/// Fields that do not fit, unless the packet's own type panics: then nothing of it does.
-fn told_unfit<S: MotionStatus>(status: &S) -> Vec<DecodeError> {
-    catch_unwind(AssertUnwindSafe(|| status.unfit()))
-        .unwrap_or_else(|_| vec![DecodeError::unfit("a packet that the program's own type accepts", "a panic")])
+/// Calls a packet's own type, which may panic. Nothing else calls the methods of [`MotionStatus`].
+fn caught<T>(tell: impl FnOnce() -> T) -> Result<T, DecodeError> {
+    // What a panic leaves half done is the type's own.
+    catch_unwind(AssertUnwindSafe(tell))
+        .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
 }
 
 impl MotionStatus for RobotStatus {

@@ -257,10 +257,7 @@ impl Command {
 impl Command {
     /// Role of the request, which may be that of its variant.
     pub fn role_of_variant(&self, tag: Option<i64>) -> Option<Role> {
-        let variant = match &self.request {
-            Request::Choice(choice) => choice.variants.iter().find(|variant| Some(variant.wire) == tag),
-            Request::Fields(_) => None,
-        };
+        let variant = self.variants().iter().find(|variant| Some(variant.wire) == tag);
         variant.and_then(|variant| variant.role).or(self.role)
     }
 

@@ -93,7 +93,7 @@ fn fields_give_way_to_options_of_the_same_name() {
     .assert_eq(&run.text());
 }
 
-/// What is printed for a line of a command with fields named `color` and `timeout`, which is optional.
+/// Output of a line of a command with fields named `color` and `timeout`, which is optional.
 fn run_with_names_of_options(file: &str, line: &str) -> String {
     let file = scratch(file);
     let field = |name, more| format!("[[command.request]]\nwire = '{name}'\ntype = 'text'\ndoc = 'D.'\n{more}");

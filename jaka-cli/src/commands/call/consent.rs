@@ -1,6 +1,6 @@
 //! Asking before something happens to the robot.
 
-use jaka_spec::{Effect, Role, words};
+use jaka_spec::{Command, Effect, Role, words};
 use serde_json::Value;
 
 use super::options::Options;
@@ -57,10 +57,9 @@ pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
     if protocol.is_confirmed || options.robot.is_simulated() {
         return;
     }
-    let spec = &protocol.spec;
-    let packs = spec.topics.iter().filter(|topic| topic.is_pack).flat_map(|topic| &topic.commands);
-    let stops = packs.filter(|command| command.role == Some(Role::Stop));
-    let stops: Vec<_> = stops.map(|command| format!("`{}`", command.wire)).collect();
+    let is_packs_stop = |command: &&Command| command.role == Some(Role::Stop) && !is_built_in(command);
+    let stops: Vec<_> =
+        protocol.spec.commands().filter(is_packs_stop).map(|command| format!("`{}`", command.wire)).collect();
     if !stops.is_empty() {
         let stops = words::list(&stops, "and");
         output::warning(&format!(
@@ -74,12 +73,16 @@ pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
 /// says of its commands is its author's claim.
 fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
     let Some(command) = request.command else { return false };
-    let is_packs = packs::builtin().command(&command.wire).is_none_or(|known| known.request != command.request);
     match role(request) {
-        Some(Role::Stop) => !is_packs || protocol.is_confirmed,
-        Some(Role::Pause) => !is_packs,
+        Some(Role::Stop) => is_built_in(command) || protocol.is_confirmed,
+        Some(Role::Pause) => is_built_in(command),
         Some(Role::Resume | Role::SetPoint | Role::ServoMode | Role::Output | Role::State) | None => false,
     }
+}
+
+/// True for a command of the built-in spec whose request no pack has changed.
+fn is_built_in(command: &Command) -> bool {
+    packs::builtin().command(&command.wire).is_some_and(|known| known.request == command.request)
 }
 
 /// Role of the request, which may be that of its variant.
@@ -95,14 +98,12 @@ fn role(request: &Request<'_>) -> Option<Role> {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
-    use jaka_spec::Command;
 
     use super::*;
 
     fn protocol(pack: &str, is_confirmed: bool) -> Protocol {
-        let spec = jaka_spec::builtin().expect("the spec's own tests load it");
-        let pack = jaka_spec::load_pack(&spec, jaka_spec::Source { path: "pack.toml", text: pack });
-        Protocol { spec: pack.expect("it is correct").spec, packs: Vec::new(), is_confirmed }
+        let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: pack });
+        Protocol::new(pack.expect("it is correct").spec, Vec::new(), is_confirmed)
     }
 
     fn request<'s>(command: &'s Command, text: &str) -> Request<'s> {

@@ -25,7 +25,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
         // The bytes that would be sent, which are the user's own.
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    let motion = options.wait.then(|| wait::must_be_motion(&protocol.spec, request)).transpose()?;
+    let motion = options.wait.then(|| wait::must_be_motion(protocol, request)).transpose()?;
     let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(protocol, request, options, target.title())?;

@@ -77,7 +77,7 @@ impl Session<'_> {
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
-        let motion = if self.options.wait { wait::motion(spec, &request)? } else { None };
+        let motion = if self.options.wait { wait::motion(self.protocol, &request)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
