@@ -4,13 +4,16 @@ use clap::Args;
 use jaka_motion::Limits;
 use jaka_robot::Motion;
 use jaka_robot::motion::{JointMove, MoveL};
+use jaka_robot::types::JointPosition;
 
 use crate::acting::{ActArgs, QueueArgs, intent};
 use crate::failure::Failure;
 use crate::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::motion::Form;
 use crate::output;
+use crate::packed_status::PackedStatus;
 use crate::planned::{Goal, Planned, only_at};
+use crate::target::Target;
 
 /// The options of a motion that is waited for.
 #[derive(Debug, Args)]
@@ -78,9 +81,9 @@ impl GoArgs {
         let act = self.act.begin_told(&[intent], |target| {
             let from = match &limits {
                 _ if !planned.goal.is_of_joints() => None,
-                Some(_) => target.joints()?,
+                Some(_) => joints(target)?,
                 // It is told only.
-                None => target.joints().ok().flatten(),
+                None => joints(target).ok().flatten(),
             };
             limits.as_ref().map_or(Ok(()), |limits| planned.check(limits, from))?;
             Ok(planned.told(from))
@@ -91,7 +94,7 @@ impl GoArgs {
     /// Compares the motion with limits from where the arm is, if the line names it, and says what was not compared.
     fn compare(&self, planned: &Planned, limits: &Limits) -> Result<(), Failure> {
         let target = if planned.goal.is_of_joints() { self.act.named_target()? } else { None };
-        let from = target.map_or(Ok(None), |target| target.joints())?;
+        let from = target.map_or(Ok(None), |target| joints(&target))?;
         planned.check(limits, from)?;
         output::note(match from {
             Some(_) => {
@@ -106,4 +109,9 @@ impl GoArgs {
         });
         Ok(())
     }
+}
+
+/// Where the joints are, by the status port alone; none where the packet does not say.
+fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
+    Ok(target.status::<PackedStatus>()?.joint_actual_position)
 }

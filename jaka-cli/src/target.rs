@@ -13,7 +13,7 @@ use jaka_motion::Limits;
 use jaka_robot::preflight::Preflight;
 use jaka_robot::proto::wire::Decode;
 use jaka_robot::recording::Port;
-use jaka_robot::types::JointPosition;
+use jaka_robot::status::RobotStatus;
 use jaka_robot::{Client, Config, Monitor, MotionStatus, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
 use jaka_sim::{Builder, Controller, Delays, Model};
 
@@ -264,9 +264,9 @@ impl Target {
         Ok(StatusStream::connect_with(&self.config, &self.address.status)?)
     }
 
-    /// Where the joints are, by the status port alone; none where the packet does not say.
-    pub(crate) fn joints(&self) -> Result<Option<JointPosition>, Failure> {
-        Ok(self.status_stream()?.newest_packet()?.joint_actual_position)
+    /// The newest status packet in terms of the built-in type, by the status port alone, read as another type.
+    pub(crate) fn status<S: MotionStatus>(&self) -> Result<RobotStatus, Failure> {
+        Ok(self.status_stream()?.newest_packet_as::<S>()?.robot_status())
     }
 
     /// Connects to the status port, where a packet is awaited for this long.

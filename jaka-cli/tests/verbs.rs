@@ -12,7 +12,7 @@ use std::time::Duration;
 use expect_test::expect;
 use jaka_sim::{Controller, Delays, Fault, Habits};
 use jaka_tests::{Arm, ReservedPort};
-use serde_json::{Deserializer, Value, json};
+use serde_json::{Deserializer, Map, Value, json};
 
 #[cfg(unix)]
 use crate::common::{interrupt, wait_until};
@@ -78,9 +78,14 @@ fn up_tells_how_far_it_has_come() {
     assert_eq!(notes(&slow(), "up --yes -q"), "");
 }
 
-/// A controller of two plain sockets whose packets do not have a key, and whose arm has no power until it is switched
-/// on. Returns the words that lead to it.
+/// A controller of two plain sockets whose packets do not have a key: as [`showing`].
 fn without_shown(key: &'static str) -> [String; 6] {
+    showing(move |packet| drop(packet.remove(key).expect("it has the key")))
+}
+
+/// A controller of two plain sockets whose packets are changed, and whose arm has no power until it is switched on.
+/// Returns the words that lead to it.
+fn showing(change: impl Fn(&mut Map<String, Value>) + Send + 'static) -> [String; 6] {
     let (commands, status) = (listener(), listener());
     let port = |listener: &TcpListener| listener.local_addr().expect("it is bound").port().to_string();
     let words =
@@ -95,7 +100,7 @@ fn without_shown(key: &'static str) -> [String; 6] {
                 "len": 100, "errcode": "0x0", "enabled": enabled, "powered_on": enabled, "inpos": true,
                 "emergency_stop": 0, "protective_stop": 0,
             });
-            packet.as_object_mut().expect("it is one").remove(key).expect("it has the key");
+            change(packet.as_object_mut().expect("it is one"));
             // The length stands first.
             let packet = packet.to_string().replace(r#""len":100,"#, "").replacen('{', r#"{"len":100,"#, 1);
             if reader.write_all(packet.as_bytes()).is_err() {
@@ -153,6 +158,20 @@ fn a_motion_is_not_sent_where_packets_do_not_show_whether_the_arm_moves() {
         assert_eq!(run.code, Some(20), "{run:?}");
         assert!(run.err.contains("was not sent: status packets do not show whether the arm moves"), "{run:?}");
     }
+}
+
+#[test]
+fn a_motion_begins_where_packets_show_the_joints_by_a_pack() {
+    let pack = scratch("joints.toml");
+    let text = "title = 'T'\n[[override]]\ntarget = 'RobotStatus'\nfield = 'joint_actual_position'\nwire = 'joints'\n";
+    std::fs::write(&pack, text).expect("the folder is there");
+    let robot = showing(|packet| drop(packet.insert("joints".to_owned(), json!([0, 90, 90, 90, -90, 0]))));
+    let words = ["jog", "3", "86", "--speed", "10", "--model", "zu5", "--dry-run", "--pack"].map(str::to_owned);
+    expect![[r#"
+        error: `joint_move` was not sent: joint 3 would be at 176 deg; limit 175 (Zu 5)
+        exit code 20
+    "#]]
+    .assert_eq(&jaka(words.into_iter().chain([pack.display().to_string()]).chain(robot)).text());
 }
 
 #[test]

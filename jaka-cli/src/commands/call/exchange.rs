@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
 use crate::output;
-use crate::packed_status::PackedRobot;
+use crate::packed_status::{PackedRobot, PackedStatus};
 use crate::packs::Protocol;
 use crate::target::Target;
 
@@ -109,7 +109,7 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     let mut failure = Failure::explained(spec, error);
     if let Failure::Refused { refusal, explanation, .. } = &mut failure {
         // Without a status, the refusal has no explanation.
-        let status = target.status_stream().ok().and_then(|mut stream| stream.newest_packet().ok());
+        let status = target.status::<PackedStatus>().ok();
         *explanation = Explanation::of(refusal, status.as_ref()).map(Box::new);
     }
     failure
