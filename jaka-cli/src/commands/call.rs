@@ -16,7 +16,7 @@ mod reply;
 mod request;
 mod wait;
 
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 
 use clap::Args;
 use jaka_spec::{Command, Effect, Spec};
@@ -60,13 +60,8 @@ impl Call {
         let parser = Parser::of(spec, command);
         let explanations = [true, false].map(|is_parsed| parser.explanation(&outline.rest, is_parsed));
         let [of_fields, of_line] = &explanations;
-        let robot = outline.robot.map(OsString::from);
         let line = parser.parse(outline.rest).map_err(|failure| explained(failure, of_line))?;
         line.options.console.apply();
-        if line.options.robot.lookup().robot.map(OsStr::new) != robot.as_deref() {
-            let text = "the robot decides about the packs by which the line is read: write `--robot NAME`, or `-r NAME` with a blank";
-            return Err(Failure::Usage(text.to_owned()));
-        }
         if let Some(topic) = &line.options.list {
             return output::lines(&help::list(spec, topic)?);
         }

@@ -45,10 +45,9 @@ impl Outline {
                 }
                 continue;
             }
-            let (name, own_value) = text.split_once('=').map_or((&*text, None), |(name, value)| (name, Some(value)));
-            let option = option(&known, name);
-            let next = words.next_if(|next| own_value.is_none() && option.is_some_and(|arg| takes(arg, next)));
-            if let Some(option) = option {
+            let mut next = None;
+            for (option, own_value) in options(&known, &text) {
+                next = words.next_if(|next| own_value.is_none() && takes(option, next));
                 let value = own_value.map(OsString::from).or_else(|| next.clone());
                 outline.note(option.get_id().as_str(), value.map(PathBuf::from));
             }
@@ -76,13 +75,26 @@ impl Outline {
     }
 }
 
-/// The option of this name, such as `--pack` or `-r`.
-fn option<'c>(known: &'c Command, name: &str) -> Option<&'c Arg> {
-    let is_it = |arg: &&Arg| match name.strip_prefix("--") {
-        Some(long) => arg.get_long() == Some(long),
-        None => arg.get_short().is_some_and(|short| name == format!("-{short}")),
-    };
-    known.get_arguments().find(is_it)
+/// The options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`, each with the value that the word
+/// gives it. One that takes a value is the last.
+fn options<'c, 'w>(known: &'c Command, word: &'w str) -> Vec<(&'c Arg, Option<&'w str>)> {
+    let mut found = Vec::new();
+    if let Some(long) = word.strip_prefix("--") {
+        let (name, value) = long.split_once('=').map_or((long, None), |(name, value)| (name, Some(value)));
+        found.extend(known.get_arguments().find(|arg| arg.get_long() == Some(name)).map(|arg| (arg, value)));
+        return found;
+    }
+    let mut shorts = word.strip_prefix('-').unwrap_or(word).chars();
+    while let Some(short) = shorts.next() {
+        let Some(arg) = known.get_arguments().find(|arg| arg.get_short() == Some(short)) else { break };
+        let value = shorts.as_str();
+        if arg.get_action().takes_values() {
+            found.push((arg, (!value.is_empty()).then(|| value.strip_prefix('=').unwrap_or(value))));
+            break;
+        }
+        found.push((arg, None));
+    }
+    found
 }
 
 /// True if the next word is the option's value; `-` is one, for standard input.
@@ -108,6 +120,17 @@ mod tests {
         assert!(!found.raw);
         let rest: Vec<_> = "--sim --pack a.toml -r x --pack=b.toml --speed -20 --config c.toml".split(' ').collect();
         assert_eq!(found.rest, rest);
+    }
+
+    #[test]
+    fn the_robot_is_found_however_its_option_is_written() {
+        for line in ["-r cell2", "-rcell2", "-r=cell2", "-yrcell2", "-yr cell2", "--robot cell2", "--robot=cell2"] {
+            let found = outline(&format!("{line} power_on"));
+            assert_eq!(found.robot.as_deref(), Some(Path::new("cell2")), "{line}");
+            assert_eq!(found.command.as_deref(), Some("power_on"), "{line}");
+            let parsed = parser::Parser::of(crate::packs::builtin(), None).parse(found.rest).expect("it is a line");
+            assert_eq!(parsed.options.robot.lookup().robot, Some("cell2"), "{line}");
+        }
     }
 
     #[test]
