@@ -1,14 +1,17 @@
 //! Status packets as packs have them.
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::slice::from_ref;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
-use jaka_dynamic::{Reading, status_departures, truth_value};
-use jaka_robot::{MotionStatus, Robot};
-use jaka_spec::{Field, Scalar, Spec, Type};
+use jaka_dynamic::{Forms, Lost, Message, Reading, Translated, Translation, status_departures};
+use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
+use jaka_spec::{Field, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
 use serde_json::{Map, Value};
 
+use crate::builtin;
 use crate::failure::Failure;
 use crate::packs;
 
@@ -62,7 +65,7 @@ impl Decode for PackedStatus {
         let start = reader.mark();
         if !changed().is_empty() {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, packs::of_status(), changed());
+                return packed(packet, packs::of_status(), changed(), forms(reader.firmware()));
             }
             reader.go_back(start);
         }
@@ -81,72 +84,74 @@ fn changed() -> &'static [Changed] {
     CHANGED.get_or_init(|| changed_in(packs::of_status()))
 }
 
+/// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
+fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
+    static KNOWN: OnceLock<Mutex<BTreeMap<Option<FirmwareVersion>, &'static Forms>>> = OnceLock::new();
+    let spec = packs::of_status();
+    if !spec.varies_by_firmware() {
+        return None;
+    }
+    let mut known = KNOWN.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(forms) = known.get(&firmware) {
+        return Some(forms);
+    }
+    // A program talks to one controller, or to few: they stay in memory.
+    let forms = &*Box::leak(Box::new(Forms::of(spec, firmware)?));
+    known.insert(firmware, forms);
+    Some(forms)
+}
+
 fn changed_in(spec: &Spec) -> Vec<Changed> {
-    let built_in = packs::builtin();
+    let built_in = builtin::spec();
     let changed = spec.status_fields().iter().filter_map(|field| {
         let known = built_in.status_fields().iter().find(|known| known.name == field.name);
-        let is_same = known.is_some_and(|known| known.wire == field.wire && means_same(spec, field, known));
+        let is_same = known.is_some_and(|known| {
+            known.wire == field.wire && !spec.has_forms(from_ref(field)) && means_same(spec, field, known)
+        });
         (!is_same).then(|| (field.clone(), known.cloned()))
     });
     changed.collect()
 }
 
-fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Result<PackedStatus, DecodeError> {
+fn packed(
+    mut packet: Map<String, Value>,
+    spec: &Spec,
+    changed: &[Changed],
+    forms: Option<&Forms>,
+) -> Result<PackedStatus, DecodeError> {
+    let mut unfit = Vec::new();
+    if let Some(forms) = forms {
+        let Translated { members, lost } = forms.read(Message::Status, &packet);
+        packet = members;
+        let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
+        unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
+    }
     let is_own = |key: &str| changed.iter().any(|(field, _)| field.wire == key);
     let mut own: Map<_, _> =
         packet.iter().filter(|(key, _)| is_own(key)).map(|(k, v)| (k.clone(), v.clone())).collect();
-    let mut unfit = Vec::new();
     for departure in status_departures(spec, &Value::Object(packet.clone())) {
         let key = departure.field.split(['.', '[']).next().unwrap_or_default();
         let field = changed.iter().find(|(field, _)| field.wire == key);
         if let Some((field, _)) = field.filter(|_| departure.reading == Reading::Unreadable) {
             own.remove(key);
+            packet.remove(key);
             let place = departure.field.replacen(key, &field.name, 1);
             unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
         }
     }
-    let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
-    let mut reader = Reader::new(&text);
+    // What packs give another type, or a unit that does not convert, is left out.
+    let built_in = Translation::new(spec, builtin::spec()).message(Message::Status, &packet).members;
+    let text = Value::Object(built_in).to_string();
+    let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
     Ok(PackedStatus { status, own, unfit, is_by_packs: true })
 }
 
-/// The packet with the keys and words of the built-in type. What packs give another type, unit or meaning is left out.
-fn as_built_in(
-    spec: &Spec,
-    changed: &[Changed],
-    mut packet: Map<String, Value>,
-    own: &Map<String, Value>,
-) -> Map<String, Value> {
-    // A key may be that of another field by now.
-    for (field, known) in changed {
-        packet.remove(&field.wire);
-        known.as_ref().and_then(|known| packet.remove(&known.wire));
-    }
-    for (field, known) in changed {
-        let (Some(known), Some(found)) = (known, own.get(&field.wire)) else { continue };
-        if let Some(value) = same(spec, field, known, found) {
-            packet.insert(known.wire.clone(), value);
-        }
-    }
-    packet
-}
-
-/// A value of a field in the form of the built-in field that means the same; none if that means something else.
-fn same(spec: &Spec, field: &Field, known: &Field, found: &Value) -> Option<Value> {
-    match (&field.ty, &known.ty) {
-        (Type::Scalar(scalar @ Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => {
-            truth_value(scalar, found).map(Value::Bool)
-        }
-        _ => means_same(spec, field, known).then(|| found.clone()),
-    }
-}
-
 /// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made
 /// of.
 fn means_same(spec: &Spec, field: &Field, known: &Field) -> bool {
-    field.ty == known.ty && field.unit == known.unit && spec.defines_as(packs::builtin(), &field.ty)
+    field.ty == known.ty && field.unit == known.unit && spec.defines_as(builtin::spec(), &field.ty)
 }
 
 #[cfg(test)]
@@ -158,12 +163,12 @@ mod tests {
     /// A packet as a robot takes it, by a pack with this text.
     fn read(pack: &str, packet: &str) -> PackedStatus {
         let pack = format!("title = 'T'\n{pack}");
-        let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: &pack });
+        let pack = jaka_spec::load_pack(builtin::spec(), jaka_spec::Source { path: "pack.toml", text: &pack });
         let spec = pack.unwrap_or_else(|errors| panic!("{errors}")).spec;
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
-        packed(packet, &spec, &changed_in(&spec)).expect("it can be read")
+        packed(packet, &spec, &changed_in(&spec), None).expect("it can be read")
     }
 
     const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\

@@ -3,6 +3,7 @@
 mod advice;
 mod builtin;
 mod envelope;
+mod form;
 mod item;
 mod meaning;
 mod model;
@@ -27,6 +28,7 @@ pub mod words;
 
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
+pub use form::{Factors, Form, FormKind, TypeForm, unit_factor};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Refusal, Reply, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,

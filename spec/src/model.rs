@@ -4,6 +4,7 @@ use std::ops::{Index, RangeInclusive};
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
+use crate::form::{Form, TypeForm};
 use crate::names::to_camel;
 use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
@@ -101,8 +102,8 @@ impl Spec {
         }
     }
 
-    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges
-    /// and versions.
+    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges,
+    /// versions, and forms by firmware.
     pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
         let Some(id) = ty.named() else { return true };
         let def = &self[id];
@@ -316,6 +317,14 @@ impl Request {
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
     }
+
+    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
+        let (fields, variants) = match self {
+            Self::Fields(fields) => (fields.as_mut_slice(), &mut [][..]),
+            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
+        };
+        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
+    }
 }
 
 /// The body of a reply.
@@ -333,6 +342,10 @@ impl Reply {
     /// The fields that no named type has; none where the reply is an object of a named type.
     pub fn own_fields(&self) -> &[Field] {
         if let Self::Fields(fields) = self { fields } else { &[] }
+    }
+
+    pub(crate) fn own_fields_mut(&mut self) -> &mut [Field] {
+        if let Self::Fields(fields) = self { fields } else { &mut [] }
     }
 
     /// The named type whose keys the reply has, if it is an object of one.
@@ -402,6 +415,8 @@ pub struct Field {
     pub disputed: Vec<String>,
     /// First and last firmware that has the field.
     pub versions: Versions,
+    /// Other forms of the field, each in some firmware; no firmware has two of them.
+    pub forms: Vec<Form>,
 }
 
 impl Field {
@@ -455,6 +470,8 @@ pub struct TypeDef {
     pub doc: String,
     /// What it is made of.
     pub kind: TypeKind,
+    /// Other forms of the type, each in some firmware; no firmware has two of them.
+    pub forms: Vec<TypeForm>,
 }
 
 /// What a [`TypeDef`] is made of.
@@ -480,13 +497,13 @@ pub enum TypeKind {
 }
 
 impl TypeKind {
-    /// The same without docs, ranges and versions.
+    /// The same without docs, ranges, versions and forms.
     fn undescribed(&self) -> Self {
         let mut kind = self.clone();
         let plain = |fields: &mut Vec<Field>| {
             for field in fields {
                 (field.doc, field.range, field.versions) = (String::new(), Range::default(), Versions::default());
-                (field.advised, field.disputed) = (Vec::new(), Vec::new());
+                (field.advised, field.disputed, field.forms) = (Vec::new(), Vec::new(), Vec::new());
             }
         };
         match &mut kind {
@@ -516,13 +533,22 @@ impl TypeKind {
     }
 
     /// Its fields, of all variants where there are some.
-    pub(crate) fn fields(&self) -> impl Iterator<Item = &Field> {
+    pub fn fields(&self) -> impl Iterator<Item = &Field> {
         let (fields, variants) = match self {
             Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..]),
             Self::Choice(choice) => (&[][..], choice.variants.as_slice()),
             Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..]),
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
+    }
+
+    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
+        let (fields, variants) = match self {
+            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_mut_slice(), &mut [][..]),
+            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
+            Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&mut [][..], &mut [][..]),
+        };
+        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
     }
 }
 
