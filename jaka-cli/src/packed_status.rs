@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use jaka_dynamic::{Reading, status_departures, truth_value};
 use jaka_robot::{MotionStatus, Robot};
-use jaka_spec::{Field, Scalar, Spec, Type};
+use jaka_spec::{Field, FieldSource, NeededSource, Scalar, Spec, Type};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
 use serde_json::{Map, Value};
@@ -52,8 +52,44 @@ impl MotionStatus for PackedStatus {
         if self.is_by_packs { self.status.clone() } else { RobotStatus::default() }
     }
 
+    fn absent() -> &'static [&'static str] {
+        &sources().absent
+    }
+
+    fn expected() -> &'static [[&'static str; 2]] {
+        &sources().expected
+    }
+
     fn unfit(&self) -> Vec<DecodeError> {
         self.unfit.clone()
+    }
+}
+
+/// Sources of what a robot needs, as packs have them.
+#[derive(Debug, Default)]
+struct Sources {
+    absent: Vec<&'static str>,
+    expected: Vec<[&'static str; 2]>,
+}
+
+fn sources() -> &'static Sources {
+    static SOURCES: OnceLock<Sources> = OnceLock::new();
+    SOURCES.get_or_init(|| Sources::of(packs::of_status()))
+}
+
+impl Sources {
+    fn of(spec: &'static Spec) -> Self {
+        let mut sources = Self::default();
+        for NeededSource { needed, source, is_changed } in spec.robot_status() {
+            match source {
+                FieldSource::Field(field) if is_changed => sources.expected.push([needed.name, &field.name]),
+                FieldSource::Field(_) => {}
+                FieldSource::Absent => sources.absent.push(needed.name),
+                // There is no program: that is told for each packet.
+                FieldSource::Program => sources.expected.push([needed.name; 2]),
+            }
+        }
+        sources
     }
 }
 
@@ -72,7 +108,7 @@ impl Decode for PackedStatus {
     }
 }
 
-/// A field of the packet that is not as built in, and the built-in one of that name.
+/// A field of the packet that is not as built in, and a built-in one whose values it has, if there is one.
 type Changed = (Field, Option<Field>);
 
 /// The fields that packs add or change.
@@ -82,13 +118,24 @@ fn changed() -> &'static [Changed] {
 }
 
 fn changed_in(spec: &Spec) -> Vec<Changed> {
-    let built_in = packs::builtin();
-    let changed = spec.status_fields().iter().filter_map(|field| {
-        let known = built_in.status_fields().iter().find(|known| known.name == field.name);
-        let is_same = known.is_some_and(|known| known.wire == field.wire && means_same(spec, field, known));
-        (!is_same).then(|| (field.clone(), known.cloned()))
-    });
-    changed.collect()
+    let built_in = packs::builtin().status_fields();
+    let source = |known: &Field| spec.status_field_as(known);
+    let mut changed: Vec<Changed> = Vec::new();
+    for field in spec.status_fields() {
+        let known: Vec<_> = built_in.iter().filter(|known| source(known) == Some(field)).collect();
+        match known[..] {
+            [known] if known.wire == field.wire && means_same(spec, field, known) => {}
+            [] => changed.push((field.clone(), None)),
+            _ => changed.extend(known.into_iter().map(|known| (field.clone(), Some(known.clone())))),
+        }
+    }
+    // A built-in key counts for nothing where a pack declares its field absent, or leaves it to a program.
+    for known in built_in.iter().filter(|known| source(known).is_none()) {
+        if !changed.iter().any(|(field, _)| field.wire == known.wire) {
+            changed.push((known.clone(), None));
+        }
+    }
+    changed
 }
 
 fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Result<PackedStatus, DecodeError> {
@@ -105,11 +152,21 @@ fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Resul
             unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
         }
     }
+    unfit.extend(of_program(spec));
     let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
     let mut reader = Reader::new(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
     Ok(PackedStatus { status, own, unfit, is_by_packs: true })
+}
+
+/// Errors of the fields that packs leave to a program: this one has none.
+fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
+    let sources = spec.robot_status().filter(|needed| needed.source == FieldSource::Program);
+    sources.map(|NeededSource { needed, .. }| {
+        let expected = "a field that the pack names in `[robot_status]`";
+        DecodeError::unfit(expected, "program").in_field(needed.name)
+    })
 }
 
 /// The packet with the keys and words of the built-in type. What packs give another type, unit or meaning is left out.
