@@ -212,11 +212,15 @@ mod tests {
 
     use super::*;
 
-    /// A packet as a robot takes it, by a pack with this text.
-    fn read(pack: &str, packet: &str) -> PackedStatus {
+    fn spec(pack: &str) -> Spec {
         let pack = format!("title = 'T'\n{pack}");
         let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: &pack });
-        let spec = pack.unwrap_or_else(|errors| panic!("{errors}")).spec;
+        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+    }
+
+    /// A packet as a robot takes it, by a pack with this text.
+    fn read(pack: &str, packet: &str) -> PackedStatus {
+        let spec = spec(pack);
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
@@ -263,6 +267,54 @@ mod tests {
             let status = read(&pack, &format!(r#"{{"other": {stop}, "protective_stop": {drag}}}"#)).robot_status();
             assert_eq!((status.protective_stop, status.drag_status), (Some(stop == 1), Some(drag == 1)));
         }
+    }
+
+    /// A stop that another field has by now, and one of the built-in key that means something else.
+    const MAPPED: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'halt'\nname = 'safety_halt'\n\
+                          type = 'bool'\nwritten = ['free', 'halted']\noptional = true\ndoc = 'D.'\n\
+                          [[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\ntype = 'text'\nunit = ''\n\
+                          [robot_status]\nprotective_stop = 'safety_halt'\n";
+
+    #[test]
+    fn a_mapped_field_is_read_in_the_place_of_the_built_in_one() {
+        for (packet, expected) in [
+            (r#"{"halt": "halted", "protective_stop": "0"}"#, Some(true)),
+            (r#"{"halt": "free", "protective_stop": 1}"#, Some(false)),
+            (r#"{"halt": "perhaps", "protective_stop": 1}"#, None),
+            (r#"{"protective_stop": 1}"#, None),
+        ] {
+            assert_eq!(read(MAPPED, packet).robot_status().protective_stop, expected, "{packet}");
+        }
+    }
+
+    #[test]
+    fn one_field_can_be_the_source_of_two() {
+        let pack = renamed("powered_on", "type = 'text'\nunit = ''") + "[robot_status]\npowered_on = 'enabled'\n";
+        let status = read(&pack, r#"{"enabled": true, "powered_on": "perhaps"}"#).robot_status();
+        assert_eq!((status.enabled, status.powered_on), (Some(true), Some(true)));
+    }
+
+    #[test]
+    fn what_is_declared_absent_or_left_to_a_program_is_not_read() {
+        for word in ["absent", "program"] {
+            let status = read(&format!("[robot_status]\nerror_code = '{word}'\n"), r#"{"errcode": "0x1"}"#);
+            assert_eq!(status.robot_status().error_code, None, "{word}");
+            let is_told = status.unfit().iter().any(|error| error.is_in("error_code"));
+            assert_eq!(is_told, word == "program");
+        }
+        let pack =
+            renamed("protective_stop", "name = 'other'\nwire = 'o'") + "[robot_status]\nprotective_stop = 'program'\n";
+        assert_eq!(read(&pack, r#"{"o": 1, "protective_stop": 1}"#).robot_status().protective_stop, None);
+    }
+
+    #[test]
+    fn a_packet_must_have_what_packs_map_or_change() {
+        let changed = renamed("inpos", "wire = 'at_target'");
+        let pack = format!("{changed}{MAPPED}error_code = 'absent'\npaused = 'program'\n");
+        let sources = Sources::of(Box::leak(Box::new(spec(&pack))));
+        assert_eq!(sources.absent, ["error_code"]);
+        let expected = [["protective_stop", "safety_halt"], ["in_position"; 2], ["paused"; 2]];
+        assert_eq!(sources.expected, expected);
     }
 
     #[test]

@@ -94,6 +94,7 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
         let (status, untold) = match told {
             Ok((status, more)) => {
                 unfit.extend(more);
+                unfit = in_built_in_names::<Self>(unfit);
                 let untold = untold::<Self>(&status, &mut unfit);
                 (status, untold)
             }
@@ -118,19 +119,36 @@ const REQUIRED: [[&str; 2]; 7] = [
     ["error_code"; 2],
 ];
 
-/// Error of the first expected field that a packet does not tell. Each is among those that do not fit, by its name in
-/// the built-in type.
+/// Errors of fields by their names in the built-in type. Those of fields that a robot has from elsewhere, or not at all,
+/// do not concern it.
+fn in_built_in_names<S: MotionStatus>(unfit: Vec<DecodeError>) -> Vec<DecodeError> {
+    let is_unused = |error: &DecodeError| {
+        let is_moved = |[field, own]: &[&str; 2]| field != own && error.is_in(field);
+        S::absent().iter().any(|field| error.is_in(field)) || S::expected().iter().any(is_moved)
+    };
+    let named = |error: DecodeError| {
+        let sources = S::expected().iter().filter(|[_, own]| error.is_in(own));
+        let named: Vec<_> = sources.map(|[field, own]| within(error.clone(), field, own)).collect();
+        if named.is_empty() && !is_unused(&error) { vec![error] } else { named }
+    };
+    unfit.into_iter().flat_map(named).collect()
+}
+
+fn within(error: DecodeError, field: &str, own: &str) -> DecodeError {
+    if field == own { error } else { error.in_field(field) }
+}
+
+/// Error of the first expected field that a packet does not tell. Each is among those that do not fit.
 fn untold<S: MotionStatus>(status: &RobotStatus, unfit: &mut Vec<DecodeError>) -> Option<DecodeError> {
+    let is_told = |field: &str| needed(status).iter().any(|(name, is_told)| *name == field && *is_told);
+    let untold = S::expected().iter().filter(|[field, _]| !S::absent().contains(field) && !is_told(field));
     let mut first = None;
-    for [field, own] in S::expected() {
-        if S::absent().contains(field) || needed(status).iter().any(|(name, is_told)| name == field && *is_told) {
-            continue;
-        }
-        let found = unfit.iter().position(|error| error.is_in(own)).map(|at| unfit.remove(at));
-        let error = found.unwrap_or_else(|| DecodeError::unfit("a value in each packet", "none").in_field(own));
-        let error = if field == own { error } else { error.in_field(field) };
-        first.get_or_insert_with(|| error.clone());
-        unfit.push(error);
+    for [field, own] in untold {
+        let at = unfit.iter().position(|error| error.is_in(field)).unwrap_or_else(|| {
+            unfit.push(within(DecodeError::unfit("a value in each packet", "none").in_field(own), field, own));
+            unfit.len() - 1
+        });
+        first.get_or_insert_with(|| unfit[at].clone());
     }
     first
 }

@@ -102,9 +102,10 @@ fn line_problem(spec: &Spec, needed: &NeededField, name: &str, field: Option<&Fi
 fn unmapped(needed: &NeededField, is_there: bool) -> String {
     let name = needed.name;
     let what = if is_there { "changes the type or unit of" } else { "gives another name to" };
-    let absent = match needed.is_required {
-        true => String::new(),
-        false => format!("`{name} = \"{ABSENT}\"` where packets never have it, or "),
+    let absent = if needed.is_required {
+        String::new()
+    } else {
+        format!("`{name} = \"{ABSENT}\"` where packets never have it, or ")
     };
     format!(
         "it {what} `{name}`, which a robot needs; say in a table `[robot_status]` which field of the built-in type and unit \
