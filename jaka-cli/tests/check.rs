@@ -69,7 +69,7 @@ fn the_help_has_an_example() {
     .assert_eq(help);
 }
 
-/// Packets of a controller that has a stop in words of its own, and an error code that is none. Its check, with a pack.
+/// Checks a controller that has a stop in words of its own, and an error code that is a number, by a pack.
 fn checked_with(pack: &str) -> program::Run {
     let file = program::scratch("check_pack.toml");
     std::fs::write(&file, format!("title = 'T'\n{pack}")).expect("the folder is there");
@@ -80,7 +80,7 @@ fn checked_with(pack: &str) -> program::Run {
     program::jaka(words.into_iter().chain(address_of(&controller)))
 }
 
-/// The finding on status packets.
+/// Finding on status packets, with its advice.
 fn status_packets(report: &program::Run) -> String {
     let mut lines = report.out.lines().skip_while(|line| !line.starts_with("status packets"));
     lines.by_ref().take(2).map(|line| format!("{}\n", line.trim())).collect()
@@ -92,12 +92,21 @@ const STOP_IN_WORDS: &str =
 #[test]
 fn packets_are_read_by_packs() {
     let report = checked_with(STOP_IN_WORDS);
-    expect![[r#""#]].assert_eq(&status_packets(&report));
+    expect![[r#"
+        status packets   wrong          cannot be read: field `error_code`: expected a string, found `0.5`
+        a `Robot` refuses motions while it cannot tell whether the arm is stopped: `jaka probe` compares the packet with the spec
+    "#]].assert_eq(&status_packets(&report));
     assert_eq!(report.code, Some(9), "{}", report.text());
     let report = checked_with(&format!("{STOP_IN_WORDS}[robot_status]\nerror_code = 'absent'\n"));
-    expect![[r#""#]].assert_eq(&status_packets(&report));
+    expect![[r#"
+        status packets   look           never there, as declared: error_code
+        look at the pendant for errors of the controller: packets do not show them
+    "#]].assert_eq(&status_packets(&report));
     assert_eq!(report.code, Some(8), "{}", report.text());
     let report = checked_with(&format!("{STOP_IN_WORDS}[robot_status]\nerror_code = 'program'\n"));
-    expect![[r#""#]].assert_eq(&status_packets(&report));
+    expect![[r#"
+        status packets   wrong          cannot be read: field `error_code`: expected text, found `0.5`; cannot be read: field `error_code`: expected a field that the pack names in `[robot_status]`, found `program`
+        a `Robot` refuses motions while it cannot tell whether the arm is stopped: `jaka probe` compares the packet with the spec
+    "#]].assert_eq(&status_packets(&report));
     assert_eq!(report.code, Some(9), "{}", report.text());
 }
