@@ -83,7 +83,7 @@ fn checked_with(pack: &str) -> program::Run {
 /// Finding on status packets, with its advice.
 fn status_packets(report: &program::Run) -> String {
     let mut lines = report.out.lines().skip_while(|line| !line.starts_with("status packets"));
-    lines.by_ref().take(2).map(|line| format!("{}\n", line.trim())).collect()
+    lines.by_ref().take(2).map(|line| line.trim().to_owned() + "\n").collect()
 }
 
 const STOP_IN_WORDS: &str =
@@ -101,7 +101,8 @@ fn packets_are_read_by_packs() {
     expect![[r#"
         status packets   look           never there, as declared: error_code
         look at the pendant for errors of the controller: packets do not show them
-    "#]].assert_eq(&status_packets(&report));
+    "#]]
+    .assert_eq(&status_packets(&report));
     assert_eq!(report.code, Some(8), "{}", report.text());
     let report = checked_with(&format!("{STOP_IN_WORDS}[robot_status]\nerror_code = 'program'\n"));
     expect![[r#"
