@@ -30,9 +30,9 @@ fn arm(halt: &Value) -> Arm {
     arm
 }
 
-/// Has all packets from now on show this under the pack's key.
+/// Has all packets from now on show this under the pack's key, and what nobody can read under the built-in one.
 fn show(arm: &Arm, halt: &Value) {
-    arm.set_status([("demo_halt".to_owned(), halt.clone()), ("protective_stop".to_owned(), json!("of no account"))]);
+    arm.set_status([("demo_halt".to_owned(), halt.clone()), ("protective_stop".to_owned(), json!([1]))]);
     arm.publish();
     arm.clock().sleep(CYCLE);
 }
@@ -127,6 +127,12 @@ fn a_program_reads_what_its_pack_leaves_to_it() {
     let end = robot.run(&to(5.0), LONG).expect("nothing keeps it back");
     let joints = end.packets.last().and_then(|last| last.status.joint_actual_position).expect("packets have them");
     assert!((joints.0[1] - 90.0).abs() < 1e-9, "{joints:?}");
+
+    let lacking = Arm::simulated().start();
+    lacking.set_status([("joint_actual_position".to_owned(), Value::Null)]);
+    lacking.publish();
+    lacking.clock().sleep(CYCLE);
+    assert_kept_back(&lacking, &mut self::robot::<radians::RobotStatus>(&lacking), "joint_actual_position");
 }
 
 /// A program's own type that leaves out the controller's errors, and says so or not.

@@ -194,7 +194,7 @@ impl<'f> Draft<'f> {
         let is_of_status = self.spec.status_type().is_some_and(|id| self.spec[id].name == location.target);
         let Some(field) = fields.next().filter(|_| is_of_status) else { return false };
         let before = self.lines.clone();
-        self.lines += &format!("{} = \"program\"\n", field.name);
+        self.lines += &[&field.name, " = \"program\"\n"].concat();
         let loads = self.loads(entry);
         if !loads {
             self.lines = before;
