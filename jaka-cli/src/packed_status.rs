@@ -269,7 +269,7 @@ mod tests {
         }
     }
 
-    /// A stop that another field has by now, and one of the built-in key that means something else.
+    /// Pack by which a new key has the protective stop, and the built-in one is a text.
     const MAPPED: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'halt'\nname = 'safety_halt'\n\
                           type = 'bool'\nwritten = ['free', 'halted']\noptional = true\ndoc = 'D.'\n\
                           [[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\ntype = 'text'\nunit = ''\n\

@@ -113,7 +113,7 @@ struct Draft<'s, 'r> {
     motions: BTreeSet<String>,
     /// Where it is changed: the entries, in the order of the file.
     edits: Vec<(At<'s>, String, Target)>,
-    /// What it says and changes of the status packet.
+    /// Its lines and entries for what a robot needs.
     status: robot_status::Lines<'s>,
 }
 

@@ -149,9 +149,10 @@ impl End {
         if let Evidence::Trip(trip) = self.evidence() { Some(trip) } else { None }
     }
 
-    /// True where no error of the controller can be behind the end.
-    fn is_as_told(&self) -> bool {
-        matches!(self.occurrence.cause, Cause::Reached | Cause::Landed | Cause::NoMotion)
+    /// True if an error of the controller may be behind the end, and packets never show one.
+    fn may_hide_error(&self) -> bool {
+        let is_as_told = matches!(self.occurrence.cause, Cause::Reached | Cause::Landed | Cause::NoMotion);
+        !is_as_told && self.report.absent.contains(&"error_code")
     }
 
     fn is_before_start(&self) -> bool {
@@ -198,7 +199,7 @@ impl fmt::Display for End {
             let (reached, duration) = (trajectory.reached.as_secs_f64(), trajectory.duration.as_secs_f64());
             write!(f, " ({reached:.3} s of {duration:.3} s of the trajectory), and the arm {rest}")?;
         }
-        if !self.is_as_told() && self.report.absent.contains(&"error_code") {
+        if self.may_hide_error() {
             f.write_str("; status packets never have an error code: an error of the controller is not seen")?;
         }
         Ok(())

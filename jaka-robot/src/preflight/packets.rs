@@ -193,7 +193,7 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
     }
 }
 
-/// The fields that a robot needs, and those of this check, that the packet neither has nor has in another form.
+/// Fields that a robot needs, and those of this check, that the packet neither has nor has in another form.
 fn missing(newest: &Snapshot) -> Vec<&'static str> {
     let status = &newest.status;
     let of_check = [("rapid_rate", status.rapid_rate.is_some()), ("on_soft_limit", status.on_soft_limit.is_some())];

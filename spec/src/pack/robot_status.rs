@@ -1,4 +1,4 @@
-//! `[robot_status]`: where a pack has what a robot needs of status packets.
+//! `[robot_status]`: sources of what a robot needs of status packets.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::report::{At, Report};
 use crate::robot_status::FieldSource;
 use crate::similar::nearest;
 
-/// What a file says and changes of what a robot needs.
+/// Lines and entries of a file for what a robot needs.
 #[derive(Debug, Default)]
 pub(super) struct Lines<'s> {
     /// Places of its lines, by the needed field.
@@ -71,7 +71,7 @@ impl<'s> Lines<'s> {
                 report.error(*at, format!("`[robot_status]`: {}", line_problem(spec, needed, named, field)));
                 continue;
             }
-            // That of the field, or else of what its type is made of.
+            // The entry that changes the field, or else its type, or else a part of that.
             let of_type = |id: Option<TypeId>| id.is_some() && id == known.ty.named();
             let entry = self.changes.get(named).map(|(at, what)| (*at, what.clone())).or_else(|| {
                 let edit =

@@ -1,4 +1,4 @@
-//! What a robot needs of status packets, where a pack has it elsewhere, not at all, or leaves it to the program.
+//! Robots whose pack has elsewhere what they need of status packets, or not at all, or leaves it to the program.
 
 use std::path::PathBuf;
 

@@ -233,7 +233,7 @@ impl<'f> Draft<'f> {
     }
 }
 
-/// What its author does about `[robot_status]`.
+/// Task of its author where it has a `[robot_status]`.
 const TODO_ROBOT: &str =
     "TODO: a robot needs these: name a field that has the built-in type, or implement `MotionStatus` in your program.";
 
