@@ -155,8 +155,8 @@ fn covered_commands<'m>(module: &'m Module, topic: &'m Topic) -> impl Iterator<I
     topic.commands.iter().filter(|command| module.covered_commands.contains_key(&command.wire))
 }
 
-/// Implementation of `MotionStatus` for a changed status packet, by the pack's `[robot_status]`. Where that leaves a field
-/// to the program, a method by which the program implements the trait.
+/// Implementation of `MotionStatus` for a changed status packet, by the pack's `[robot_status]`. Where that leaves a
+/// field to the program, a method by which the program implements the trait.
 fn motion_status(module: &Module, built_in: &Spec, sync: &TokenStream) -> Option<TokenStream> {
     let spec = &module.spec;
     spec.status_type().filter(|id| module.topic.types.contains(id))?;

@@ -30,8 +30,9 @@ pub struct Report {
     pub unanswered: u64,
     /// The most answers that were outstanding at once.
     pub most_outstanding: usize,
-    /// Fields that status packets never have, as their type declares ([`MotionStatus::absent`](crate::MotionStatus::absent)).
-    /// Without `error_code`, an error of the controller is not seen.
+    /// Fields that status packets never have, as their type declares
+    /// ([`MotionStatus::absent`](crate::MotionStatus::absent)). Without `error_code`, an error of the controller is not
+    /// seen.
     pub absent: &'static [&'static str],
     /// Report of a trajectory; none for other motions.
     pub trajectory: Option<TrajectoryReport>,

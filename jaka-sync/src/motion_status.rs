@@ -48,7 +48,7 @@ use crate::Snapshot;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "a robot cannot tell by `{Self}` how a motion goes",
-    note = "a pack's `RobotStatus` does not implement `MotionStatus` if the pack's `[robot_status]` leaves a field to the program"
+    note = "a pack's `RobotStatus` does not implement it if the pack's `[robot_status]` leaves a field to the program"
 )]
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type.
@@ -119,8 +119,8 @@ const REQUIRED: [[&str; 2]; 7] = [
     ["error_code"; 2],
 ];
 
-/// Errors of fields by their names in the built-in type. Those of fields that a robot has from elsewhere, or not at all,
-/// do not concern it.
+/// Errors of fields by their names in the built-in type. Those of fields that a robot has from elsewhere, or not at
+/// all, do not concern it.
 fn in_built_in_names<S: MotionStatus>(unfit: Vec<DecodeError>) -> Vec<DecodeError> {
     let is_unused = |error: &DecodeError| {
         let is_moved = |[field, own]: &[&str; 2]| field != own && error.is_in(field);

@@ -128,8 +128,8 @@ impl<'s> Draft<'s, '_> {
         let robot_status = root.item("robot_status", "`[robot_status]`");
         let all = [&commands, &types, &errors, &events, &extensions, &overrides];
         if all.iter().all(|items| items.is_empty()) && robot_status.is_none() {
-            let message = "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]`, `[[override]]` \
-                           or `[robot_status]`";
+            let message = "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]`, \
+                           `[[override]]` or `[robot_status]`";
             root.error(root.at, message);
         }
         topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();

@@ -65,8 +65,8 @@ impl Spec {
         field.filter(|field| self.means_as_built_in(field, built_in)).map(FieldSource::Field)
     }
 
-    /// True if the values of a field mean what those of the built-in field mean, however truth values are written: type,
-    /// unit, and all that the type is made of.
+    /// True if the values of a field mean what those of the built-in field mean, however truth values are written:
+    /// type, unit, and all that the type is made of.
     fn means_as_built_in(&self, field: &Field, built_in: &Field) -> bool {
         field.ty.is_alike(&built_in.ty)
             && (field.or_raw, &field.unit) == (built_in.or_raw, &built_in.unit)

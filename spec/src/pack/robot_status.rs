@@ -49,7 +49,8 @@ impl<'s> Lines<'s> {
         self.changes.insert(field.to_owned(), (item.at, item.what.clone()));
     }
 
-    /// Checks that each needed field has a source. `edits` are the entries of the file, with the types that they change.
+    /// Checks that each needed field has a source. `edits` are the entries of the file, with the types that they
+    /// change.
     pub(super) fn check(
         &self,
         spec: &Spec,
@@ -89,7 +90,8 @@ fn line_problem(spec: &Spec, needed: &NeededField, name: &str, field: Option<&Fi
     let program = by_program(needed);
     if field.is_some() {
         return format!(
-            "the field `{name}` has another type or unit than `{}` as built in; write one that has the same, or {program}",
+            "the field `{name}` has another type or unit than `{}` as built in; write one that has the same, or \
+             {program}",
             needed.name
         );
     }
@@ -108,8 +110,8 @@ fn unmapped(needed: &NeededField, is_there: bool) -> String {
         format!("`{name} = \"{ABSENT}\"` where packets never have it, or ")
     };
     format!(
-        "it {what} `{name}`, which a robot needs; say in a table `[robot_status]` which field of the built-in type and unit \
-         has it, `{name} = \"FIELD\"`, or {absent}{}",
+        "it {what} `{name}`, which a robot needs; say in a table `[robot_status]` which field of the built-in type and \
+         unit has it, `{name} = \"FIELD\"`, or {absent}{}",
         by_program(needed)
     )
 }
@@ -132,7 +134,8 @@ impl Pack {
                 && is_packs(field)
             {
                 let message = format!(
-                    "the type of `{}` is this pack's own, and a robot needs the built-in one; in `[robot_status]`, write {}",
+                    "the type of `{}` is this pack's own, and a robot needs the built-in one; in `[robot_status]`, \
+                     write {}",
                     field.name,
                     by_program(needed.needed)
                 );

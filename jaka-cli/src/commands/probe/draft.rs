@@ -185,7 +185,8 @@ impl<'f> Draft<'f> {
         format!("{text}{entry}{table}")
     }
 
-    /// True if the draft loads with this entry, or with it and a line for the field that a robot needs, which it then has.
+    /// True if the draft loads with this entry, or with it and a line for the field that a robot needs, which it then
+    /// has.
     fn loads_with_line(&mut self, entry: &str, location: &Location<'f>) -> bool {
         if self.loads(entry) {
             return true;
