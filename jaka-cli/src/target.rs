@@ -257,13 +257,8 @@ impl Target {
     }
 
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.
-    pub(crate) fn preflight(&self, limits: Option<&Limits>) -> Preflight {
-        match limits {
-            Some(limits) => {
-                Preflight::read_with_limits(&self.config, &self.address.commands, &self.address.status, limits)
-            }
-            None => Preflight::read_at(&self.config, &self.address.commands, &self.address.status),
-        }
+    pub(crate) fn preflight<S: MotionStatus>(&self, limits: Option<&Limits>) -> Preflight {
+        Preflight::read_as::<S>(&self.config, &self.address.commands, &self.address.status, limits)
     }
 
     /// Connects to the status port, which serves any number of readers.

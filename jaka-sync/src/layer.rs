@@ -23,7 +23,7 @@ pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
 pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
 pub use crate::monitor::{StatusNews, describe};
-pub use crate::motion_status::told;
+pub use crate::motion_status::{needed, told};
 pub use crate::stop::WrittenStop;
 pub use crate::sync::{Wakeup, Watched, lock};
 use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};

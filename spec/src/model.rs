@@ -1,11 +1,14 @@
 //! The spec as plain data, after every check has passed.
 
+use std::collections::BTreeMap;
 use std::ops::{Index, RangeInclusive};
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
 use crate::form::{Form, TypeForm};
 use crate::names::to_camel;
+use crate::needed::StatusLine;
 use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
@@ -20,6 +23,10 @@ pub struct Spec {
     pub topics: Vec<Topic>,
     /// All named types, each at the place of its id.
     pub(crate) types: Vec<TypeDef>,
+    /// Types of the spec to which packs have been added; none without a pack.
+    pub(crate) built_in: Option<Arc<Spec>>,
+    /// Lines of the packs for the fields of status packets that a robot needs.
+    pub(crate) status_lines: BTreeMap<&'static str, StatusLine>,
 }
 
 /// A named type of a spec, and of all specs that packs make of it: `spec[id]` is its definition.
@@ -453,6 +460,18 @@ impl Type {
     /// The scalar at its heart, if that is one.
     pub fn scalar(&self) -> Option<&Scalar> {
         if let Self::Scalar(scalar) = self.innermost() { Some(scalar) } else { None }
+    }
+
+    /// True for types that are the same in Rust, however truth values are written.
+    pub(crate) fn is_alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Scalar(Scalar::Bool { .. }), Self::Scalar(Scalar::Bool { .. })) => true,
+            (Self::List(one), Self::List(other)) | (Self::Python(one), Self::Python(other)) => one.is_alike(other),
+            (Self::Array(one, length), Self::Array(other, other_length)) => {
+                length == other_length && one.is_alike(other)
+            }
+            (one, other) => one == other,
+        }
     }
 
     /// The named type at its heart, if that is one.

@@ -302,7 +302,15 @@ fn decode_over<S: Decode>(
             let status = S::decode(&mut reader)?;
             reader.end()?;
             let unfit = reader.take_unfit();
-            Ok(Arc::new(Snapshot { status, received, number, unfit, follows_silence: false, clock: clock.clone() }))
+            Ok(Arc::new(Snapshot {
+                status,
+                received,
+                number,
+                unfit,
+                follows_silence: false,
+                untold: None,
+                clock: clock.clone(),
+            }))
         }
     }
 }

@@ -36,6 +36,11 @@ impl Target {
         None
     }
 
+    /// The type that it is.
+    pub(super) fn type_id(&self) -> Option<TypeId> {
+        if let Self::Type(id) = self { Some(*id) } else { None }
+    }
+
     /// Where its fields stand.
     fn parts(&self) -> &'static [Part] {
         match self {
@@ -198,6 +203,7 @@ impl<'s> Draft<'s, '_> {
     }
 
     fn change_field(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>, place: Place<'_, 's>) {
+        let spec_status = self.spec.status_type();
         let Self { spec, index, .. } = self;
         let Some(mut list) = list(item, spec, place) else { return };
         let fields = &mut *list.fields;
@@ -222,6 +228,9 @@ impl<'s> Draft<'s, '_> {
         if new == *old {
             self.note(item, COVERED);
             return self.covered.changes.add(place.0);
+        }
+        if place.0.type_id().is_some_and(|id| spec_status == Some(id)) {
+            self.status.note(&old.name, item);
         }
         let is_undisputed = old.disputed.is_empty();
         let (old_name, new_name) = (list.fields[at].name.clone(), new.name.clone());
@@ -302,7 +311,7 @@ impl<'s> Draft<'s, '_> {
 }
 
 impl Changed {
-    fn add(&mut self, target: &Target) {
+    pub(super) fn add(&mut self, target: &Target) {
         match target {
             Target::Command(wire) => self.commands.insert(wire.clone()),
             Target::Type(id) => self.types.insert(*id),
