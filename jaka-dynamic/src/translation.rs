@@ -188,10 +188,18 @@ impl<'s> Translation<'s> {
                 let elements = self.elements(&variant.fields, &other.fields, rest)?;
                 Some([vec![other.wire.into()], elements].concat().into())
             }
+            // A raw number that a pack names, or the other way round.
+            (Shape::Scalar(Scalar::Int), Shape::IntEnum(values)) => {
+                let wire = scalar::int(value)?.0;
+                values.iter().any(|listed| listed.wire == wire).then(|| wire.into())
+            }
+            (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => Some(scalar::int(value)?.0.into()),
             (Shape::IntEnum(values), Shape::IntEnum(others)) => {
                 let wire = scalar::int(value)?.0;
-                let name = &values.iter().find(|value| value.wire == wire)?.name;
-                Some(others.iter().find(|value| value.name == *name)?.wire.into())
+                let known = values.iter().find(|value| value.wire == wire).map(|value| &value.name);
+                let same = others.iter().find(|other| Some(&other.name) == known).map(|other| other.wire);
+                // Enums are open: a value that the other does not list stands for itself.
+                same.or_else(|| others.iter().all(|other| other.wire != wire).then_some(wire)).map(Value::from)
             }
             (Shape::TextEnum(values), Shape::TextEnum(others)) => {
                 let name = &values.iter().find(|listed| Some(&*listed.wire) == value.as_str())?.name;
@@ -253,13 +261,14 @@ impl<'s> Translation<'s> {
                 Shape::Object(fields) | Shape::Tuple { fields, .. },
                 Shape::Object(others) | Shape::Tuple { fields: others, .. },
             ) => all(fields, others),
+            (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => true,
             (Shape::Choice(choice), Shape::Choice(other)) => choice.variants.iter().all(|variant| {
                 let same = other.variants.iter().find(|other| other.name == variant.name);
                 same.is_some_and(|other| all(&variant.fields, &other.fields))
             }),
             (Shape::IntEnum(_) | Shape::TextEnum(_), Shape::IntEnum(_) | Shape::TextEnum(_)) => {
                 let (names, others) = (names(self.from.shape(from.ty)), names(self.to.shape(to.ty)));
-                names.iter().all(|name| others.contains(name))
+                names.iter().any(|name| others.contains(name))
             }
             _ => false,
         }

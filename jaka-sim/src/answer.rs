@@ -99,6 +99,10 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         refuse_unknown(spec_index, out);
         return Sequel::Nothing;
     };
+    if let Some(message) = &entry.not_followed {
+        refuse(command, &(ErrorCode::CALL_FAILED, message.clone()), out);
+        return Sequel::Nothing;
+    }
     // Also where a pack allows it: what cannot be read cannot be carried out.
     let is_of_pack = entry.packed && matches!(request, Err(RequestError::Unknown { .. }));
     if request.is_err() && !is_of_pack {
@@ -152,15 +156,20 @@ fn carry_out(
         Some(request) if !packed => request.check(AdvisoryRanges::Ignored).is_ok(),
         _ => pack::allows(&spec_index.spec, command, text),
     };
-    let mut draft = Draft { sample: &entry.typed_sample, out };
+    let typed_sample = spec_index.with_remembered(&command.wire, &entry.typed_sample, &world.state);
+    let mut draft = Draft { sample: &typed_sample, out };
     let outcome = match request {
         _ if !is_allowed => Outcome::Refused,
         Some(request) => match ask_topics(request, world, &mut draft) {
             Outcome::Accepted => request.visit(Accept(&mut draft)),
+            Outcome::Unhandled if command.remembers.is_some() => request.visit(Accept(&mut draft)),
             outcome => outcome,
         },
         None => Outcome::Unhandled,
     };
+    if outcome != Outcome::Refused {
+        spec_index.remember(&command.wire, text, &mut world.state);
+    }
     match outcome {
         Outcome::Replied if *packed => {
             if !pack::complete(spec_index, command, out) {
@@ -169,7 +178,7 @@ fn carry_out(
         }
         Outcome::Replied | Outcome::Accepted => {}
         Outcome::Refused => refuse(&command.wire, &usual_refusal(&command.wire), out),
-        Outcome::Unhandled => out.raw(&entry.sample),
+        Outcome::Unhandled => out.raw(&spec_index.with_remembered(&command.wire, &entry.sample, &world.state)),
     }
     world.make_consistent();
 }

@@ -224,8 +224,9 @@ impl Builder {
     ///
     /// Keys that a pack names otherwise than the built-in spec, other words for false and true, units that convert, and
     /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in that of the
-    /// firmware that the controller has at the start. What a pack gives another type or another meaning is an error at the
-    /// start that names it: the state has no value for it. A reply whose value the pack does not allow is refused.
+    /// firmware that the controller has at the start. A command of which a pack gives a key another type or another meaning
+    /// is refused with a message that names the key, since the state has no value for it; such a key of status packets is an
+    /// error at the start. A reply whose value the pack does not allow is refused.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());

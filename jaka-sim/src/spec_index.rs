@@ -12,6 +12,8 @@ use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, read_payl
 use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec, Version, Versions};
 use serde_json::{Map, Value};
 
+use crate::State;
+
 /// A spec, indexed by `cmdName`.
 #[derive(Debug)]
 pub(crate) struct SpecIndex {
@@ -35,6 +37,8 @@ pub(crate) struct CommandEntry {
     pub(crate) packed: bool,
     /// The firmware that has it, where a pack says so, or the document does not have it.
     beyond: Option<FirmwareRange>,
+    /// Message of the refusal of a command that a pack changes in a way in which the simulated arm cannot follow it.
+    pub(crate) not_followed: Option<String>,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
     /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes it.
@@ -70,7 +74,7 @@ impl SpecIndex {
                 .map_err(|errors| io::Error::new(io::ErrorKind::InvalidData, errors))?;
             let changed: BTreeSet<_> =
                 pack.module().topic.commands.iter().map(|command| command.wire.clone()).collect();
-            check_followed(&built_in, &pack.spec, &changed)
+            check_status_followed(&built_in.spec, &pack.spec)
                 .map_err(|why| io::Error::new(io::ErrorKind::Unsupported, format!("the pack `{name}`: {why}")))?;
             packed.extend(changed);
             spec = pack.spec;
@@ -80,9 +84,14 @@ impl SpecIndex {
 
     /// The index of a spec that packs have made of another one, and the commands that they add or change.
     fn new(spec: Spec, base: Option<Arc<Self>>, packed: &BTreeSet<String>) -> Self {
+        let not_followed = |command: &str| {
+            let base = base.as_ref().filter(|_| packed.contains(command))?;
+            command_not_followed(&base.spec, &spec, command)
+        };
         let entry = |command: &jaka_spec::Command| {
             let base = base.as_ref().and_then(|base| base.entry(&command.wire));
-            CommandEntry::new(&spec, command, base, packed.contains(&command.wire))
+            let is_packed = packed.contains(&command.wire);
+            CommandEntry::new(&spec, command, base, (is_packed, not_followed(&command.wire)))
         };
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
@@ -106,6 +115,40 @@ impl SpecIndex {
         base.entry(name).and_then(|_| self.entry(name)).filter(|entry| entry.packed)?;
         let translated = Translation::new(&self.spec, &base.spec).message(Message::Request(name), &members);
         Some(Value::from(translated.members).to_string())
+    }
+
+    /// The spec by which the state has what a query remembers: the built-in one, if that has the query.
+    fn spec_of(&self, command: &str) -> &Spec {
+        let base = self.base.as_ref().filter(|base| base.entry(command).is_some());
+        base.map_or(&self.spec, |base| &base.spec)
+    }
+
+    /// Notes what queries remember of a setting that was accepted.
+    pub(crate) fn remember(&self, command: &str, request: &str, state: &mut State) {
+        let queries = self.spec.commands().filter(|query| query.remembers.as_deref() == Some(command));
+        for query in queries {
+            let Ok(members) = serde_json::from_str::<Map<_, _>>(request) else { return };
+            let to = self.spec_of(&query.wire);
+            let Some(fields) = to.command(&query.wire).map(|query| to.reply_fields(query)) else { continue };
+            let sent = self.spec.command(command).into_iter().flat_map(|setting| setting.request.fields());
+            let translation = Translation::new(&self.spec, to);
+            let value = |set: &Field| {
+                let field = fields.iter().find(|field| field.name == set.name)?;
+                Some((field.name.clone(), translation.field(set, field, members.get(&set.wire)?)?))
+            };
+            state.remembered.entry(query.wire.clone()).or_default().extend(sent.filter_map(value));
+        }
+    }
+
+    /// The sample of a reply with what its query remembers.
+    pub(crate) fn with_remembered<'s>(&self, command: &str, sample: &'s str, state: &State) -> Cow<'s, str> {
+        let Some(remembered) = state.remembered.get(command) else { return Cow::Borrowed(sample) };
+        let Ok(mut members) = serde_json::from_str::<Map<_, _>>(sample) else { return Cow::Borrowed(sample) };
+        let spec = self.spec_of(command);
+        let fields = spec.command(command).map_or(&[][..], |query| spec.reply_fields(query));
+        let member = |field: &Field| Some((field.wire.clone(), remembered.get(&field.name)?.clone()));
+        members.extend(fields.iter().filter_map(member));
+        Cow::Owned(Value::from(members).to_string())
     }
 
     /// A reply in terms of the built-in spec with the keys and forms of packs; false where a value has none.
@@ -134,7 +177,12 @@ impl SpecIndex {
 }
 
 impl CommandEntry {
-    fn new(spec: &Spec, command: &jaka_spec::Command, base: Option<&Self>, packed: bool) -> Self {
+    fn new(
+        spec: &Spec,
+        command: &jaka_spec::Command,
+        base: Option<&Self>,
+        (packed, not_followed): (bool, Option<String>),
+    ) -> Self {
         let own = command.refusal.as_ref().map(|refusal| (ErrorCode(refusal.code), refusal.message.clone()));
         let mut replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
         let printed = replies.find(|reply| is_success(reply) && !packed).map(str::to_owned);
@@ -148,6 +196,7 @@ impl CommandEntry {
         Self {
             moves: command.effect == Effect::Motion && command.requires.contains(&Requirement::Enabled),
             packed,
+            not_followed,
             beyond,
             refusal: own.unwrap_or_else(|| usual_refusal(&command.wire)),
             typed_sample: base.map_or_else(|| sample.clone(), |base| base.typed_sample.clone()),
@@ -162,26 +211,23 @@ impl CommandEntry {
     }
 }
 
-/// Fails where a pack gives a key another type or another meaning than the built-in spec has: the state has no value for
-/// it, and zeros in its place would be false.
-fn check_followed(built_in: &SpecIndex, spec: &Spec, changed: &BTreeSet<String>) -> Result<(), String> {
-    let (read, written) = (Translation::new(spec, &built_in.spec), Translation::new(&built_in.spec, spec));
-    let not_followed = |key: &String, place: String| {
-        let what = "of which the simulated arm has a value of another type or in another unit";
-        Err(format!("the simulator cannot follow it: it changes `{key}` in {place}, {what}"))
-    };
-    if let Some(key) = written.lost(Message::Status).first() {
-        return not_followed(key, "status packets".to_owned());
-    }
-    for name in changed.iter().filter(|name| built_in.entry(name).is_some()) {
-        if let Some(key) = read.missing(Message::Request(name)).first() {
-            return not_followed(key, format!("the request `{name}`"));
-        }
-        if let Some(key) = written.lost(Message::Reply(name)).first() {
-            return not_followed(key, format!("the reply to `{name}`"));
-        }
-    }
-    Ok(())
+/// Fails where a pack gives a key of status packets another type or another meaning than the built-in spec has: the state
+/// has no value for it, and zeros in its place would be false.
+fn check_status_followed(built_in: &Spec, spec: &Spec) -> Result<(), String> {
+    let lost = Translation::new(built_in, spec).lost(Message::Status);
+    lost.first().map_or(Ok(()), |key| Err(format!("{}, in status packets", not_followed(key))))
+}
+
+/// Message of the refusal of a command of which a pack gives a key another type or another meaning; none if it is followed.
+fn command_not_followed(built_in: &Spec, spec: &Spec, command: &str) -> Option<String> {
+    built_in.command(command)?;
+    let missing = Translation::new(spec, built_in).missing(Message::Request(command));
+    let lost = Translation::new(built_in, spec).lost(Message::Reply(command));
+    missing.into_iter().chain(lost).next().map(|key| not_followed(&key))
+}
+
+fn not_followed(key: &str) -> String {
+    format!("the simulator cannot follow the pack: it has a value of another type or in another unit for `{key}`")
 }
 
 /// The versions of the firmware that has a command of a pack.

@@ -3,10 +3,10 @@
 mod initial;
 mod parts;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use jaka_proto::ControllerEvent;
-use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput, GetTioVoutParamReply};
+use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind, ExtioStatus, FunctionInput};
 use jaka_proto::messages::kinematics::GetDhParamReply;
 use jaka_proto::messages::payload::GetPayloadReply;
 use jaka_proto::messages::program::ProgramState;
@@ -14,6 +14,7 @@ use jaka_proto::messages::servo::SetServoMoveFilter;
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::messages::variables::UserVariable;
 use jaka_spec::Requirement;
+use serde_json::{Map, Value};
 
 pub use parts::{AdmittanceControl, Frame, NetworkException, TorqueSensor, Trajectory};
 
@@ -96,8 +97,6 @@ pub struct State {
     pub tool_digital_inputs: Vec<bool>,
     /// All analog inputs of the tool.
     pub tool_analog_inputs: Vec<f64>,
-    /// The voltage output of the tool, raw as sent.
-    pub tool_voltage: GetTioVoutParamReply,
     /// The input of each function.
     pub function_inputs: Vec<FunctionInput>,
     /// The extension I/O modules and their state.
@@ -126,6 +125,9 @@ pub struct State {
     pub torque_sensor: TorqueSensor,
     /// Control that yields to forces.
     pub admittance: AdmittanceControl,
+    /// Fields of replies that settings have set, by `cmdName` of the query and then by name in Rust: of the queries for which
+    /// the spec, or a pack, says `remembers`.
+    pub remembered: BTreeMap<String, Map<String, Value>>,
 }
 
 impl State {

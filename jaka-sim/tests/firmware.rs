@@ -180,18 +180,25 @@ fn keys_units_and_words_that_a_pack_changes_are_followed() {
 fn what_a_pack_types_otherwise_is_refused_by_name_since_the_state_has_no_value_for_it() {
     let reply = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
     let unit = "[[override]]\ntarget = 'get_payload'\nreply = 'mass'\nunit = 'lb'\n";
-    let status = "[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\n";
     let request = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\ntype = 'text'\n";
-    for (name, text, what) in [
-        ("retyped", reply, "it changes `joint_pos` in the reply to `get_joint_pos`"),
-        ("unit", unit, "it changes `mass` in the reply to `get_payload`"),
-        ("of_status", status, "it changes `rapidrate` in status packets"),
-        ("request", request, "it changes `rate_value` in the request `rapid_rate`"),
+    for (name, text, message, key) in [
+        ("retyped", reply, "{\"cmdName\":\"get_joint_pos\"}", "`joint_pos`"),
+        ("unit", unit, "{\"cmdName\":\"get_payload\"}", "`mass`"),
+        ("request", request, "{\"cmdName\":\"rapid_rate\",\"rate_value\":\"slow\"}", "`rate_value`"),
     ] {
-        let error = at_rest().pack(pack(name, text)).start().expect_err("it cannot be followed");
-        assert_eq!(error.kind(), io::ErrorKind::Unsupported);
-        assert!(error.to_string().contains(what), "{error}");
+        let controller = at_rest().pack(pack(name, text)).start().expect("the pack is correct");
+        let mut peer = Peer::commands(&controller);
+        let reply = peer.ask(message);
+        assert_ne!(reply["errorCode"], *"0", "{reply}");
+        assert!(reply["errorMsg"].as_str().is_some_and(|text| text.contains(key)), "{reply}");
+        assert!((controller.state().rapid_rate - 1.0).abs() < 1e-12);
+        // All else is followed.
+        assert_eq!(peer.call("get_version")["errorCode"], *"0");
     }
+    let status = "[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\n";
+    let error = at_rest().pack(pack("of_status", status)).start().expect_err("it cannot be followed");
+    assert_eq!(error.kind(), io::ErrorKind::Unsupported);
+    assert!(error.to_string().contains("`rapidrate`"), "{error}");
 }
 
 #[test]

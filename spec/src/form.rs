@@ -1,84 +1,10 @@
 //! Forms of fields and types by firmware.
 
-use std::f64::consts::PI;
-
-use crate::model::{Command, Field, Spec, Type, TypeDef, TypeId, TypeKind};
-use crate::quote::key;
+use crate::model::{Command, Field, Form, FormKind, Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::range::Range;
 use crate::scalar::Scalar;
+use crate::unit::Factors;
 use crate::version::{Version, Versions};
-
-/// Form of a field in some firmware. Rust has one type for all forms of a field.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Form {
-    /// Firmware that has the form.
-    pub versions: Versions,
-    /// Key on the wire; empty for an element of an array.
-    pub wire: String,
-    /// Type on the wire, which differs from the field's by words for false and true, or by `python(…)`.
-    pub ty: Type,
-    /// Unit of its number or numbers.
-    pub unit: Option<String>,
-    /// Factor from a number of this form to one in the field's unit, and the one back.
-    pub factors: Factors,
-}
-
-impl Form {
-    /// Its key as JSON text, with its quotes and colon.
-    pub fn key(&self) -> String {
-        key(&self.wire)
-    }
-}
-
-/// Factors between a number of a form and the same in the spec's own unit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factors {
-    /// From the form.
-    pub from: f64,
-    /// To the form.
-    pub to: f64,
-}
-
-impl Factors {
-    /// Those of one unit.
-    pub const ONE: Self = Self { from: 1.0, to: 1.0 };
-
-    /// Those between a form in one unit and a field in another; none where it is not known how they relate.
-    pub fn of(form: &str, own: &str) -> Option<Self> {
-        Some(Self { from: unit_factor(form, own)?, to: unit_factor(own, form)? })
-    }
-
-    /// True for those of one unit.
-    #[expect(clippy::float_cmp, reason = "the factors of one unit are exactly one")]
-    pub fn are_one(self) -> bool {
-        self.from == 1.0 && self.to == 1.0
-    }
-}
-
-/// Form of a named type in some firmware.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TypeForm {
-    /// Firmware that has the form.
-    pub versions: Versions,
-    /// Difference from the type's own form.
-    pub kind: FormKind,
-}
-
-/// Difference of a type's form from the type's own.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FormKind {
-    /// A JSON object with these keys, one for each element of the array.
-    Object(Vec<String>),
-    /// A JSON array with an element for each field of the object.
-    Array,
-    /// Numbers in another unit.
-    Unit {
-        /// The unit.
-        unit: String,
-        /// Factor from a number of this form to one in the type's unit, and the one back.
-        factors: Factors,
-    },
-}
 
 impl Field {
     /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that means
@@ -243,28 +169,6 @@ fn settle_type(def: &mut TypeDef, version: &Version) {
     };
 }
 
-/// Factor from a number in one unit to the same in another; none for units of which the spec does not know how they
-/// relate.
-pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
-    const UNITS: &[&[(&str, f64)]] = &[
-        &[("deg", PI / 180.0), ("rad", 1.0)],
-        &[("mm", 0.001), ("m", 1.0)],
-        &[("ms", 0.001), ("s", 1.0)],
-        &[("g", 0.001), ("kg", 1.0)],
-    ];
-    let parts =
-        |unit: &'_ str| unit.split_once('/').map_or((unit.to_owned(), None), |(a, b)| (a.into(), Some(b.to_owned())));
-    let ((from, from_per), (to, to_per)) = (parts(from), parts(to));
-    let size = |units: &[(&str, f64)], unit: &str| units.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
-    if from_per != to_per {
-        return None;
-    }
-    if from == to {
-        return Some(1.0);
-    }
-    UNITS.iter().find_map(|units| Some(size(units, &from)? / size(units, &to)?))
-}
-
 /// True for versions that have something in common.
 pub(crate) fn overlap(some: &Versions, others: &Versions) -> bool {
     let is_void = |since: &Versions, until: &Versions| {
@@ -276,16 +180,6 @@ pub(crate) fn overlap(some: &Versions, others: &Versions) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn units_of_one_quantity_convert() {
-        assert_eq!(unit_factor("rad/s", "deg/s"), Some(180.0 / PI));
-        assert_eq!(unit_factor("m", "mm"), Some(1000.0));
-        assert_eq!(unit_factor("mm", "mm"), Some(1.0));
-        for (from, to) in [("rad", "mm"), ("rad/s", "deg"), ("deg/s", "deg/s²"), ("Hz", "ms")] {
-            assert_eq!(unit_factor(from, to), None, "{from} to {to}");
-        }
-    }
 
     #[test]
     fn ranges_of_versions_overlap_where_a_version_has_both() {

@@ -25,6 +25,7 @@ mod similar;
 pub mod tools;
 mod type_text;
 mod unique;
+mod unit;
 mod version;
 pub mod words;
 
@@ -32,10 +33,9 @@ use std::collections::BTreeMap;
 
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
-pub use form::{Factors, Form, FormKind, TypeForm, unit_factor};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Refusal, Reply, Request, Requirement,
-    Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Form, FormKind, Refusal, Reply, Request,
+    Requirement, Severity, Spec, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use needed::{NEEDED_FIELDS, NeededField};
@@ -46,6 +46,7 @@ pub use robot_status::{FieldSource, NeededSource};
 pub use role::{Change, JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 pub use scalar::Scalar;
 pub use shape::{Shape, is_floats};
+pub use unit::{Factors, unit_factor};
 pub use version::{Version, Versions};
 
 /// A TOML file: the path that errors name, and its text.

@@ -1,5 +1,7 @@
 //! Checks of what a command means to the arm against its fields.
 
+use std::collections::BTreeMap;
+
 use crate::model::{Command, Effect, Field, Reply, Request, Type, TypeDef, TypeKind};
 use crate::role::{JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 use crate::scalar::Scalar;
@@ -23,6 +25,31 @@ pub(crate) fn problem(command: &Command, types: &[TypeDef]) -> Option<String> {
         return Some("the reply of a motion has fields of its own, or none".into());
     }
     motion_problem(command, motion, types)
+}
+
+/// Problem of a query that remembers a setting, once all commands are known.
+pub(crate) fn remembers_problem(
+    query: &Command,
+    settings: &BTreeMap<String, Command>,
+    types: &[TypeDef],
+) -> Option<String> {
+    let name = query.remembers.as_ref()?;
+    let Some(setting) = settings.get(name) else {
+        return Some(format!("`remembers` names `{name}`, which is no setting with `request` fields"));
+    };
+    let fields = match &query.reply {
+        Reply::Fields(fields) => fields.as_slice(),
+        Reply::Object(id) => match &types[id.0].kind {
+            TypeKind::Object(fields) => fields.as_slice(),
+            _ => &[],
+        },
+        Reply::Raw => &[],
+    };
+    let is_set = |field: &Field| {
+        setting.request.fields().any(|set| (&set.name, &set.ty, &set.unit) == (&field.name, &field.ty, &field.unit))
+    };
+    let problem = || format!("no field of the reply has name, type and unit of one that `{name}` sets");
+    (!fields.iter().any(is_set)).then(problem)
 }
 
 fn motion_problem(command: &Command, motion: &Motion, types: &[TypeDef]) -> Option<String> {

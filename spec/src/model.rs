@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
-use crate::form::{Form, TypeForm};
 use crate::names::to_camel;
 use crate::needed::StatusLine;
 use crate::quote::{key, push_string};
@@ -14,6 +13,7 @@ use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
 use crate::scalar::Scalar;
 use crate::similar::nearest;
+use crate::unit::Factors;
 use crate::version::Versions;
 
 /// A whole protocol: the topics in the order they were given.
@@ -191,6 +191,8 @@ pub struct Command {
     pub changes: Vec<Change>,
     /// Motion that it starts, if its end can be waited for.
     pub motion: Option<Motion>,
+    /// `cmdName` of the setting whose fields its reply has as they were last set.
+    pub remembers: Option<String>,
     /// States without which the controller refuses.
     pub requires: Vec<Requirement>,
     /// What says so.
@@ -433,6 +435,28 @@ impl Field {
     }
 }
 
+/// Form of a field in some firmware. Rust has one type for all forms of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Form {
+    /// Firmware that has the form.
+    pub versions: Versions,
+    /// Key on the wire; empty for an element of an array.
+    pub wire: String,
+    /// Type on the wire, which differs from the field's by words for false and true, or by `python(…)`.
+    pub ty: Type,
+    /// Unit of its number or numbers.
+    pub unit: Option<String>,
+    /// Factor from a number of this form to one in the field's unit, and the one back.
+    pub factors: Factors,
+}
+
+impl Form {
+    /// Its key as JSON text, with its quotes and colon.
+    pub fn key(&self) -> String {
+        key(&self.wire)
+    }
+}
+
 /// The type of a field.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Type {
@@ -491,6 +515,31 @@ pub struct TypeDef {
     pub kind: TypeKind,
     /// Other forms of the type, each in some firmware; no firmware has two of them.
     pub forms: Vec<TypeForm>,
+}
+
+/// Form of a named type in some firmware.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TypeForm {
+    /// Firmware that has the form.
+    pub versions: Versions,
+    /// Difference from the type's own form.
+    pub kind: FormKind,
+}
+
+/// Difference of a type's form from the type's own.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FormKind {
+    /// A JSON object with these keys, one for each element of the array.
+    Object(Vec<String>),
+    /// A JSON array with an element for each field of the object.
+    Array,
+    /// Numbers in another unit.
+    Unit {
+        /// The unit.
+        unit: String,
+        /// Factor from a number of this form to one in the type's unit, and the one back.
+        factors: Factors,
+    },
 }
 
 /// What a [`TypeDef`] is made of.

@@ -18,6 +18,7 @@ mod field;
 mod form;
 mod role;
 mod types;
+mod wire;
 
 use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
@@ -109,6 +110,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         role: role::role(item),
         changes: role::changes(item),
         motion: motion(item),
+        remembers: item.text("remembers").map(|text| text.value),
         requires: requires(item),
         requires_source: item.text("requires_source").map(|text| text.value),
         deadline: deadline(item),
@@ -127,6 +129,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         wire: wire.value,
         name: name.value,
     };
+    index.setting(&command);
     role::check(item, &command, index);
     item.finish();
     command

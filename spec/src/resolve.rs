@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use crate::envelope::ENVELOPE;
 use crate::item::{Item, Placed};
-use crate::model::{Command, Field, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::model::{Command, Effect, Field, Request, Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
 use crate::report::{At, Report};
 use crate::type_text::notation;
@@ -31,6 +31,8 @@ pub(crate) struct Index<'s> {
     types: Vec<TypeDef>,
     defined: BTreeSet<TypeId>,
     needs: Vec<(String, Placed<'s, Need>)>,
+    /// Settings that queries may remember.
+    settings: BTreeMap<String, Command>,
     /// The trait with a pack's methods.
     own_trait: Option<String>,
 }
@@ -46,6 +48,8 @@ pub(crate) enum Need {
     Reply(TypeId),
     /// What is advised of these fields, which stand next to each other, makes sense.
     Advised(Vec<Field>),
+    /// The setting that the query remembers has fields of its reply.
+    Remembers(Box<Command>),
     /// The command's role and motion fit its fields.
     Meaning(Box<Command>),
 }
@@ -63,6 +67,10 @@ impl<'s> Index<'s> {
             error_wires: Unique::taken(base.errors().map(|code| code.wire)),
             error_names: Unique::taken(base.errors().map(|code| code.name.clone())),
             own_trait: Some(trait_name(module)),
+            settings: commands()
+                .filter(|command| is_setting(command))
+                .map(|command| (command.wire.clone(), command.clone()))
+                .collect(),
             ..Self::default()
         };
         for def in &base.types {
@@ -90,6 +98,13 @@ impl<'s> Index<'s> {
         self.commands.add(item, "cmdName", wire);
         if let Some(section) = section {
             self.sections.add(item, "section", section);
+        }
+    }
+
+    /// Takes note of a command that a query may remember.
+    pub(crate) fn setting(&mut self, command: &Command) {
+        if is_setting(command) {
+            self.settings.insert(command.wire.clone(), command.clone());
         }
     }
 
@@ -177,6 +192,11 @@ impl<'s> Index<'s> {
     }
 }
 
+/// True for a setting whose requests have the same fields each time.
+fn is_setting(command: &Command) -> bool {
+    command.effect == Effect::Setting && matches!(command.request, Request::Fields(_))
+}
+
 /// The types that come with the command of this name: its request and, if it has one, its reply.
 fn message_types(command: &str) -> [String; 2] {
     let request = to_camel(command);
@@ -195,6 +215,7 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
             Need::Advised(fields) if has_ends => advice::problem(fields, &index.types),
             Need::Advised(_) => None,
+            Need::Remembers(query) => meaning::remembers_problem(query, &index.settings, &index.types),
             Need::Meaning(command) => meaning::problem(command, &index.types),
         };
         if let Some(problem) = problem {

@@ -19,10 +19,6 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             state.analog_outputs.insert((command.kind, command.index), command.value);
         }
         Request::SetDigitalOutput(_) | Request::SetAnalogOutput(_) => return Outcome::Refused,
-        Request::SetTioVoutParam(command) => {
-            let voltage = &mut state.tool_voltage;
-            (voltage.output_enable, voltage.output_voltage) = (command.output_enable, command.output_voltage);
-        }
         _ => return query(request, state, out),
     }
     Outcome::Accepted
@@ -37,7 +33,6 @@ fn query(request: &Request, state: &State, out: &mut Draft<'_>) -> Outcome {
             reply(command, out, |reply| reply.function_inputs.clone_from(&state.function_inputs))
         }
         Request::GetExtioStatus(command) => reply(command, out, |reply| reply.extio_status.clone_from(&state.extio)),
-        Request::GetTioVoutParam(command) => reply(command, out, |reply| *reply = state.tool_voltage),
         Request::GetDigitalOutput(command) => reply(command, out, |reply| {
             reply.value = state.digital_outputs.get(&(command.kind, command.index)).copied().unwrap_or_default();
         }),

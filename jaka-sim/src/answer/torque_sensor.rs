@@ -31,7 +31,6 @@ fn identify(command: &StartTorqSensorPayloadIdentify, world: &mut World) -> bool
 
 fn set(request: &Request, sensor: &mut TorqueSensor) -> Outcome {
     match request {
-        Request::SetTorqueSensorBrand(command) => sensor.brand = command.brand,
         Request::SetTorqueSensorMode(command) => sensor.mode = command.mode,
         Request::SetTorqueSensorComm(command) => {
             sensor.communication = command.communication;
@@ -48,7 +47,6 @@ fn set(request: &Request, sensor: &mut TorqueSensor) -> Outcome {
 
 fn get(request: &Request, sensor: &TorqueSensor, out: &mut Draft<'_>) -> Outcome {
     match request {
-        Request::GetTorqueSensorBrand(command) => reply(command, out, |reply| reply.brand = sensor.brand),
         Request::GetTorqueSensorComm(command) => reply(command, out, |reply| {
             reply.address.clone_from(&sensor.address);
             (reply.communication, reply.port) = (sensor.communication, sensor.port);

@@ -13,14 +13,6 @@ const MOST_FILES: usize = 1000;
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let trajectory = &mut world.state.trajectory;
     match request {
-        Request::SetTrajConfig(command) => {
-            let config = &mut trajectory.config;
-            (config.acceleration, config.speed) = (command.acceleration, command.speed);
-            config.position_interval = command.position_interval;
-            config.orientation_interval = command.orientation_interval;
-            Outcome::Accepted
-        }
-        Request::GetTrajConfig(command) => reply(command, out, |reply| *reply = trajectory.config),
         Request::SetTrajSampleMode(command) => Outcome::accepted_if(sample(command, world)),
         Request::GetTrajSampleStatus(command) => reply(command, out, |reply| reply.sampling = trajectory.sampling),
         Request::GetExistTrajFileName(command) => {

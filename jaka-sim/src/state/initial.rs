@@ -1,6 +1,6 @@
 //! The state in which a controller starts: that of the document's example replies, where it prints one.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::{array, io};
 
 use jaka_motion::Model;
@@ -54,7 +54,6 @@ impl State {
             analog_outputs: HashMap::new(),
             tool_digital_inputs: Vec::new(),
             tool_analog_inputs: Vec::new(),
-            tool_voltage: spec_index.example::<pins::GetTioVoutParam>()?,
             function_inputs: spec_index.example::<pins::GetFuncdiStatus>()?.function_inputs,
             extio: spec_index.example::<pins::GetExtioStatus>()?.extio_status,
             tool_frames: frames(&tools.offsets),
@@ -68,6 +67,7 @@ impl State {
             trajectory: trajectory(spec_index)?,
             torque_sensor: torque_sensor(spec_index)?,
             admittance: admittance(spec_index)?,
+            remembered: BTreeMap::new(),
         };
         // The document answers that servo mode is on, and that the arm has no power.
         state.make_consistent();
@@ -84,7 +84,6 @@ fn dh_parameters(spec_index: &SpecIndex, model: &Model) -> io::Result<kinematics
 
 fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
     Ok(Trajectory {
-        config: spec_index.example::<trajectory::GetTrajConfig>()?,
         sampling: spec_index.example::<trajectory::GetTrajSampleStatus>()?.sampling,
         file_names: spec_index.example::<trajectory::GetExistTrajFileName>()?.file_names,
     })
@@ -93,7 +92,6 @@ fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
 fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
     let comm = spec_index.example::<force::GetTorqueSensorComm>()?;
     Ok(TorqueSensor {
-        brand: spec_index.example::<force::GetTorqueSensorBrand>()?.brand,
         mode: 0,
         working: false,
         contact_force: [0.0; 6],

@@ -2,10 +2,9 @@
 
 use jaka_proto::messages::force::{
     AdmittanceAxis, ComplianceType, GetToolPayloadReply, GetTorqSensorPayloadIdentifyResultReply, IdentifyStatus,
-    TorqueSensorBrand, TorqueSensorCommunication, VelocityCompliance,
+    TorqueSensorCommunication, VelocityCompliance,
 };
 use jaka_proto::messages::network::NetworkExceptionAction;
-use jaka_proto::messages::trajectory::GetTrajConfigReply;
 use jaka_proto::messages::types::Pose;
 
 /// A tool frame or a user frame.
@@ -30,8 +29,6 @@ pub struct NetworkException {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Trajectory {
-    /// How finely is recorded, and how fast it is run later.
-    pub config: GetTrajConfigReply,
     /// Whether recording is on.
     pub sampling: bool,
     /// Names of the trajectory files.
@@ -42,8 +39,6 @@ pub struct Trajectory {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct TorqueSensor {
-    /// Brand of the sensor.
-    pub brand: TorqueSensorBrand,
     /// Raw switch of the sensor, 0 or 1: sources contradict each other on which of them is on.
     pub mode: i64,
     /// Whether the sensor works. No command sets it, since sources contradict each other on the mode that is on.

@@ -2,6 +2,7 @@
 
 use super::common::{required_doc, snake_name, versions};
 use super::form;
+use super::wire::{NEEDS_KEY, field_type, key, needs_key, written};
 use crate::advice;
 use crate::item::{Item, Placed};
 use crate::model::{Field, Type};
@@ -9,7 +10,6 @@ use crate::names::RESERVED_FIELDS;
 use crate::range::Range;
 use crate::resolve::{Index, NO_ENUM, Need};
 use crate::scalar::Scalar;
-use crate::type_text;
 use crate::unique::Unique;
 use crate::version::Versions;
 
@@ -60,14 +60,6 @@ fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, 
     let wire = key(item, taken);
     let name = snake_name(item, &wire);
     (wire, name)
-}
-
-pub(super) fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
-    let wire = item.required_text("wire");
-    if taken.contains(&wire.value.as_str()) {
-        item.error(wire.at, &format!("the key `{}` is that of the tag, or of what each message has", wire.value));
-    }
-    wire
 }
 
 fn read<'s>(
@@ -217,19 +209,6 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     }
 }
 
-const NEEDS_KEY: &str =
-    "words for false and true, and python(…), are read only as the whole of a field that has a key and no `or_raw`";
-
-/// True for what is read in a way of its own, and so only where the field's key is read.
-pub(super) fn needs_key(ty: &Type) -> bool {
-    match ty {
-        Type::Python(_) => true,
-        Type::List(element) | Type::Array(element, _) => needs_key(element),
-        Type::Scalar(scalar) => scalar.truth_words().is_some(),
-        Type::Named(_) => false,
-    }
-}
-
 /// True for a number, and for an array of numbers.
 fn is_number(ty: &Type) -> bool {
     ty.scalar().is_some_and(Scalar::is_number)
@@ -250,51 +229,4 @@ pub(super) fn wrapped_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Ty
         item.error(item.at, NEEDS_KEY);
     }
     ty
-}
-
-pub(super) fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
-    let text = item.required_text("type");
-    let mut ty = match type_text::parse(&text.value, &mut |name| index.type_id(name)) {
-        Ok(ty) => ty,
-        Err(message) => {
-            if !text.value.is_empty() {
-                item.error(text.at, &message);
-            }
-            return Type::Scalar(Scalar::Json);
-        }
-    };
-    written(item, &mut ty);
-    index.needs(item, text.at, Need::Type(ty.clone()));
-    ty
-}
-
-/// Takes from the table how a truth value is written.
-pub(super) fn written(item: &Item<'_, '_>, ty: &mut Type) {
-    let Some(written) = item.json_scalars("written") else { return };
-    match (scalar_mut(ty), written.value.as_slice()) {
-        (Some(Scalar::Bool { off, on }), [no, yes]) if are_told_apart(no, yes) => {
-            no.clone_into(off);
-            yes.clone_into(on);
-        }
-        _ => item.error(
-            written.at,
-            "`written` gives a bool's two forms, which are read in any case: how false is written, then true",
-        ),
-    }
-}
-
-/// True for two forms of which a reader can say which it has before it.
-fn are_told_apart(no: &str, yes: &str) -> bool {
-    let [no, yes] = [no, yes].map(|form| form.trim_matches('"').to_ascii_lowercase());
-    let is_readable = |form: &str| form.trim() == form && !form.contains(char::is_control);
-    let is_same_number = no.parse::<f64>().is_ok_and(|no| yes.parse() == Ok(no));
-    is_readable(&no) && is_readable(&yes) && no != yes && !is_same_number && no != "true" && yes != "false"
-}
-
-fn scalar_mut(ty: &mut Type) -> Option<&mut Scalar> {
-    match ty {
-        Type::List(inner) | Type::Array(inner, _) | Type::Python(inner) => scalar_mut(inner),
-        Type::Scalar(scalar) => Some(scalar),
-        Type::Named(_) => None,
-    }
 }

@@ -1,12 +1,13 @@
 //! Forms of fields and types by firmware.
 
 use super::common::{keyword, versions};
-use super::field::{field_type, key, needs_key, written};
-use crate::form::{Factors, Form, FormKind, TypeForm, overlap};
+use super::wire::{field_type, key, needs_key, written};
+use crate::form::overlap;
 use crate::item::{Item, Placed};
-use crate::model::{Field, Type, TypeKind};
+use crate::model::{Field, Form, FormKind, Type, TypeForm, TypeKind};
 use crate::resolve::Index;
 use crate::scalar::Scalar;
+use crate::unit::Factors;
 use crate::version::Versions;
 
 /// Keys of a field's forms that are not the field's own, each once.

@@ -82,6 +82,12 @@ pub(super) fn check<'s>(item: &Item<'_, 's>, command: &Command, index: &mut Inde
     if !command.changes.is_empty() && command.effect == Effect::Query {
         item.error(item.at, "a query changes nothing");
     }
+    if let Some(remembers) = item.text("remembers") {
+        if command.effect != Effect::Query {
+            item.error(remembers.at, "`remembers` is for queries");
+        }
+        index.needs(item, remembers.at, Need::Remembers(Box::new(command.clone())));
+    }
     if command.role.is_some() || command.motion.is_some() {
         index.needs(item, item.at, Need::Meaning(Box::new(command.clone())));
     }

@@ -1,8 +1,8 @@
 //! Each command of the spec does something: a query gives back a setting, port 10000 shows a motion, a wrong state is refused.
 //!
 //! A module for each topic of the document lists its commands with the test of each. These lists are written by hand, so that no
-//! command of the document loses its test unnoticed; the document is complete, so they do not grow. Commands beyond the document
-//! are taken from the spec, and their examples are sent. Time goes on when a test says so.
+//! command of the document loses its test unnoticed; the document is complete, so they do not grow. Settings that a query
+//! gives back are taken from the spec, and so are commands beyond the document, whose examples are sent. Time goes on when a test says so.
 
 #[macro_use]
 mod arm;
@@ -17,6 +17,7 @@ mod network;
 mod payload;
 mod power;
 mod program;
+mod remembered;
 mod servo;
 mod session;
 mod torque_sensor;
@@ -46,7 +47,7 @@ const COVERED: &[&[&str]] = &[
 
 #[test]
 fn each_command_of_the_document_has_one_test() {
-    let mut covered = COVERED.concat();
+    let mut covered = [COVERED.concat(), remembered::covered()].concat();
     let of_document = Request::COMMANDS.iter().filter(|info| !info.section.is_empty());
     let mut all: Vec<_> = of_document.map(|info| info.name).collect();
     covered.sort_unstable();

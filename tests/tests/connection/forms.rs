@@ -275,11 +275,9 @@ fn the_simulator_reads_and_writes_the_forms_of_its_firmware() {
         assert!(!ask(other).contains(r#""errorCode":"0""#), "{firmware} has no such form");
         let reply = ask(r#"{"cmdName":"get_payload"}"#);
         assert!(reply.contains(at) && reply.contains(mass), "{firmware}: {reply}");
-        let mut packet = [0; 4096];
         let mut status = TcpStream::connect(arm.status_addr()).expect("it listens");
         status.set_read_timeout(Some(LONG)).expect("the socket is open");
-        status.read_exact(&mut packet).expect("a packet comes");
-        let packet = String::from_utf8_lossy(&packet).replace(' ', "");
+        let packet = message(&mut status).replace(' ', "");
         assert!(packet.contains(powered), "{firmware}: {packet}");
         drop(plain);
 

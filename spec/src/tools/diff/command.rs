@@ -30,6 +30,7 @@ fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.option(place, "motion", (motion(old).as_ref(), motion(new).as_ref()), lost);
     let (was, is) = (words::requirements(&old.requires), words::requirements(&new.requires));
     d.option(place, "requirement", (was.as_ref(), is.as_ref()), Impact::Minor);
+    d.reworded(place, "remembered setting", &old.remembers, &new.remembers);
     let ms = |command: &Command| command.deadline.map(|deadline| format!("{} ms", deadline.as_millis()));
     d.option(place, "deadline", (ms(old).as_ref(), ms(new).as_ref()), Impact::Minor);
     let now_certain = ("the reply is certain now, and an error if it is missing", Impact::Major);

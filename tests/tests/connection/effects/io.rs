@@ -1,9 +1,7 @@
 //! Inputs and outputs.
 
 use jaka_proto::messages::io::literal;
-use jaka_sync::io::{
-    DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput, SetTioVoutParam,
-};
+use jaka_sync::io::{DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput};
 use jaka_sync::types::Switch;
 
 use super::arm::Arm;
@@ -14,8 +12,6 @@ effects! {
     set_analog_output => analog_outputs_show_on_port_10000,
     get_extio_status => extension_modules_are_read,
     get_funcdi_status => function_inputs_are_read,
-    set_tio_vout_param => the_tools_voltage_is_given_back,
-    get_tio_vout_param => the_tools_voltage_is_read,
 }
 
 fn digital_outputs_show_on_port_10000(arm: &mut Arm) {
@@ -60,18 +56,4 @@ fn function_inputs_are_read(arm: &mut Arm) {
     let inputs = arm.client.get_funcdi_status().expect("it answers").function_inputs;
     assert_eq!(inputs[3], input);
     assert_eq!(inputs, arm.controller.state().function_inputs);
-}
-
-fn the_tools_voltage_is_given_back(arm: &mut Arm) {
-    for (output_enable, output_voltage) in [(1, 0), (0, 1)] {
-        arm.client.set_tio_vout_param(&SetTioVoutParam::new(output_enable, output_voltage)).expect("it answers");
-        let reply = arm.client.get_tio_vout_param().expect("it answers");
-        assert_eq!((reply.output_enable, reply.output_voltage), (output_enable, output_voltage));
-    }
-}
-
-fn the_tools_voltage_is_read(arm: &mut Arm) {
-    arm.controller.set_state(|state| (state.tool_voltage.output_enable, state.tool_voltage.output_voltage) = (1, 1));
-    let reply = arm.client.get_tio_vout_param().expect("it answers");
-    assert_eq!((reply.output_enable, reply.output_voltage), (1, 1));
 }

@@ -1,17 +1,13 @@
 //! The torque sensor and its payload.
 
 use jaka_sync::Typed;
-use jaka_sync::force::{
-    IdentifyStatus, SetToolPayload, SetTorqueSensorComm, TorqueSensorBrand, TorqueSensorCommunication,
-};
+use jaka_sync::force::{IdentifyStatus, SetToolPayload, SetTorqueSensorComm, TorqueSensorCommunication};
 use jaka_sync::payload::SetPayload;
 use jaka_sync::status::TorqueSensorSettings;
 
 use super::arm::{Arm, assert_close, servo_mode, turned};
 
 effects! {
-    set_torsenosr_brand => the_brand_is_given_back,
-    get_torsenosr_brand => the_brand_is_read,
     set_torque_sensor_mode => the_mode_is_kept,
     start_torq_sensor_payload_identify => identification_moves_the_arm,
     get_torq_sensor_identify_staus => identification_is_told,
@@ -38,19 +34,6 @@ fn shown(arm: &Arm) -> (String, i64, f64) {
 
 fn status(arm: &mut Arm) -> IdentifyStatus {
     arm.client.get_torq_sensor_identify_status().expect("it answers").status
-}
-
-fn the_brand_is_given_back(arm: &mut Arm) {
-    for brand in [TorqueSensorBrand::StMicroelectronics, TorqueSensorBrand::Sony] {
-        arm.client.set_torque_sensor_brand(brand).expect("it answers");
-        assert_eq!(arm.client.get_torque_sensor_brand().expect("it answers").brand, brand);
-    }
-}
-
-fn the_brand_is_read(arm: &mut Arm) {
-    arm.controller.set_state(|state| state.torque_sensor.brand = TorqueSensorBrand::BoschSensortec);
-    let brand = arm.client.get_torque_sensor_brand().expect("it answers").brand;
-    assert_eq!(brand, TorqueSensorBrand::BoschSensortec);
 }
 
 /// No command reads it back.

@@ -1,13 +1,11 @@
 //! Trajectory recording.
 
-use jaka_sync::trajectory::{RenameTrajFileName, SetTrajConfig, SetTrajSampleMode};
+use jaka_sync::trajectory::{RenameTrajFileName, SetTrajSampleMode};
 use jaka_sync::types::Switch;
 
 use super::arm::{Arm, assert_close, refused, turn, turned};
 
 effects! {
-    set_traj_config => the_settings_are_given_back,
-    get_traj_config => the_settings_are_read,
     set_traj_sample_mode => a_recording_becomes_a_file,
     get_traj_sample_status => recording_is_told,
     get_exist_traj_file_name => files_are_listed,
@@ -33,23 +31,6 @@ fn record(arm: &mut Arm, file_name: &str) -> [f64; 6] {
     arm.wait(5);
     arm.client.set_traj_sample_mode(&sample(Switch::Off)).expect("it answers");
     end
-}
-
-fn the_settings_are_given_back(arm: &mut Arm) {
-    let request = SetTrajConfig::new(150.0, 30.0, 0.2, 0.3);
-    arm.client.set_traj_config(&request).expect("it answers");
-    let reply = arm.client.get_traj_config().expect("it answers");
-    assert_eq!((reply.acceleration, reply.speed), (150.0, 30.0));
-    assert_eq!((reply.position_interval, reply.orientation_interval), (0.2, 0.3));
-}
-
-fn the_settings_are_read(arm: &mut Arm) {
-    arm.controller.set_state(|state| {
-        state.trajectory.config.speed = 45.0;
-        state.trajectory.config.orientation_interval = 0.7;
-    });
-    let reply = arm.client.get_traj_config().expect("it answers");
-    assert_eq!((reply.speed, reply.orientation_interval), (45.0, 0.7));
 }
 
 fn a_recording_becomes_a_file(arm: &mut Arm) {

@@ -1,0 +1,65 @@
+//! Units, and how they relate.
+
+use std::f64::consts::PI;
+
+/// Factors between a number of a form and the same in the spec's own unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// From the form.
+    pub from: f64,
+    /// To the form.
+    pub to: f64,
+}
+
+impl Factors {
+    /// Those of one unit.
+    pub const ONE: Self = Self { from: 1.0, to: 1.0 };
+
+    /// Those between a form in one unit and a field in another; none where it is not known how they relate.
+    pub fn of(form: &str, own: &str) -> Option<Self> {
+        Some(Self { from: unit_factor(form, own)?, to: unit_factor(own, form)? })
+    }
+
+    /// True for those of one unit.
+    #[expect(clippy::float_cmp, reason = "the factors of one unit are exactly one")]
+    pub fn are_one(self) -> bool {
+        self.from == 1.0 && self.to == 1.0
+    }
+}
+
+/// Factor from a number in one unit to the same in another; none for units of which the spec does not know how they
+/// relate.
+pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
+    const UNITS: &[&[(&str, f64)]] = &[
+        &[("deg", PI / 180.0), ("rad", 1.0)],
+        &[("mm", 0.001), ("m", 1.0)],
+        &[("ms", 0.001), ("s", 1.0)],
+        &[("g", 0.001), ("kg", 1.0)],
+    ];
+    let parts =
+        |unit: &'_ str| unit.split_once('/').map_or((unit.to_owned(), None), |(a, b)| (a.into(), Some(b.to_owned())));
+    let ((from, from_per), (to, to_per)) = (parts(from), parts(to));
+    let size = |units: &[(&str, f64)], unit: &str| units.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
+    if from_per != to_per {
+        return None;
+    }
+    if from == to {
+        return Some(1.0);
+    }
+    UNITS.iter().find_map(|units| Some(size(units, &from)? / size(units, &to)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_one_quantity_convert() {
+        assert_eq!(unit_factor("rad/s", "deg/s"), Some(180.0 / PI));
+        assert_eq!(unit_factor("m", "mm"), Some(1000.0));
+        assert_eq!(unit_factor("mm", "mm"), Some(1.0));
+        for (from, to) in [("rad", "mm"), ("rad/s", "deg"), ("deg/s", "deg/s²"), ("Hz", "ms")] {
+            assert_eq!(unit_factor(from, to), None, "{from} to {to}");
+        }
+    }
+}
