@@ -118,7 +118,7 @@ fn the_guide_s_commands_print_what_it_shows() {
     let controller = controller(Arm::real_time());
     let [draft, pack, moved, forms] = blocks("toml")[..] else { panic!("the guide shows the draft and three packs") };
     let built_in = jaka_spec::builtin().expect("the built-in spec is correct");
-    jaka_spec::load_pack(&built_in, Source { path: "forms.toml", text: forms }).expect("the pack with forms is correct");
+    load_pack(&built_in, Source { path: "forms.toml", text: forms }).expect("the pack with forms is correct");
     assert_eq!(moved, include_str!("guide/moved.toml"), "and so is this one");
     assert_eq!(pack, PACK, "the guide's pack is the one that is compiled here");
     let file = folder.join("newer.toml");
