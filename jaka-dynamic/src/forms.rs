@@ -8,6 +8,7 @@ use jaka_spec::{Spec, Version, Versions};
 use serde_json::{Map, Value};
 
 use crate::encode;
+use crate::sample::is_readable;
 use crate::translation::{Lost, Message, Translated, Translation};
 
 /// Messages of a firmware in the spec's own forms, and back.
@@ -47,15 +48,9 @@ impl Forms {
     /// Translates the members of a message into the spec's own forms.
     pub fn read(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let read = |spec| Translation::new(spec, &self.own).message(message, members);
-        let mut readings: Vec<_> = self.of_firmware.iter().map(read).collect();
+        let fitting = self.fitting(message, members);
         let known = Translation::new(&self.own, &self.own).fields(message, members);
-        let misfits = |reading: &Translated| {
-            let is_unknown = |key: &&String| known.iter().all(|field| field.wire != **key);
-            reading.lost.len() + reading.members.keys().filter(is_unknown).count()
-        };
-        let least = readings.iter().map(misfits).min().unwrap_or_default();
-        readings.retain(|reading| misfits(reading) == least);
-        let mut readings = readings.into_iter();
+        let mut readings = fitting.into_iter().map(read);
         let mut agreed = readings.next().unwrap_or_default();
         for other in readings {
             for field in known {
@@ -70,6 +65,22 @@ impl Forms {
         agreed
     }
 
+    /// The combinations of forms that a message fits best: with the fewest keys that no field has, and values that cannot be
+    /// read.
+    fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Vec<&Spec> {
+        let misfits = |spec: &&Spec| {
+            let fields = Translation::new(spec, spec).fields(message, members);
+            let is_misfit = |(key, value): &(&String, &Value)| {
+                let field = fields.iter().find(|field| field.wire == **key);
+                field.is_none_or(|field| !value.is_null() && !is_readable(spec, field, value))
+            };
+            members.iter().filter(is_misfit).count()
+        };
+        let misfits: Vec<_> = self.of_firmware.iter().map(|spec| (misfits(&spec), spec)).collect();
+        let least = misfits.iter().map(|(count, _)| *count).min();
+        misfits.into_iter().filter(|(count, _)| Some(*count) == least).map(|(_, spec)| spec).collect()
+    }
+
     /// Translates the members of a message of the spec's own forms; none where the firmware is not known, or has no form
     /// of a value.
     pub fn written(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<Map<String, Value>> {
@@ -78,17 +89,17 @@ impl Forms {
         translated.lost.is_empty().then_some(translated.members)
     }
 
-    /// The text of a reply in the spec's own forms; as it is where it is no JSON object. A value without one stays as it
+    /// The text of a message in the spec's own forms; as it is where it is no JSON object. A value without one stays as it
     /// came.
-    pub fn reply(&self, name: &str, text: &str) -> String {
+    pub fn own_text(&self, message: Message<'_>, text: &str) -> String {
         let Ok(members) = serde_json::from_str::<Map<_, _>>(text) else { return text.to_owned() };
-        let Translated { mut members, lost } = self.read(Message::Reply(name), &members);
-        let fields = self.own.command(name).map_or(&[][..], |command| self.own.reply_fields(command));
+        let Translated { members: mut own, lost } = self.read(message, &members);
+        let fields = Translation::new(&self.own, &self.own).fields(message, &members);
         for Lost { name, value } in lost {
             let field = fields.iter().find(|field| field.name == name);
-            members.extend(field.map(|field| (field.wire.clone(), value)));
+            own.extend(field.map(|field| (field.wire.clone(), value)));
         }
-        Value::from(members).to_string()
+        Value::from(own).to_string()
     }
 
     /// A request in the forms of the firmware, byte for byte as the generated code writes it; none where the firmware is

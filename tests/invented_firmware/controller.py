@@ -7,6 +7,9 @@ needs for a motion:
 - `demo_halt`: a stop.
 - `demo_swap_tool`: a setting after which poses mean something else.
 
+The payload has another key, and its centroid is an object. Status packets have two new keys, and say in words whether the
+arm has power.
+
 Each request that it receives goes to standard error, a line each.
 """
 
@@ -29,6 +32,7 @@ class Arm:
         self.target = list(self.joints)
         self.powered, self.enabled = False, False
         self.tool = 0
+        self.weight, self.centroid = 2.5, {"x": 1.0, "y": 2.0, "z": 3.0}
 
     def step(self, seconds):
         with self.lock:
@@ -63,6 +67,12 @@ def answer(arm, request):
             return {"joint_pos": list(arm.joints)}
         if name == "get_tcp_pos":
             return {"tcp_pos": arm.pose()}
+        if name == "get_payload":
+            return {"weight": arm.weight, "centroid": arm.centroid}
+        if name == "set_payload" and set(request) == {"cmdName", "weight", "centroid"}:
+            arm.weight = float(request["weight"])
+            arm.centroid = {axis: float(request["centroid"][axis]) for axis in "xyz"}
+            return {}
         if name == "get_version":
             return {"version": "9.1.0_01_X64"}
         if name == "get_robot_state":
@@ -121,7 +131,7 @@ def packet(arm):
             "enabled": arm.enabled,
             "emergency_stop": 0,
             "protective_stop": 0,
-            "paused": 0,
+            "paused": False,
             "errcode": "0x0",
             "errmsg": "",
             "current_tool_id": arm.tool,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use jaka_dynamic::Forms;
+use jaka_dynamic::{Forms, Message};
 use jaka_spec::Command;
 use jaka_sync::Client;
 
@@ -39,7 +39,7 @@ impl FirmwareForms {
     /// The text of a reply in the spec's own forms.
     pub(super) fn reply<'r>(&self, command: Option<&Command>, text: &'r str) -> Cow<'r, str> {
         match (&self.0, command) {
-            (Some(forms), Some(command)) => Cow::Owned(forms.reply(&command.wire, text)),
+            (Some(forms), Some(command)) => Cow::Owned(forms.own_text(Message::Reply(&command.wire), text)),
             _ => Cow::Borrowed(text),
         }
     }

@@ -1,7 +1,7 @@
 //! The queries of the command port.
 
 use itertools::Itertools as _;
-use jaka_dynamic::{AdvisoryRanges, departures};
+use jaka_dynamic::{AdvisoryRanges, Forms, Message, departures};
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
@@ -21,7 +21,8 @@ const MOST_RECONNECTS: u32 = 3;
 /// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes
 /// wrong later is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Result<Vec<Finding>, Failure> {
-    let mut connection = Connection { target, client: Ok(target.client()?), has_answered: false, reconnects: 0 };
+    let (client, forms) = (Ok(target.client()?), Forms::of(spec, None));
+    let mut connection = Connection { target, client, forms, has_answered: false, reconnects: 0 };
     let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();
     let ask = |(number, command): (usize, &&Command)| {
         if progress.is_interrupted() {
@@ -40,6 +41,8 @@ struct Connection<'t> {
     target: &'t Target,
     /// Why there is no connection, if there is none.
     client: Result<Client, String>,
+    /// Forms of any firmware, where the spec has several.
+    forms: Option<Forms>,
     has_answered: bool,
     reconnects: u32,
 }
@@ -65,7 +68,11 @@ impl Connection<'_> {
         let timeout = self.target.patience(usual);
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
-        let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&reply)), reply);
+        let own = |reply: &str| match &self.forms {
+            Some(forms) => forms.own_text(Message::Reply(name), reply),
+            None => reply.to_owned(),
+        };
+        let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&own(&reply))), reply);
         let Err(error) = asked else {
             self.has_answered = true;
             return Ok(finding(reply));

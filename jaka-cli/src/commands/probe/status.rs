@@ -1,6 +1,6 @@
 //! Packets of the status port.
 
-use jaka_dynamic::{Departure, status_departures};
+use jaka_dynamic::{Departure, Forms, Message, status_departures};
 use jaka_spec::Spec;
 use jaka_sync::{ErrorKind, StatusStream};
 
@@ -24,6 +24,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress
     };
     let mut found: Option<Finding> = None;
     let mut samples = Vec::new();
+    let forms = Forms::of(spec, None);
     for _ in (0..count).take_while(|_| !progress.is_interrupted()) {
         let packet = match next(&mut stream) {
             Ok(packet) => packet,
@@ -36,7 +37,8 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress
         let mut departures = found.as_ref().map(|found| found.departures.clone()).unwrap_or_default();
         let before = departures.len();
         let sample = reply_json(&packet);
-        add_new(&mut departures, status_departures(spec, &sample));
+        let own = forms.as_ref().map(|forms| reply_json(&forms.own_text(Message::Status, &packet)));
+        add_new(&mut departures, status_departures(spec, own.as_ref().unwrap_or(&sample)));
         samples.push(sample);
         // The packet that is shown is one that departs.
         if found.is_none() || departures.len() > before {
