@@ -1,0 +1,223 @@
+//! Compares what `diff` says with what the compiler says.
+
+use jaka_spec::tools::{Change, Impact};
+use jaka_spec::{EnumValue, Field, Request, Spec, Type, TypeKind, Variant};
+
+/// Who notices a change that `diff` calls major.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Noticed {
+    /// A program does not compile any more.
+    Compiling,
+    /// A program compiles, and acts otherwise.
+    Running,
+}
+
+/// What `diff` says of one direction, and whether the programs of the older spec compile with the newer one.
+#[derive(Debug)]
+pub(crate) struct Verdict {
+    pub(crate) impact: Option<Impact>,
+    pub(crate) compiles: bool,
+    /// Texts of the changes that are major for the compiler.
+    breaking: Vec<String>,
+}
+
+impl Verdict {
+    pub(crate) fn new(old: &Spec, new: &Spec, changes: &[Change], compiles: bool) -> Self {
+        let is_breaking = |change: &&Change| {
+            change.impact == Impact::Major && noticed(old, new, changes, change) == Noticed::Compiling
+        };
+        let breaking = changes.iter().filter(is_breaking).map(ToString::to_string).collect();
+        Self { impact: jaka_spec::tools::impact(changes), compiles, breaking }
+    }
+
+    /// What is wrong with it, if anything is.
+    pub(crate) fn problem(&self) -> Option<String> {
+        match (self.compiles, self.breaking.is_empty()) {
+            (true, true) | (false, false) => None,
+            (true, false) => Some(format!("every program compiles, in spite of {}", self.breaking.join("; "))),
+            (false, true) => Some("a program does not compile, and no change says why".to_owned()),
+        }
+    }
+
+    /// `major, does not compile`, or the like.
+    pub(crate) fn words(&self) -> String {
+        let impact = self.impact.map_or_else(|| "no difference".to_owned(), |impact| impact.to_string());
+        match (self.impact, self.compiles) {
+            (Some(Impact::Major), true) => format!("{impact} at run time, compiles"),
+            (_, true) => format!("{impact}, compiles"),
+            (_, false) => format!("{impact}, does not compile"),
+        }
+    }
+}
+
+/// What is wrong with `diff`'s choice between a patch and more; `old_compiles` is the verdict on programs of the newer
+/// spec with the older one.
+pub(crate) fn addition_problem(changes: &[Change], new_with_old_compiles: bool) -> Option<String> {
+    let impact = jaka_spec::tools::impact(changes);
+    let adds = changes.iter().find(|change| change.impact > Impact::Patch && is_seen_addition(change));
+    match (new_with_old_compiles, impact, adds) {
+        (false, None | Some(Impact::Patch), _) => {
+            Some("a program uses what the older spec does not have, and no change says so".to_owned())
+        }
+        (true, _, Some(adds)) => Some(format!("a program of the newer spec compiles with the older one, in spite of {adds}")),
+        _ => None,
+    }
+}
+
+/// True for something that is there after the change alone, and that programs can name.
+fn is_seen_addition(change: &Change) -> bool {
+    let is_event = change.place.starts_with("event `");
+    match &*change.what {
+        // What stands for another thing on the wire under the same name was there before.
+        "added" => change.impact == Impact::Minor && !is_event,
+        "becomes `Copy`" | "gets a constructor for each value" => true,
+        _ => false,
+    }
+}
+
+/// Beginnings of the texts of changes that are major, and who notices each.
+///
+/// The list is complete: a text that is missing here ends the program.
+const NOTICED: &[(&str, Noticed)] = &[
+    ("name changed", Noticed::Compiling),
+    ("topic changed", Noticed::Compiling),
+    ("type changed", Noticed::Compiling),
+    ("type of the reply", Noticed::Compiling),
+    ("becomes optional", Noticed::Compiling),
+    ("is no longer optional", Noticed::Compiling),
+    ("may have another shape", Noticed::Compiling),
+    ("can no longer have another shape", Noticed::Compiling),
+    ("no longer has constructors", Noticed::Compiling),
+    ("is no longer `Copy`", Noticed::Compiling),
+    ("motion removed", Noticed::Compiling),
+    ("the request becomes a choice", Noticed::Compiling),
+    ("the request is no longer a choice", Noticed::Compiling),
+    ("kind changed from `enum", Noticed::Compiling),
+    ("added", Noticed::Compiling),
+    ("removed", Noticed::Compiling),
+    // A number that was sent or read means something else.
+    ("unit changed", Noticed::Running),
+    // A request that was sent is refused.
+    ("range ", Noticed::Running),
+    ("advised range ", Noticed::Running),
+    ("takes printable ASCII only", Noticed::Running),
+    ("only newer firmware takes it", Noticed::Running),
+    // A reply that was read is an error.
+    ("the reply is certain now", Noticed::Running),
+    ("the session ends with it", Noticed::Running),
+    ("bare reply ", Noticed::Running),
+    ("an array with further elements becomes an error", Noticed::Running),
+];
+
+fn noticed(old: &Spec, new: &Spec, changes: &[Change], change: &Change) -> Noticed {
+    let listed = NOTICED.iter().find(|(text, _)| change.what.starts_with(text));
+    let (text, noticed) = listed.unwrap_or_else(|| panic!("`{change}` is not in the list of major changes"));
+    let is_other_on_wire = match *text {
+        "removed" => is_other_on_wire(old, new, &change.place),
+        "added" => {
+            let is_renamed = |other: &&Change| other.what == "removed" && is_other_on_wire(old, new, &other.place);
+            let same = |other: &&Change| item(new, &change.place) == item(old, &other.place);
+            changes.iter().filter(is_renamed).any(|other| same(&other))
+        }
+        _ => false,
+    };
+    if is_other_on_wire { Noticed::Running } else { *noticed }
+}
+
+/// True for an item that has another key or number on the wire in the new spec, under the same name and with the same
+/// type in Rust.
+fn is_other_on_wire(old: &Spec, new: &Spec, place: &str) -> bool {
+    let gone = item(old, place);
+    gone.is_some() && siblings(new, place).iter().any(|sibling| Some(sibling) == gone.as_ref())
+}
+
+/// The item at a place of a change such as ``command `joint_move`, request field `speed` ``, as Rust sees it.
+fn item(spec: &Spec, place: &str) -> Option<String> {
+    let (_, last) = steps(place).pop()?;
+    let wires = wires(spec, place);
+    wires.into_iter().find(|(wire, _)| *wire == last).map(|(_, rust)| rust)
+}
+
+/// The items beside that at the place, as Rust sees them.
+fn siblings(spec: &Spec, place: &str) -> Vec<String> {
+    wires(spec, place).into_iter().map(|(_, rust)| rust).collect()
+}
+
+/// What stands for each of the items at a place on the wire, and how Rust sees it.
+fn wires(spec: &Spec, place: &str) -> Vec<(String, String)> {
+    let steps = steps(place);
+    let steps: Vec<_> = steps.iter().map(|(noun, name)| (&**noun, &**name)).collect();
+    let fields = |fields: &[Field]| fields.iter().map(|field| (field.wire.clone(), rust(spec, field))).collect();
+    let variants = |variants: &[Variant]| {
+        let pair = |variant: &Variant| {
+            let fields: Vec<_> = variant.fields.iter().map(|field| rust(spec, field)).collect();
+            (variant.wire.to_string(), format!("{} {fields:?}", variant.name))
+        };
+        variants.iter().map(pair).collect()
+    };
+    match steps.as_slice() {
+        [("command", _)] => {
+            let commands = spec.topics.iter().flat_map(|topic| {
+                topic.commands.iter().map(move |command| {
+                    let fields: Vec<_> = command.fields().map(|field| rust(spec, field)).collect();
+                    (command.wire.clone(), format!("{}::{} {fields:?}", topic.name, command.name))
+                })
+            });
+            commands.collect()
+        }
+        [("error code", _)] => spec.errors().map(|error| (error.wire.to_string(), error.name.clone())).collect(),
+        [("command", wire), rest @ ..] => {
+            let Some(command) = spec.command(wire) else { return Vec::new() };
+            match (rest, &command.request) {
+                ([("request field", _)], Request::Fields(list)) => fields(list),
+                ([("reply field", _)], _) => fields(command.reply.own_fields()),
+                ([("variant", _)], Request::Choice(choice)) => variants(&choice.variants),
+                ([("variant", tag), ("field", _)], Request::Choice(choice)) => of_variant(&choice.variants, tag, fields),
+                _ => Vec::new(),
+            }
+        }
+        [("type", name), rest @ ..] => {
+            let Some(id) = spec.type_id(name) else { return Vec::new() };
+            match (rest, &spec[id].kind) {
+                ([("field", _)], TypeKind::Object(list)) => fields(list),
+                ([("variant", _)], TypeKind::Choice(choice)) => variants(&choice.variants),
+                ([("value", _)], TypeKind::IntEnum(values)) => self::values(values),
+                ([("value", _)], TypeKind::TextEnum(values)) => self::values(values),
+                _ => Vec::new(),
+            }
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn values<T: std::fmt::Display>(values: &[EnumValue<T>]) -> Vec<(String, String)> {
+    values.iter().map(|value| (value.wire.to_string(), value.name.clone())).collect()
+}
+
+fn of_variant(
+    variants: &[Variant],
+    tag: &str,
+    fields: impl Fn(&[Field]) -> Vec<(String, String)>,
+) -> Vec<(String, String)> {
+    let variant = variants.iter().find(|variant| variant.wire.to_string() == tag);
+    variant.map(|variant| fields(&variant.fields)).unwrap_or_default()
+}
+
+/// A field as Rust sees it: its name and type, and whether it may be left out.
+fn rust(spec: &Spec, field: &Field) -> String {
+    let ty = match &field.ty {
+        Type::Python(inner) => spec.notation(inner),
+        ty => spec.notation(ty),
+    };
+    format!("{}: {ty} {} {} {}", field.name, field.optional, field.or_raw, field.constructors)
+}
+
+/// The nouns and names of a place.
+fn steps(place: &str) -> Vec<(String, String)> {
+    let mut parts = place.split('`');
+    let mut steps = Vec::new();
+    while let (Some(noun), Some(name)) = (parts.next(), parts.next()) {
+        steps.push((noun.trim_matches([',', ' ']).to_owned(), name.to_owned()));
+    }
+    steps
+}
