@@ -24,7 +24,7 @@ pub(crate) struct Verdict {
 impl Verdict {
     pub(crate) fn new(old: &Spec, new: &Spec, changes: &[Change], compiles: bool) -> Self {
         let is_breaking = |change: &&Change| {
-            change.impact == Impact::Major && noticed(old, new, changes, change) == Noticed::Compiling
+            change.impact == Impact::Major && noticed(old, new, change) == Noticed::Compiling
         };
         let breaking = changes.iter().filter(is_breaking).map(ToString::to_string).collect();
         Self { impact: jaka_spec::tools::impact(changes), compiles, breaking }
@@ -50,11 +50,16 @@ impl Verdict {
     }
 }
 
-/// What is wrong with `diff`'s choice between a patch and more; `old_compiles` is the verdict on programs of the newer
-/// spec with the older one.
-pub(crate) fn addition_problem(changes: &[Change], new_with_old_compiles: bool) -> Option<String> {
+/// What is wrong with `diff`'s choice between a patch and more; programs of the newer spec may compile with the crate of
+/// the older one.
+pub(crate) fn addition_problem(
+    old: &Spec,
+    new: &Spec,
+    changes: &[Change],
+    new_with_old_compiles: bool,
+) -> Option<String> {
     let impact = jaka_spec::tools::impact(changes);
-    let adds = changes.iter().find(|change| change.impact > Impact::Patch && is_seen_addition(change));
+    let adds = changes.iter().find(|change| is_seen_addition(old, new, change));
     match (new_with_old_compiles, impact, adds) {
         (false, None | Some(Impact::Patch), _) => {
             Some("a program uses what the older spec does not have, and no change says so".to_owned())
@@ -65,11 +70,11 @@ pub(crate) fn addition_problem(changes: &[Change], new_with_old_compiles: bool) 
 }
 
 /// True for something that is there after the change alone, and that programs can name.
-fn is_seen_addition(change: &Change) -> bool {
+fn is_seen_addition(old: &Spec, new: &Spec, change: &Change) -> bool {
     let is_event = change.place.starts_with("event `");
     match &*change.what {
-        // What stands for another thing on the wire under the same name was there before.
-        "added" => change.impact == Impact::Minor && !is_event,
+        // What has another key or number on the wire was there before under the same name.
+        "added" => !is_event && !is_other_on_wire(new, old, &change.place),
         "becomes `Copy`" | "gets a constructor for each value" => true,
         _ => false,
     }
@@ -95,6 +100,12 @@ const NOTICED: &[(&str, Noticed)] = &[
     ("kind changed from `enum", Noticed::Compiling),
     ("added", Noticed::Compiling),
     ("removed", Noticed::Compiling),
+    // Constructors take their arguments in this order, which only types that differ show.
+    ("order of the", Noticed::Compiling),
+    ("its setter takes the name of the constructor", Noticed::Compiling),
+    ("functions take nothing that converts into it", Noticed::Compiling),
+    ("constructors are no longer `const`", Noticed::Compiling),
+    ("the method takes", Noticed::Compiling),
     // A number that was sent or read means something else.
     ("unit changed", Noticed::Running),
     // A request that was sent is refused.
@@ -109,38 +120,57 @@ const NOTICED: &[(&str, Noticed)] = &[
     ("an array with further elements becomes an error", Noticed::Running),
 ];
 
-fn noticed(old: &Spec, new: &Spec, changes: &[Change], change: &Change) -> Noticed {
+fn noticed(old: &Spec, new: &Spec, change: &Change) -> Noticed {
     let listed = NOTICED.iter().find(|(text, _)| change.what.starts_with(text));
     let (text, noticed) = listed.unwrap_or_else(|| panic!("`{change}` is not in the list of major changes"));
-    let is_other_on_wire = match *text {
+    let is_noticed_running = match *text {
         "removed" => is_other_on_wire(old, new, &change.place),
-        "added" => {
-            let is_renamed = |other: &&Change| other.what == "removed" && is_other_on_wire(old, new, &other.place);
-            let same = |other: &&Change| item(new, &change.place) == item(old, &other.place);
-            changes.iter().filter(is_renamed).any(|other| same(&other))
-        }
+        "added" => is_other_on_wire(new, old, &change.place),
+        "order of the" => required_types(old, &change.place) == required_types(new, &change.place),
         _ => false,
     };
-    if is_other_on_wire { Noticed::Running } else { *noticed }
+    if is_noticed_running { Noticed::Running } else { *noticed }
 }
 
-/// True for an item that has another key or number on the wire in the new spec, under the same name and with the same
-/// type in Rust.
-fn is_other_on_wire(old: &Spec, new: &Spec, place: &str) -> bool {
-    let gone = item(old, place);
-    gone.is_some() && siblings(new, place).iter().any(|sibling| Some(sibling) == gone.as_ref())
+/// True for an item of a spec that has another key or number on the wire in another spec, under the same name and with
+/// the same type in Rust. The place is that of a change such as ``command `joint_move`, request field `speed` ``.
+fn is_other_on_wire(spec: &Spec, other: &Spec, place: &str) -> bool {
+    let Some((_, last)) = steps(place).pop() else { return false };
+    let items = wires(spec, place);
+    let item = items.iter().find(|(wire, _)| *wire == last);
+    item.is_some_and(|(_, item)| wires(other, place).iter().any(|(wire, rust)| *wire != last && rust == item))
 }
 
-/// The item at a place of a change such as ``command `joint_move`, request field `speed` ``, as Rust sees it.
-fn item(spec: &Spec, place: &str) -> Option<String> {
-    let (_, last) = steps(place).pop()?;
-    let wires = wires(spec, place);
-    wires.into_iter().find(|(wire, _)| *wire == last).map(|(_, rust)| rust)
-}
-
-/// The items beside that at the place, as Rust sees them.
-fn siblings(spec: &Spec, place: &str) -> Vec<String> {
-    wires(spec, place).into_iter().map(|(_, rust)| rust).collect()
+/// The types that the constructors of what stands at a place take, in their order.
+fn required_types(spec: &Spec, place: &str) -> Vec<String> {
+    let steps = steps(place);
+    let steps: Vec<_> = steps.iter().map(|(noun, name)| (&**noun, &**name)).collect();
+    let kind = |name| spec.type_id(name).map(|id| &spec[id].kind);
+    let variant = |variants: &[Variant], tag: &str| {
+        let found = variants.iter().find(|variant| variant.wire.to_string() == tag);
+        found.map(|variant| variant.fields.clone())
+    };
+    let fields = match steps.as_slice() {
+        [("command", wire)] => match spec.command(wire).map(|command| &command.request) {
+            Some(Request::Fields(fields)) => Some(fields.clone()),
+            _ => None,
+        },
+        [("command", wire), ("variant", tag)] => {
+            spec.command(wire).and_then(|command| variant(command.variants(), tag))
+        }
+        [("type", name)] => match kind(name) {
+            Some(TypeKind::Object(fields) | TypeKind::Array { fields, .. }) => Some(fields.clone()),
+            _ => None,
+        },
+        [("type", name), ("variant", tag)] => match kind(name) {
+            Some(TypeKind::Choice(choice)) => variant(&choice.variants, tag),
+            _ => None,
+        },
+        _ => None,
+    };
+    let fields = fields.unwrap_or_else(|| panic!("`{place}` has no fields"));
+    let required = fields.iter().filter(|field| !field.optional);
+    required.map(|field| format!("{} {}", rust_type(spec, field), field.or_raw)).collect()
 }
 
 /// What stands for each of the items at a place on the wire, and how Rust sees it.
@@ -205,11 +235,15 @@ fn of_variant(
 
 /// A field as Rust sees it: its name and type, and whether it may be left out.
 fn rust(spec: &Spec, field: &Field) -> String {
-    let ty = match &field.ty {
+    let ty = rust_type(spec, field);
+    format!("{}: {ty} {} {} {}", field.name, field.optional, field.or_raw, field.constructors)
+}
+
+fn rust_type(spec: &Spec, field: &Field) -> String {
+    match &field.ty {
         Type::Python(inner) => spec.notation(inner),
         ty => spec.notation(ty),
-    };
-    format!("{}: {ty} {} {} {}", field.name, field.optional, field.or_raw, field.constructors)
+    }
 }
 
 /// The nouns and names of a place.

@@ -216,6 +216,7 @@ fn fields_of_requests() {
             major: command `joint_move`, request field `accel`: is no longer optional
             major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
             major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
+            major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `float` to `int`
             major: command `set_payload`, request field `mass`: unit changed from `kg` to `g`
             minor: command `clear_error`, request field `blend`: added
@@ -229,7 +230,6 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` added: `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit added: `share`
-            patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
         "]],
         &expect![[r"
@@ -245,6 +245,7 @@ fn fields_of_requests() {
             major: command `movc`, request field `tol`: range changed from `0 to 10, advisory` to `at least 0`
             major: command `moveL`, request field `speed`: range added: `at least 0`
             major: command `rapid_rate`, request field `rate_value`: range changed from `0 to 2, advisory` to `0 to 1`
+            major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `int` to `float`
             major: command `set_payload`, request field `mass`: unit changed from `g` to `kg`
             minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
@@ -252,9 +253,31 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
-            patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
         "]],
+    );
+}
+
+/// What fields are to constructors, setters and methods: found by `tests/semver`.
+#[test]
+fn functions_that_take_fields() {
+    let line = "[[command.request]]\nwire = \"line\"\nname = \"relative_to_tool\"\ntype = \"float\"\noptional = true\ndoc = \"A line.\"\n\n[[command.example]]";
+    let (mass, centroid) = ("wire = \"mass\"\ntype = \"float\"\nunit = \"kg\"\nmin = 0\n", "wire = \"centroid\"\ntype = \"Centroid\"\n");
+    check(
+        &[
+            // Its setter would have the name of a constructor, which then has an underscore.
+            ("motion/moveL", "[[command.example]]", line),
+            // Neither a text nor an array of numbers converts into it, and the method takes the request.
+            ("program/load_program", "type = \"text\"\nascii = true", "type = \"python(text)\""),
+            ("program/rapid_rate", "type = \"float\"\nmin = 0\nmax = 1", "type = \"python(float)\"\nmin = 0\nmax = 1"),
+            ("motion/joint_move", "type = \"JointPosition\"", "type = \"python(JointPosition)\""),
+            // Constructors take the mass first; the optional fields have setters, whatever their order.
+            ("payload/set_payload", mass, "wire = \"swap\"\n"),
+            ("payload/set_payload", centroid, mass),
+            ("payload/set_payload", "wire = \"swap\"\n", centroid),
+        ],
+        &expect![[""]],
+        &expect![[""]],
     );
 }
 

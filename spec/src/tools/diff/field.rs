@@ -1,7 +1,7 @@
 //! The fields of requests, replies and types.
 
-use super::Impact;
 use super::collect::{Differ, pairs};
+use super::{Impact, made};
 use crate::words;
 use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
 
@@ -15,6 +15,8 @@ pub(super) struct Holder {
     pub(super) required_added: Impact,
     /// What another order of the fields means.
     pub(super) order: Impact,
+    /// True where programs make values by constructors and setters.
+    pub(super) is_made: bool,
     /// Whether the client checks the fields.
     pub(super) checks: Checks,
 }
@@ -51,11 +53,13 @@ impl Holder {
         optional_added: Impact::Minor,
         required_added: Impact::Major,
         order: Impact::Patch,
+        is_made: true,
         checks: Checks::Sent,
     };
 
     /// What programs receive, and cannot make.
-    const RECEIVED: Self = Self { required_added: Impact::Minor, checks: Checks::Received, ..Self::MADE };
+    const RECEIVED: Self =
+        Self { required_added: Impact::Minor, is_made: false, checks: Checks::Received, ..Self::MADE };
 
     /// A variant of a request that is a choice.
     pub(super) const REQUEST_VARIANT: Self = Self::MADE;
@@ -81,7 +85,7 @@ impl Holder {
         if is_floats(old) {
             // The conversion from an array of numbers goes by place, and by their count.
             let (optional_added, required_added, order) = (Impact::Major, Impact::Major, Impact::Major);
-            return Self { optional_added, required_added, order, ..array };
+            return Self { optional_added, required_added, order, is_made: false, ..array };
         }
         array.with_default(old)
     }
@@ -116,17 +120,22 @@ pub(super) fn fields(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[Fi
         }
     }
     if common(old, new) != common(new, old) {
-        d.note(place, format!("order of the {}s changed", holder.noun), holder.order);
+        let is_noticed = holder.is_made && made::is_reordered(old, new);
+        let impact = if is_noticed { Impact::Major } else { holder.order };
+        d.note(place, format!("order of the {}s changed", holder.noun), impact);
+    }
+    if holder.is_made {
+        made::compare(d, place, holder.noun, old, new);
     }
 }
 
 /// What a field is matched by.
-fn key(field: &Field) -> String {
+pub(super) fn key(field: &Field) -> String {
     if field.wire.is_empty() { field.name.clone() } else { field.wire.clone() }
 }
 
 /// The keys of `fields` that `others` have too, in the order of `fields`.
-fn common(fields: &[Field], others: &[Field]) -> Vec<String> {
+pub(super) fn common(fields: &[Field], others: &[Field]) -> Vec<String> {
     fields.iter().map(key).filter(|found| others.iter().any(|other| key(other) == *found)).collect()
 }
 
