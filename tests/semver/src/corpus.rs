@@ -41,10 +41,13 @@ pub(crate) fn program(spec: &Spec) -> String {
     }
     for error in spec.errors() {
         let name = to_screaming(&error.name);
-        corpus.function("", &[
-            format!("const CODE: jaka_proto::ErrorCode = jaka_proto::ErrorCode::{name};"),
-            format!("match CODE {{ jaka_proto::ErrorCode::{name} => {{}} _ => {{}} }}"),
-        ]);
+        corpus.function(
+            "",
+            &[
+                format!("const CODE: jaka_proto::ErrorCode = jaka_proto::ErrorCode::{name};"),
+                format!("match CODE {{ jaka_proto::ErrorCode::{name} => {{}} _ => {{}} }}"),
+            ],
+        );
     }
     corpus.code
 }
@@ -72,8 +75,8 @@ impl Corpus<'_> {
             return;
         }
         self.functions += 1;
-        let named = fields.iter().map(|field| format!("{}: {}", field.name, self.required(field)));
-        let (parameters, names) = (list(named), list(fields.iter().map(|field| field.name.clone())));
+        let typed = fields.iter().map(|field| format!("{}: {}", field.name, self.required(field)));
+        let (parameters, names) = (list(typed), list(fields.iter().map(|field| field.name.clone())));
         let _ = writeln!(
             self.code,
             "pub const fn f{}({parameters}) -> {path} {{ {path}::{constructor}({names}) }}",
@@ -152,31 +155,40 @@ impl Corpus<'_> {
             TypeKind::Wrapper(inner, _) => {
                 let inner = self.rust(inner);
                 self.traits(path, is_copy, false);
-                self.function("", &[
-                    format!("let value = {path}::from(any::<{inner}>());"),
-                    format!("let {path}(inner) = value;"),
-                    format!("let mut value = {path}(inner);"),
-                    format!("value.0 = any::<{inner}>();"),
-                    format!("let _: {inner} = value.into();"),
-                ]);
+                self.function(
+                    "",
+                    &[
+                        format!("let value = {path}::from(any::<{inner}>());"),
+                        format!("let {path}(inner) = value;"),
+                        format!("let mut value = {path}(inner);"),
+                        format!("value.0 = any::<{inner}>();"),
+                        format!("let _: {inner} = value.into();"),
+                    ],
+                );
             }
             TypeKind::IntEnum(values) => {
                 self.values_of(path, values, "i64");
                 self.traits(path, true, false);
-                self.function("", &[
-                    format!("hash::<{path}>();"),
-                    format!("let value = {path}::from(1_i64);"),
-                    "let _ = i64::from(value);".to_owned(),
-                ]);
+                self.function(
+                    "",
+                    &[
+                        format!("hash::<{path}>();"),
+                        format!("let value = {path}::from(1_i64);"),
+                        "let _ = i64::from(value);".to_owned(),
+                    ],
+                );
             }
             TypeKind::TextEnum(values) => {
                 self.values_of(path, values, "String");
                 self.traits(path, false, false);
-                self.function("", &[
-                    format!("hash::<{path}>();"),
-                    format!("let value = {path}::from(\"text\");"),
-                    "let _: &str = value.as_ref();".to_owned(),
-                ]);
+                self.function(
+                    "",
+                    &[
+                        format!("hash::<{path}>();"),
+                        format!("let value = {path}::from(\"text\");"),
+                        "let _: &str = value.as_ref();".to_owned(),
+                    ],
+                );
             }
             TypeKind::Choice(choice) => {
                 self.variants(path, &choice.variants, Some(VALUE));
@@ -192,12 +204,15 @@ impl Corpus<'_> {
     fn floats(&mut self, path: &str, fields: &[Field]) {
         let (len, names) = (fields.len(), list(fields.iter().map(|field| field.name.clone())));
         self.traits(path, true, fields.is_empty());
-        self.function("", &[
-            format!("let value = {path}::from([1.0; {len}]);"),
-            format!("let {path} {{ {names} }} = value;"),
-            format!("let value = {path} {{ {names} }};"),
-            format!("let _: [f64; {len}] = value.into();"),
-        ]);
+        self.function(
+            "",
+            &[
+                format!("let value = {path}::from([1.0; {len}]);"),
+                format!("let {path} {{ {names} }} = value;"),
+                format!("let value = {path} {{ {names} }};"),
+                format!("let _: [f64; {len}] = value.into();"),
+            ],
+        );
         self.fields(path, fields);
     }
 
@@ -381,7 +396,7 @@ fn list(items: impl Iterator<Item = String>) -> String {
 
 /// The names of fields in a pattern, each with a comma.
 fn names(fields: &[Field]) -> String {
-    fields.iter().map(|field| format!("{}, ", field.name)).collect()
+    fields.iter().flat_map(|field| [&*field.name, ", "]).collect()
 }
 
 /// The name of a constructor, after which an underscore follows where Rust or another constructor has the name.

@@ -41,6 +41,15 @@ impl Place {
         self.steps.get(2) == Some(&Step::Key("reply"))
     }
 
+    /// The list in which the table is.
+    pub(crate) fn list(&self) -> List {
+        let mut owner = self.clone();
+        let (Some(Step::At(_)), Some(Step::Key(key))) = (owner.steps.pop(), owner.steps.pop()) else {
+            panic!("a file is in no list")
+        };
+        List { owner, key }
+    }
+
     /// The place of the command or type in which this place is.
     pub(crate) fn owner(&self) -> Self {
         Self { file: self.file, steps: self.steps[..2].to_vec() }
@@ -202,15 +211,6 @@ impl Draft {
                 _ => panic!("there is no table {key}"),
             },
         }
-    }
-
-    /// The list in which a table is.
-    pub(crate) fn list_of(&self, place: &Place) -> List {
-        let mut owner = place.clone();
-        let (Some(Step::At(_)), Some(Step::Key(key))) = (owner.steps.pop(), owner.steps.pop()) else {
-            panic!("a file is in no list")
-        };
-        List { owner, key }
     }
 
     /// A text of a table; an empty one where it has none.

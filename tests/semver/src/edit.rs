@@ -68,7 +68,7 @@ fn remove(draft: &mut Draft, place: &Place) -> String {
 /// Exchanges a table with another of its list; says so.
 fn reorder(draft: &mut Draft, random: &mut Random, place: &Place) -> Option<String> {
     let what = format!("{}: at another place", draft.describe(place));
-    let list = draft.list_of(place);
+    let list = place.list();
     let table = draft.remove(place);
     let tables = draft.list_mut(&list);
     if tables.is_empty() {

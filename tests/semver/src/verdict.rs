@@ -23,9 +23,8 @@ pub(crate) struct Verdict {
 
 impl Verdict {
     pub(crate) fn new(old: &Spec, new: &Spec, changes: &[Change], compiles: bool) -> Self {
-        let is_breaking = |change: &&Change| {
-            change.impact == Impact::Major && noticed(old, new, change) == Noticed::Compiling
-        };
+        let is_breaking =
+            |change: &&Change| change.impact == Impact::Major && noticed(old, new, change) == Noticed::Compiling;
         let breaking = changes.iter().filter(is_breaking).map(ToString::to_string).collect();
         Self { impact: jaka_spec::tools::impact(changes), compiles, breaking }
     }
@@ -64,7 +63,9 @@ pub(crate) fn addition_problem(
         (false, None | Some(Impact::Patch), _) => {
             Some("a program uses what the older spec does not have, and no change says so".to_owned())
         }
-        (true, _, Some(adds)) => Some(format!("a program of the newer spec compiles with the older one, in spite of {adds}")),
+        (true, _, Some(adds)) => {
+            Some(format!("a program of the newer spec compiles with the older one, in spite of {adds}"))
+        }
         _ => None,
     }
 }
@@ -202,7 +203,9 @@ fn wires(spec: &Spec, place: &str) -> Vec<(String, String)> {
                 ([("request field", _)], Request::Fields(list)) => fields(list),
                 ([("reply field", _)], _) => fields(command.reply.own_fields()),
                 ([("variant", _)], Request::Choice(choice)) => variants(&choice.variants),
-                ([("variant", tag), ("field", _)], Request::Choice(choice)) => of_variant(&choice.variants, tag, fields),
+                ([("variant", tag), ("field", _)], Request::Choice(choice)) => {
+                    of_variant(&choice.variants, tag, fields)
+                }
                 _ => Vec::new(),
             }
         }

@@ -62,7 +62,8 @@ fn added(draft: &mut Draft, random: &mut Random) -> Option<String> {
         "request = [{ wire = 'pair', type = 'DemoPair', doc = 'A.' }, { wire = 'b', type = 'DemoModule', doc = 'B.' }]",
         "choice = { tag = 't', variant = [{ wire = 0, name = 'A', doc = 'A.' }] }",
     ];
-    let replies = ["", "reply = 'json'", "reply = 'DemoReadings'", "reply = [{ wire = 'a', type = 'int', doc = 'A.' }]"];
+    let replies =
+        ["", "reply = 'json'", "reply = 'DemoReadings'", "reply = [{ wire = 'a', type = 'int', doc = 'A.' }]"];
     let (request, reply) = (random.pick(&requests)?, random.pick(&replies)?);
     let command = format!("wire = 'demo_new'\neffect = 'query'\ndoc = 'Is new.'\n{request}\n{reply}");
     let file = random.pick(&draft.files())?.clone();
@@ -119,9 +120,8 @@ fn effect(draft: &mut Draft, random: &mut Random) -> Option<String> {
 fn role(draft: &mut Draft, random: &mut Random) -> Option<String> {
     let roles = [("state", "query"), ("output", "setting"), ("pause", "motion"), ("resume", "motion")];
     let (role, effect) = *random.pick(&roles)?;
-    let fits = |table: &Table| {
-        table.get("effect").and_then(Value::as_str) == Some(effect) && !table.contains_key("motion")
-    };
+    let fits =
+        |table: &Table| table.get("effect").and_then(Value::as_str) == Some(effect) && !table.contains_key("motion");
     let place = pick(draft, random, draft.commands(), fits)?;
     Some(toggle(draft, &place, "role", role))
 }
@@ -184,7 +184,11 @@ fn reply_type(draft: &mut Draft, random: &mut Random) -> Option<String> {
 }
 
 fn reply_fields(draft: &mut Draft, random: &mut Random) -> Option<String> {
-    let replies = ["[]", "[{ wire = 'a', type = 'int', doc = 'A.' }]", "[{ wire = 'a', type = 'text', optional = true, doc = 'A.' }]"];
+    let replies = [
+        "[]",
+        "[{ wire = 'a', type = 'int', doc = 'A.' }]",
+        "[{ wire = 'a', type = 'text', optional = true, doc = 'A.' }]",
+    ];
     let (place, reply) = (any(draft, random)?, *random.pick(&replies)?);
     draft.table_mut(&place).remove("bare_reply");
     Some(set(draft, &place, "reply", tables(reply)))

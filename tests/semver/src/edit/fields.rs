@@ -22,7 +22,10 @@ pub(super) const KINDS: &[Kind] = &[
     Kind { name: "type of a field", make: retyped },
     Kind { name: "type of a request field", make: request_retyped },
     Kind { name: "optional", make: |d, r| any(d, r).map(|place| toggle(d, &place, "optional", true)) },
-    Kind { name: "optional request", make: |d, r| of(d, r, Place::is_of_request).map(|p| toggle(d, &p, "optional", true)) },
+    Kind {
+        name: "optional request",
+        make: |d, r| of(d, r, Place::is_of_request).map(|p| toggle(d, &p, "optional", true)),
+    },
     Kind { name: "or_raw", make: |d, r| either(d, r, "or_raw", |d, place| toggle(d, place, "or_raw", true)) },
     Kind { name: "constructors", make: constructors },
     Kind { name: "unit", make: unit },
@@ -34,7 +37,10 @@ pub(super) const KINDS: &[Kind] = &[
     Kind { name: "ascii", make: ascii },
     Kind { name: "written", make: written },
     Kind { name: "python", make: python },
-    Kind { name: "disputed", make: |d, r| either(d, r, "disputed", |d, p| toggle(d, p, "disputed", tables("['A', 'B']"))) },
+    Kind {
+        name: "disputed",
+        make: |d, r| either(d, r, "disputed", |d, p| toggle(d, p, "disputed", tables("['A', 'B']"))),
+    },
     Kind { name: "field since", make: |d, r| any(d, r).map(|place| toggle(d, &place, "since", "1.5")) },
     Kind { name: "field until", make: |d, r| any(d, r).map(|place| toggle(d, &place, "until", "1.7")) },
     Kind { name: "field doc", make: |d, r| any(d, r).map(|place| set(d, &place, "doc", "Another text.")) },
@@ -58,7 +64,12 @@ fn with(draft: &Draft, random: &mut Random, fits: impl Fn(&Table) -> bool) -> Op
 }
 
 /// A field that has the key, as often as one that does not have it.
-fn either(draft: &mut Draft, random: &mut Random, key: &str, change: fn(&mut Draft, &Place) -> String) -> Option<String> {
+fn either(
+    draft: &mut Draft,
+    random: &mut Random,
+    key: &str,
+    change: fn(&mut Draft, &Place) -> String,
+) -> Option<String> {
     let is_there = random.percent(50);
     let place = with(draft, random, |table| table.contains_key(key) == is_there)?;
     Some(change(draft, &place))
@@ -99,7 +110,7 @@ fn named_as_constructor(draft: &mut Draft, random: &mut Random) -> Option<String
     let ty = draft.text(&place, "type").to_owned();
     let def = draft.types().into_iter().find(|def| draft.text(def, "name") == ty)?;
     let value = random.pick(draft.table(&def).get("value")?.as_array()?)?.get("name")?.as_str()?;
-    let (name, list) = (to_snake(value), draft.list_of(&place));
+    let (name, list) = (to_snake(value), place.list());
     let what = format!("{}: optional `{name}` added", draft.describe(&list.owner));
     insert(draft, random, &list, &name, "float", true);
     Some(what)
@@ -118,7 +129,8 @@ fn insert(draft: &mut Draft, random: &mut Random, list: &List, name: &str, ty: &
 }
 
 fn any_type(draft: &Draft, random: &mut Random) -> Option<String> {
-    let types = ["bool", "int", "float", "float", "text", "json", "float[3]", "float[6]", "int[]", "text[]", "python(int)"];
+    let types =
+        ["bool", "int", "float", "float", "text", "json", "float[3]", "float[6]", "int[]", "text[]", "python(int)"];
     if random.percent(60) {
         return random.pick(&types).map(|ty| (*ty).to_owned());
     }

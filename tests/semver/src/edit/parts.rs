@@ -149,8 +149,7 @@ fn kind(draft: &mut Draft, random: &mut Random) -> Option<String> {
         "enum" => {
             for (at, value) in tables.iter_mut().enumerate() {
                 let is_number = value.get("wire").is_some_and(Value::is_integer);
-                let wire: Value =
-                    if is_number { format!("w{at}").into() } else { i64::try_from(at).ok()?.into() };
+                let wire: Value = if is_number { format!("w{at}").into() } else { i64::try_from(at).ok()?.into() };
                 value.insert("wire".to_owned(), wire);
             }
             "enum"
@@ -218,7 +217,7 @@ fn value_wire(draft: &mut Draft, random: &mut Random) -> Option<String> {
 }
 
 fn variant_added(draft: &mut Draft, random: &mut Random) -> Option<String> {
-    let lists: Vec<_> = draft.variants().iter().map(|variant| draft.list_of(variant)).collect();
+    let lists: Vec<_> = draft.variants().iter().map(Place::list).collect();
     let list = random.pick(&lists)?.clone();
     let key = if list.owner.is_of_type() { "name" } else { "wire" };
     let fields = [
