@@ -1,7 +1,7 @@
 //! Compares what `diff` says with what the compiler says.
 
 use jaka_spec::tools::{Change, Impact};
-use jaka_spec::{EnumValue, Field, Request, Spec, Type, TypeKind, Variant};
+use jaka_spec::{EnumValue, Field, Request, Spec, Type, TypeKind, Variant, is_floats};
 
 /// Who notices a change that `diff` calls major.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,7 +98,8 @@ const NOTICED: &[(&str, Noticed)] = &[
     ("motion removed", Noticed::Compiling),
     ("the request becomes a choice", Noticed::Compiling),
     ("the request is no longer a choice", Noticed::Compiling),
-    ("kind changed from `enum", Noticed::Compiling),
+    // Or, between an object and an array with the same fields, a reply that was read is an error.
+    ("kind changed", Noticed::Compiling),
     ("added", Noticed::Compiling),
     ("removed", Noticed::Compiling),
     // Constructors take their arguments in this order, which only types that differ show.
@@ -127,6 +128,7 @@ fn noticed(old: &Spec, new: &Spec, change: &Change) -> Noticed {
     let is_noticed_running = match *text {
         "removed" => is_other_on_wire(old, new, &change.place),
         "added" => is_other_on_wire(new, old, &change.place),
+        "kind changed" => is_same_struct(old, new, &change.place),
         "order of the" => required_types(old, &change.place) == required_types(new, &change.place),
         _ => false,
     };
@@ -140,6 +142,22 @@ fn is_other_on_wire(spec: &Spec, other: &Spec, place: &str) -> bool {
     let items = wires(spec, place);
     let item = items.iter().find(|(wire, _)| *wire == last);
     item.is_some_and(|(_, item)| wires(other, place).iter().any(|(wire, rust)| *wire != last && rust == item))
+}
+
+/// True for a struct that becomes an array or an object, and stays the same in Rust. Arrays of nothing but numbers are
+/// made and converted in ways of their own.
+fn is_same_struct(old: &Spec, new: &Spec, place: &str) -> bool {
+    let steps = steps(place);
+    let [(_, name)] = steps.as_slice() else { return false };
+    let fields = |spec: &Spec| match &spec[spec.type_id(name)?].kind {
+        TypeKind::Object(fields) => Some((fields.clone(), false)),
+        TypeKind::Array { fields, .. } => Some((fields.clone(), is_floats(fields))),
+        _ => None,
+    };
+    let (Some((was, was_numbers)), Some((is, is_numbers))) = (fields(old), fields(new)) else { return false };
+    let is_made = old.type_id(name).is_some_and(|id| old.is_sent(id));
+    let names = |spec, fields: &[Field]| fields.iter().map(|field| rust(spec, field)).collect::<Vec<_>>();
+    names(old, &was) == names(new, &is) && !was_numbers && !(is_numbers && is_made)
 }
 
 /// The types that the constructors of what stands at a place take, in their order.

@@ -262,7 +262,8 @@ fn fields_of_requests() {
 #[test]
 fn functions_that_take_fields() {
     let line = "[[command.request]]\nwire = \"line\"\nname = \"relative_to_tool\"\ntype = \"float\"\noptional = true\ndoc = \"A line.\"\n\n[[command.example]]";
-    let (mass, centroid) = ("wire = \"mass\"\ntype = \"float\"\nunit = \"kg\"\nmin = 0\n", "wire = \"centroid\"\ntype = \"Centroid\"\n");
+    let (mass, centroid) =
+        ("wire = \"mass\"\ntype = \"float\"\nunit = \"kg\"\nmin = 0\n", "wire = \"centroid\"\ntype = \"Centroid\"\n");
     check(
         &[
             // Its setter would have the name of a constructor, which then has an underscore.
@@ -270,14 +271,43 @@ fn functions_that_take_fields() {
             // Neither a text nor an array of numbers converts into it, and the method takes the request.
             ("program/load_program", "type = \"text\"\nascii = true", "type = \"python(text)\""),
             ("program/rapid_rate", "type = \"float\"\nmin = 0\nmax = 1", "type = \"python(float)\"\nmin = 0\nmax = 1"),
-            ("motion/joint_move", "type = \"JointPosition\"", "type = \"python(JointPosition)\""),
+            ("kinematics/kine_forward", "type = \"JointPosition\"", "type = \"python(JointPosition)\""),
             // Constructors take the mass first; the optional fields have setters, whatever their order.
             ("payload/set_payload", mass, "wire = \"swap\"\n"),
             ("payload/set_payload", centroid, mass),
             ("payload/set_payload", "wire = \"swap\"\n", centroid),
         ],
-        &expect![[""]],
-        &expect![[""]],
+        &expect![[r"
+            major: command `kine_forward`: the method takes the request
+            major: command `kine_forward`, request field `jointPosition`: functions take nothing that converts into it
+            major: command `load_program`: the method takes the request
+            major: command `load_program`, request field `programName`: functions take nothing that converts into it
+            major: command `moveL`, request field `line`: its setter takes the name of the constructor `relative_to_tool`
+            major: command `rapid_rate`: the method takes the request
+            major: command `set_payload`: order of the request fields changed
+            minor: command `kine_forward`, request field `jointPosition`: form on the wire changed from `JointPosition` to `python(JointPosition)`
+            minor: command `load_program`, request field `programName`: form on the wire changed from `text` to `python(text)`
+            minor: command `load_program`, request field `programName`: takes any text
+            minor: command `moveL`, request field `line`: added
+            minor: command `rapid_rate`, request field `rate_value`: form on the wire changed from `float` to `python(float)`
+            patch: command `set_payload`, request field `centroid`: doc changed
+            patch: command `set_payload`, request field `mass`: doc changed
+        "]],
+        &expect![[r"
+            major: command `kine_forward`: the method takes the field
+            major: command `kine_forward`, request field `jointPosition`: constructors are no longer `const`
+            major: command `load_program`: the method takes the field
+            major: command `load_program`, request field `programName`: takes printable ASCII only
+            major: command `load_program`, request field `programName`: constructors are no longer `const`
+            major: command `moveL`, request field `line`: removed
+            major: command `rapid_rate`: the method takes the field
+            major: command `set_payload`: order of the request fields changed
+            minor: command `kine_forward`, request field `jointPosition`: form on the wire changed from `python(JointPosition)` to `JointPosition`
+            minor: command `load_program`, request field `programName`: form on the wire changed from `python(text)` to `text`
+            minor: command `rapid_rate`, request field `rate_value`: form on the wire changed from `python(float)` to `float`
+            patch: command `set_payload`, request field `centroid`: doc changed
+            patch: command `set_payload`, request field `mass`: doc changed
+        "]],
     );
 }
 
@@ -369,6 +399,7 @@ fn types_and_their_parts() {
             major: type `JointPosition`: unit changed from `rad` to `deg`
             major: type `NetworkAction`: removed
             major: type `Pose`: an array with further elements becomes an error
+            major: type `Pose`: order of the fields changed
             major: type `Pose`, field `frame`: removed
             major: type `RobotStatus`, field `speed_limit`: removed
             major: type `Switch`: kind changed from `enum of strings` to `enum of integers`
@@ -379,7 +410,6 @@ fn types_and_their_parts() {
             minor: command `set_digital_output`, request: becomes `Copy`
             minor: command `torque_control_enable`, request: becomes `Copy`
             minor: type `NetworkExceptionAction`: added
-            minor: type `Pose`: order of the fields changed
             patch: type `Pose`, field `x`: doc changed
             patch: type `Pose`, field `y`: doc changed
             patch: type `RobotStatus`, field `inpos`: doc changed

@@ -14,7 +14,7 @@ pub(super) fn is_reordered(old: &[Field], new: &[Field]) -> bool {
     common(&old, &new) != common(&new, &old)
 }
 
-/// Compares the constructors and setters of fields of `place` that are there in both specs, or are added.
+/// Compares how constructors and setters take fields of `place` that are added, or written in another form.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, noun: &str, old: &[Field], new: &[Field]) {
     let constructors = constructors(d.old, old);
     let is_constant = old.iter().all(|field| field.optional || !is_converted(d.old, field));
@@ -25,7 +25,9 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, noun: &str, old: &[Field]
             d.note(&place, format!("its setter takes the name of the constructor `{}`", field.name), Impact::Major);
         }
         let Some(known) = old.iter().find(|known| key(known) == key(field)) else { continue };
-        if known.or_raw == field.or_raw && d.same_type(&known.ty, &field.ty) {
+        // Where a named type converts no more, or begins to, its own changes say so.
+        let is_written_otherwise = d.old.notation(&known.ty) != d.new.notation(&field.ty);
+        if known.or_raw == field.or_raw && d.same_type(&known.ty, &field.ty) && is_written_otherwise {
             match (is_converted(d.old, known), is_converted(d.new, field)) {
                 (true, false) => d.note(&place, "functions take nothing that converts into it", Impact::Major),
                 (false, true) if is_constant && !known.optional => {
