@@ -66,6 +66,7 @@ impl Compiler {
     pub(crate) fn library(&self, version: &str, messages: &str) -> Result<(), Errors> {
         write(&self.folder.join(version).join("src/messages.rs"), messages);
         let mut command = self.call("rustc", version);
+        command.arg(self.incremental(version));
         verdict(&command.arg(format!("--emit=metadata={}", self.metadata(version))).output().expect("rustc runs"))
     }
 
@@ -99,6 +100,7 @@ impl Compiler {
         command.arg(&file).args(["--crate-name=program", "--crate-type=lib"]);
         self.usual(&mut command);
         command.arg("--extern").arg(format!("jaka_proto={}", self.metadata(version)));
+        command.arg(self.incremental(name));
         let serde = self.libraries.iter().find(|(name, _)| name == "serde");
         let (_, serde) = serde.expect("jaka-proto depends on serde");
         command.arg("--extern").arg(format!("serde={}", serde.display()));
@@ -111,6 +113,11 @@ impl Compiler {
         let folder = any.parent().expect("a file is in a folder");
         command.args(["--edition=2024", "--error-format=short", "--cap-lints=allow"]);
         command.arg("-L").arg(format!("dependency={}", folder.display()));
+    }
+
+    /// An edit changes little of what is compiled.
+    fn incremental(&self, name: &str) -> String {
+        format!("-Cincremental={}", self.folder.join("incremental").join(name).display())
     }
 
     fn metadata(&self, version: &str) -> String {

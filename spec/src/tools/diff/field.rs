@@ -1,6 +1,6 @@
 //! The fields of requests, replies and types.
 
-use super::collect::{Differ, pairs};
+use super::collect::{Differ, common, key, pairs};
 use super::{Impact, made};
 use crate::words;
 use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
@@ -127,16 +127,6 @@ pub(super) fn fields(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[Fi
     if holder.is_made {
         made::compare(d, place, holder.noun, old, new);
     }
-}
-
-/// What a field is matched by.
-pub(super) fn key(field: &Field) -> String {
-    if field.wire.is_empty() { field.name.clone() } else { field.wire.clone() }
-}
-
-/// The keys of `fields` that `others` have too, in the order of `fields`.
-pub(super) fn common(fields: &[Field], others: &[Field]) -> Vec<String> {
-    fields.iter().map(key).filter(|found| others.iter().any(|other| key(other) == *found)).collect()
 }
 
 fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &Field) {

@@ -2,8 +2,7 @@
 //! client's methods. The generator is `jaka-proto-derive`.
 
 use super::Impact;
-use super::collect::Differ;
-use super::field::{common, key};
+use super::collect::{Differ, common, key};
 use crate::names::to_snake;
 use crate::{Field, Scalar, Spec, Type, TypeKind, is_floats};
 
