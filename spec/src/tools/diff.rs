@@ -76,7 +76,7 @@ impl fmt::Display for Change {
 /// | required field added to a reply or type, all of whose fields were optional | major | `Default` is gone |
 /// | field added to a reply without fields | major | the method returned `()` |
 /// | field added to an array of nothing but numbers | major | it converts from an array of this many numbers |
-/// | `constructors` set | minor | there are functions more; major where they go |
+/// | `constructors` set | minor | there are functions more; major where they go, patch in what is only received |
 /// | field: another Rust type, `optional`, `or_raw` | major | the field's type changes |
 /// | the same Rust type, written in another form | minor | only the bytes change: `written`, `python(…)`, the key of a tag |
 /// | `python(…)` around what functions take as `impl Into<…>`, or a method in place of the request | major | they take it otherwise |

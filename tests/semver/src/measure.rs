@@ -204,7 +204,9 @@ fn report(edited: &Edited, compiled: &Compiled) {
 /// The code of all messages of a spec, and of the client's methods, without docs.
 fn messages(spec: &Spec) -> String {
     let (messages, methods) = (topic::messages(spec), client::methods(spec));
-    format!("{CLIENT}{}", without_docs(quote!(#messages #methods)))
+    let code = without_docs(quote!(#messages #methods)).to_string();
+    // Tools count columns from the beginning of a line.
+    format!("{CLIENT}{}", code.replace("} ", "}\n"))
 }
 
 /// The code without its attributes `#[doc…]` and `#![doc…]`.

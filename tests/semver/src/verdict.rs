@@ -74,6 +74,7 @@ pub(crate) fn addition_problem(
 fn is_seen_addition(old: &Spec, new: &Spec, change: &Change) -> bool {
     let is_event = change.place.starts_with("event `");
     match &*change.what {
+        _ if change.impact == Impact::Patch => false,
         // What has another key or number on the wire was there before under the same name.
         "added" => !is_event && !is_other_on_wire(new, old, &change.place),
         "becomes `Copy`" | "gets a constructor for each value" => true,

@@ -318,6 +318,12 @@ fn fields_of_replies() {
     let with = |field: &str| format!("{field}\n[[command.example]]");
     check(
         &[
+            // Replies have no constructors.
+            (
+                "program/get_program_state/programState",
+                "type = \"ProgramState\"",
+                "type = \"ProgramState\"\nconstructors = true",
+            ),
             // All keys of both are optional; but with a text the first is no longer `Copy`.
             ("power/power_on", "[[command.example]]", &with(extra)),
             ("power/enable_robot", "[[command.example]]", &with(&number)),
@@ -337,6 +343,7 @@ fn fields_of_replies() {
             minor: command `get_version`, reply field `note`: added
             minor: command `power_on`, reply field `note`: added
             patch: command `get_joint_pos`, reply field `joint_pos`: range added: `-360 to 360`
+            patch: command `get_program_state`, reply field `programState`: gets a constructor for each value
         "#]],
         &expect![[r#"
             major: command `disable_robot`, reply field `note`: removed
@@ -348,6 +355,7 @@ fn fields_of_replies() {
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written [0, 1]` to `bool written ["robot_disabled", "robot_enabled"]`
             minor: command `power_on`, reply: becomes `Copy`
             patch: command `get_joint_pos`, reply field `joint_pos`: range removed, was `-360 to 360`
+            patch: command `get_program_state`, reply field `programState`: no longer has constructors
         "#]],
     );
 }

@@ -137,8 +137,10 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     let optional = ("becomes optional", Impact::Major);
     d.flag(place, (old.optional, new.optional), optional, ("is no longer optional", Impact::Major));
     let or_raw = ("may have another shape, kept as raw JSON", Impact::Major);
-    let constructors = ("gets a constructor for each value", Impact::Minor);
-    let none = ("no longer has constructors", Impact::Major);
+    // What programs only receive has none.
+    let (comes, goes) = if holder.is_made { (Impact::Minor, Impact::Major) } else { (Impact::Patch, Impact::Patch) };
+    let constructors = ("gets a constructor for each value", comes);
+    let none = ("no longer has constructors", goes);
     d.flag(place, (old.constructors, new.constructors), constructors, none);
     d.flag(place, (old.or_raw, new.or_raw), or_raw, ("can no longer have another shape", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
