@@ -172,19 +172,23 @@ impl Measure {
         })
     }
 
-    /// What the second witness says, if it is asked.
+    /// Breaks that the second witness finds in both directions, if it is asked.
     fn witness(&self, edited: &Edited, compiled: &Compiled, problems: &mut Vec<String>) -> String {
         let Some(old) = &self.described else { return String::new() };
-        let new = if edited.version == "old" { old.clone() } else { self.compiler.description("new") };
-        let lints = witness::breaks(old, &new);
-        if lints.is_empty() {
-            return "; second witness: nothing".to_owned();
+        if edited.version == "old" {
+            return "; second witness: the same code".to_owned();
         }
-        let lints = lints.join(", ");
-        if compiled.forth.is_ok() {
-            problems.push(format!("every program compiles, but the second witness finds {lints}"));
-        }
-        format!("; second witness: {lints}")
+        let new = self.compiler.description("new");
+        let mut found = |lints: Vec<String>, compiles: bool| {
+            let lints = if lints.is_empty() { "nothing".to_owned() } else { lints.join(", ") };
+            if compiles && lints != "nothing" {
+                problems.push(format!("every program compiles, but the second witness finds {lints}"));
+            }
+            lints
+        };
+        let forth = found(witness::breaks(old, &new), compiled.forth.is_ok());
+        let back = found(witness::breaks(&new, old), compiled.back.is_ok());
+        format!("; second witness: {forth}; undone: {back}")
     }
 }
 
