@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use serde_json::Value;
 
-/// Where the messages of jaka-proto are made, which are a file here.
+/// Module of jaka-proto that makes the messages; a file replaces it here.
 const MACRO: &str = "pub mod messages {\n    jaka_proto_derive::messages!();\n}";
 
 /// Folder of the sources and of what is compiled, and the libraries.

@@ -1,6 +1,6 @@
 //! Programs of users: every item of a spec's Rust interface, used in each way in which a program can use it.
 //!
-//! What stands here follows from the documentation of the generated code, and from the model. It knows nothing of
+//! The programs follow from the documentation of the generated code and from the model, and use nothing of
 //! `jaka_spec::tools::diff`.
 
 use std::collections::BTreeSet;
@@ -11,7 +11,7 @@ use jaka_spec::{
     is_snake, to_screaming, to_snake,
 };
 
-/// What the functions of each program use.
+/// Helper functions of each program.
 const HEAD: &str = "\
 //! A program of a user.
 
@@ -120,7 +120,7 @@ impl Corpus<'_> {
         self.function("client: &mut m::Client", &lines);
     }
 
-    /// What the client's method takes: nothing, the one required field, or the request.
+    /// Arguments of the client's method: none, the one required field, or the request.
     fn method_arguments(&self, command: &Command, path: &str) -> Vec<String> {
         let request = vec![format!("&any::<{path}>()")];
         let Request::Fields(fields) = &command.request else { return request };

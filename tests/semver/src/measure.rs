@@ -25,7 +25,7 @@ impl Client {
 }
 ";
 
-/// How often a kind of edits is tried before it is left out.
+/// Attempts to make an edit of a kind before the kind is left out.
 const ATTEMPTS: usize = 40;
 
 /// The spec that is edited, with its programs.
@@ -54,13 +54,13 @@ struct Edited {
     undone: Vec<Change>,
 }
 
-/// What the compiler says of programs.
+/// Verdicts of the compiler on programs.
 struct Compiled {
-    /// Those of the older spec with the newer crate.
+    /// Programs of the older spec with the newer crate.
     forth: Result<(), Errors>,
-    /// Those of the newer spec with its own crate.
+    /// Programs of the newer spec with its own crate.
     own: Result<(), Errors>,
-    /// Those of the newer spec with the older crate.
+    /// Programs of the newer spec with the older crate.
     back: Result<(), Errors>,
 }
 
@@ -81,7 +81,7 @@ impl Measure {
         Self { compiler, described, random, kinds: Vec::new(), draft, spec, messages, program, refused: 0, by_hand: 0 }
     }
 
-    /// How many edits could not be measured.
+    /// Numbers of edits that could not be measured, in words.
     pub(crate) fn drawn_again(&self) -> String {
         let Self { refused, by_hand, .. } = self;
         format!("drawn again: {refused} that the loader refuses, {by_hand} that need a change of other code")
@@ -192,7 +192,7 @@ impl Measure {
     }
 }
 
-/// What leads to the cause of a disagreement.
+/// Prints the changes and the errors behind a disagreement.
 fn report(edited: &Edited, compiled: &Compiled) {
     for change in &edited.changes {
         println!("       diff: {change}");

@@ -3,7 +3,7 @@
 use jaka_spec::tools::{Change, Impact};
 use jaka_spec::{EnumValue, Field, Request, Spec, Type, TypeKind, Variant, is_floats};
 
-/// Who notices a change that `diff` calls major.
+/// Moment at which a major change is noticed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Noticed {
     /// A program does not compile any more.
@@ -12,7 +12,7 @@ enum Noticed {
     Running,
 }
 
-/// What `diff` says of one direction, and whether the programs of the older spec compile with the newer one.
+/// Impact of the changes in one direction, and the compiler's verdict on programs of the older spec.
 #[derive(Debug)]
 pub(crate) struct Verdict {
     pub(crate) impact: Option<Impact>,
@@ -29,7 +29,7 @@ impl Verdict {
         Self { impact: jaka_spec::tools::impact(changes), compiles, breaking }
     }
 
-    /// What is wrong with it, if anything is.
+    /// Disagreement of `diff` and the compiler, if there is one.
     pub(crate) fn problem(&self) -> Option<String> {
         match (self.compiles, self.breaking.is_empty()) {
             (true, true) | (false, false) => None,
@@ -49,8 +49,8 @@ impl Verdict {
     }
 }
 
-/// What is wrong with `diff`'s choice between a patch and more; programs of the newer spec may compile with the crate of
-/// the older one.
+/// Disagreement on additions, if there is one: programs of the newer spec compile with the crate of the older one, or do
+/// not.
 pub(crate) fn addition_problem(
     old: &Spec,
     new: &Spec,
@@ -82,7 +82,7 @@ fn is_seen_addition(old: &Spec, new: &Spec, change: &Change) -> bool {
     }
 }
 
-/// Beginnings of the texts of changes that are major, and who notices each.
+/// Beginnings of the texts of changes that are major, and when each is noticed.
 ///
 /// The list is complete: a text that is missing here ends the program.
 const NOTICED: &[(&str, Noticed)] = &[
@@ -193,7 +193,7 @@ fn required_types(spec: &Spec, place: &str) -> Vec<String> {
     required.map(|field| format!("{} {}", rust_type(spec, field), field.or_raw)).collect()
 }
 
-/// What stands for each of the items at a place on the wire, and how Rust sees it.
+/// Items at a place: the key or number of each on the wire, and its name and type in Rust.
 fn wires(spec: &Spec, place: &str) -> Vec<(String, String)> {
     let steps = steps(place);
     let steps: Vec<_> = steps.iter().map(|(noun, name)| (&**noun, &**name)).collect();
