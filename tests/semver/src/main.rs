@@ -5,8 +5,8 @@
 //! An edit changes one thing in a file of the spec, or in `more.toml`, a topic of constructs that are rare in it. The
 //! crate jaka-proto is compiled with the messages of the spec and with those of the edited one. Programs that use the
 //! whole interface of the spec (`corpus.rs`) compile with the first, and the compiler says whether they do with the
-//! second. `diff` has to say the same, in both directions: for the edit, and for undoing it. A change that is major though
-//! every program compiles must be one that shows at run time, such as another unit: `verdict.rs` has the list.
+//! second. `diff` has to say the same, in both directions: for the edit, and for undoing it. A change that is major
+//! though every program compiles must be one that shows at run time, such as another unit: `verdict.rs` has the list.
 //!
 //! With `--second-witness`, `cargo-semver-checks` is asked as well. It does not see types, so that it can only confirm:
 //! where it finds a break, programs must not compile.
