@@ -8,6 +8,7 @@ use jaka_motion::{Limits, Trajectory};
 use jaka_robot::proto::Command;
 use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
 
+use crate::builtin;
 use crate::consent::{self, Intent};
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
@@ -72,7 +73,7 @@ impl ActArgs {
 
 /// The intent to send this.
 pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
-    Intent::of(packs::builtin(), request)
+    Intent::of(builtin::spec(), request)
 }
 
 impl Act {

@@ -35,7 +35,7 @@ impl<'s> Intent<'s> {
     pub(crate) fn of<C: proto::Command>(spec: &'s Spec, request: &C) -> Result<Self, Failure> {
         request.check(AdvisoryRanges::Enforced).map_err(|forbidden| match forbidden {
             NotSent::InvalidArgument(invalid) => not_allowed(&invalid),
-            NotSent::NotInFirmware(_) => jaka_sync::Error::from(forbidden).into(),
+            NotSent::NotInFirmware(_) | NotSent::FirmwareUnknown { .. } => jaka_sync::Error::from(forbidden).into(),
         })?;
         let mut out = Writer::new();
         request.write_request(&mut out);

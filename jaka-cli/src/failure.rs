@@ -115,6 +115,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<&'static str> {
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
         Remedy::LookAtArm => "look at the arm before it moves again",
         Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
+        Remedy::Connection(jaka_sync::Remedy::CheckFirmware) => "`jaka call get_version` reads the firmware",
         Remedy::Connection(jaka_sync::Remedy::CheckNetwork | jaka_sync::Remedy::ConnectStatusAgain) => {
             "check the network; `jaka stop` is worth a try: commands may still pass"
         }

@@ -1,6 +1,7 @@
 //! The `jaka` command: see the crate's README.
 
 mod acting;
+mod builtin;
 mod chart;
 mod choice;
 mod command_line;

@@ -1,14 +1,17 @@
 //! Status packets as packs have them.
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::slice::from_ref;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
-use jaka_dynamic::{Reading, status_departures, truth_value};
-use jaka_robot::{MotionStatus, Robot};
-use jaka_spec::{Field, Scalar, Spec, Type};
+use jaka_dynamic::{Forms, Lost, Message, Reading, Translated, Translation, status_departures};
+use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
+use jaka_spec::{Field, FieldSource, NeededSource, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
 use serde_json::{Map, Value};
 
+use crate::builtin;
 use crate::failure::Failure;
 use crate::packs;
 
@@ -52,8 +55,44 @@ impl MotionStatus for PackedStatus {
         if self.is_by_packs { self.status.clone() } else { RobotStatus::default() }
     }
 
+    fn absent() -> &'static [&'static str] {
+        &sources().absent
+    }
+
+    fn expected() -> &'static [[&'static str; 2]] {
+        &sources().expected
+    }
+
     fn unfit(&self) -> Vec<DecodeError> {
         self.unfit.clone()
+    }
+}
+
+/// Sources of what a robot needs, as packs have them.
+#[derive(Debug, Default)]
+struct Sources {
+    absent: Vec<&'static str>,
+    expected: Vec<[&'static str; 2]>,
+}
+
+fn sources() -> &'static Sources {
+    static SOURCES: OnceLock<Sources> = OnceLock::new();
+    SOURCES.get_or_init(|| Sources::of(packs::of_status()))
+}
+
+impl Sources {
+    fn of(spec: &'static Spec) -> Self {
+        let mut sources = Self::default();
+        for NeededSource { needed, source, is_changed } in spec.robot_status() {
+            match source {
+                FieldSource::Field(field) if is_changed => sources.expected.push([needed.name, &field.name]),
+                FieldSource::Field(_) => {}
+                FieldSource::Absent => sources.absent.push(needed.name),
+                // There is no program: that is told for each packet.
+                FieldSource::Program => sources.expected.push([needed.name; 2]),
+            }
+        }
+        sources
     }
 }
 
@@ -62,7 +101,7 @@ impl Decode for PackedStatus {
         let start = reader.mark();
         if !changed().is_empty() {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, packs::of_status(), changed());
+                return packed(packet, packs::of_status(), changed(), forms(reader.firmware()));
             }
             reader.go_back(start);
         }
@@ -72,7 +111,7 @@ impl Decode for PackedStatus {
     }
 }
 
-/// A field of the packet that is not as built in, and the built-in one of that name.
+/// A field of the packet that is not as built in, and a built-in one whose values it has, if there is one.
 type Changed = (Field, Option<Field>);
 
 /// The fields that packs add or change.
@@ -81,21 +120,60 @@ fn changed() -> &'static [Changed] {
     CHANGED.get_or_init(|| changed_in(packs::of_status()))
 }
 
-fn changed_in(spec: &Spec) -> Vec<Changed> {
-    let built_in = packs::builtin();
-    let changed = spec.status_fields().iter().filter_map(|field| {
-        let known = built_in.status_fields().iter().find(|known| known.name == field.name);
-        let is_same = known.is_some_and(|known| known.wire == field.wire && means_same(spec, field, known));
-        (!is_same).then(|| (field.clone(), known.cloned()))
-    });
-    changed.collect()
+/// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
+fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
+    static KNOWN: OnceLock<Mutex<BTreeMap<Option<FirmwareVersion>, &'static Forms>>> = OnceLock::new();
+    let spec = packs::of_status();
+    if !spec.varies_by_firmware() {
+        return None;
+    }
+    let mut known = KNOWN.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(forms) = known.get(&firmware) {
+        return Some(forms);
+    }
+    // A program talks to one controller, or to few: they stay in memory.
+    let forms = &*Box::leak(Box::new(Forms::of(spec, firmware)?));
+    known.insert(firmware, forms);
+    Some(forms)
 }
 
-fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Result<PackedStatus, DecodeError> {
+fn changed_in(spec: &Spec) -> Vec<Changed> {
+    let built_in = builtin::spec().status_fields();
+    let source = |known: &Field| spec.status_field_as(known);
+    let mut changed: Vec<Changed> = Vec::new();
+    for field in spec.status_fields() {
+        let known: Vec<_> = built_in.iter().filter(|known| source(known) == Some(field)).collect();
+        match known[..] {
+            [known] if is_as_built_in(spec, field, known) => {}
+            [] => changed.push((field.clone(), None)),
+            _ => changed.extend(known.into_iter().map(|known| (field.clone(), Some(known.clone())))),
+        }
+    }
+    // A built-in key counts for nothing where a pack declares its field absent, or leaves it to a program.
+    for known in built_in.iter().filter(|known| source(known).is_none()) {
+        if !changed.iter().any(|(field, _)| field.wire == known.wire) {
+            changed.push((known.clone(), None));
+        }
+    }
+    changed
+}
+
+fn packed(
+    mut packet: Map<String, Value>,
+    spec: &Spec,
+    changed: &[Changed],
+    forms: Option<&Forms>,
+) -> Result<PackedStatus, DecodeError> {
+    let mut unfit = Vec::new();
+    if let Some(forms) = forms {
+        let Translated { members, lost } = forms.read(Message::Status, &packet);
+        packet = members;
+        let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
+        unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
+    }
     let is_own = |key: &str| changed.iter().any(|(field, _)| field.wire == key);
     let mut own: Map<_, _> =
         packet.iter().filter(|(key, _)| is_own(key)).map(|(k, v)| (k.clone(), v.clone())).collect();
-    let mut unfit = Vec::new();
     for departure in status_departures(spec, &Value::Object(packet.clone())) {
         let key = departure.field.split(['.', '[']).next().unwrap_or_default();
         let field = changed.iter().find(|(field, _)| field.wire == key);
@@ -105,20 +183,32 @@ fn packed(packet: Map<String, Value>, spec: &Spec, changed: &[Changed]) -> Resul
             unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
         }
     }
+    unfit.extend(of_program(spec));
     let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
-    let mut reader = Reader::new(&text);
+    let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
     Ok(PackedStatus { status, own, unfit, is_by_packs: true })
 }
 
-/// The packet with the keys and words of the built-in type. What packs give another type, unit or meaning is left out.
+/// Errors of the fields that packs leave to a program: this one has none.
+fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
+    let sources = spec.robot_status().filter(|needed| needed.source == FieldSource::Program);
+    sources.map(|NeededSource { needed, .. }| {
+        let expected = "a field that the pack names in `[robot_status]`";
+        DecodeError::unfit(expected, "program").in_field(needed.name)
+    })
+}
+
+/// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does not
+/// convert, is left out.
 fn as_built_in(
     spec: &Spec,
     changed: &[Changed],
     mut packet: Map<String, Value>,
     own: &Map<String, Value>,
 ) -> Map<String, Value> {
+    let translation = Translation::new(spec, builtin::spec());
     // A key may be that of another field by now.
     for (field, known) in changed {
         packet.remove(&field.wire);
@@ -126,27 +216,22 @@ fn as_built_in(
     }
     for (field, known) in changed {
         let (Some(known), Some(found)) = (known, own.get(&field.wire)) else { continue };
-        if let Some(value) = same(spec, field, known, found) {
+        if let Some(value) = translation.field(field, known, found) {
             packet.insert(known.wire.clone(), value);
         }
     }
     packet
 }
 
-/// A value of a field in the form of the built-in field that means the same; none if that means something else.
-fn same(spec: &Spec, field: &Field, known: &Field, found: &Value) -> Option<Value> {
-    match (&field.ty, &known.ty) {
-        (Type::Scalar(scalar @ Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => {
-            truth_value(scalar, found).map(Value::Bool)
-        }
-        _ => means_same(spec, field, known).then(|| found.clone()),
-    }
+/// True if a field is read in every firmware as the built-in one.
+fn is_as_built_in(spec: &Spec, field: &Field, known: &Field) -> bool {
+    known.wire == field.wire && !spec.has_forms(from_ref(field)) && means_same(spec, field, known)
 }
 
 /// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made
 /// of.
 fn means_same(spec: &Spec, field: &Field, known: &Field) -> bool {
-    field.ty == known.ty && field.unit == known.unit && spec.defines_as(packs::builtin(), &field.ty)
+    field.ty == known.ty && field.unit == known.unit && spec.defines_as(builtin::spec(), &field.ty)
 }
 
 #[cfg(test)]
@@ -155,15 +240,19 @@ mod tests {
 
     use super::*;
 
+    fn spec(pack: &str) -> Spec {
+        let pack = format!("title = 'T'\n{pack}");
+        let pack = jaka_spec::load_pack(builtin::spec(), jaka_spec::Source { path: "pack.toml", text: &pack });
+        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+    }
+
     /// A packet as a robot takes it, by a pack with this text.
     fn read(pack: &str, packet: &str) -> PackedStatus {
-        let pack = format!("title = 'T'\n{pack}");
-        let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: &pack });
-        let spec = pack.unwrap_or_else(|errors| panic!("{errors}")).spec;
+        let spec = spec(pack);
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
-        packed(packet, &spec, &changed_in(&spec)).expect("it can be read")
+        packed(packet, &spec, &changed_in(&spec), None).expect("it can be read")
     }
 
     const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\
@@ -206,6 +295,54 @@ mod tests {
             let status = read(&pack, &format!(r#"{{"other": {stop}, "protective_stop": {drag}}}"#)).robot_status();
             assert_eq!((status.protective_stop, status.drag_status), (Some(stop == 1), Some(drag == 1)));
         }
+    }
+
+    /// Pack by which a new key has the protective stop, and the built-in one is a text.
+    const MAPPED: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'halt'\nname = 'safety_halt'\n\
+                          type = 'bool'\nwritten = ['free', 'halted']\noptional = true\ndoc = 'D.'\n\
+                          [[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\ntype = 'text'\nunit = ''\n\
+                          [robot_status]\nprotective_stop = 'safety_halt'\n";
+
+    #[test]
+    fn a_mapped_field_is_read_in_the_place_of_the_built_in_one() {
+        for (packet, expected) in [
+            (r#"{"halt": "halted", "protective_stop": "0"}"#, Some(true)),
+            (r#"{"halt": "free", "protective_stop": 1}"#, Some(false)),
+            (r#"{"halt": "perhaps", "protective_stop": 1}"#, None),
+            (r#"{"protective_stop": 1}"#, None),
+        ] {
+            assert_eq!(read(MAPPED, packet).robot_status().protective_stop, expected, "{packet}");
+        }
+    }
+
+    #[test]
+    fn one_field_can_be_the_source_of_two() {
+        let pack = renamed("powered_on", "type = 'text'\nunit = ''") + "[robot_status]\npowered_on = 'enabled'\n";
+        let status = read(&pack, r#"{"enabled": true, "powered_on": "perhaps"}"#).robot_status();
+        assert_eq!((status.enabled, status.powered_on), (Some(true), Some(true)));
+    }
+
+    #[test]
+    fn what_is_declared_absent_or_left_to_a_program_is_not_read() {
+        for word in ["absent", "program"] {
+            let status = read(&format!("[robot_status]\nerror_code = '{word}'\n"), r#"{"errcode": "0x1"}"#);
+            assert_eq!(status.robot_status().error_code, None, "{word}");
+            let is_told = status.unfit().iter().any(|error| error.is_in("error_code"));
+            assert_eq!(is_told, word == "program");
+        }
+        let pack =
+            renamed("protective_stop", "name = 'other'\nwire = 'o'") + "[robot_status]\nprotective_stop = 'program'\n";
+        assert_eq!(read(&pack, r#"{"o": 1, "protective_stop": 1}"#).robot_status().protective_stop, None);
+    }
+
+    #[test]
+    fn a_packet_must_have_what_packs_map_or_change() {
+        let changed = renamed("inpos", "wire = 'at_target'");
+        let pack = format!("{changed}{MAPPED}error_code = 'absent'\npaused = 'program'\n");
+        let sources = Sources::of(Box::leak(Box::new(spec(&pack))));
+        assert_eq!(sources.absent, ["error_code"]);
+        let expected = [["protective_stop", "safety_halt"], ["in_position"; 2], ["paused"; 2]];
+        assert_eq!(sources.expected, expected);
     }
 
     #[test]

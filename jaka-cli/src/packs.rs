@@ -4,12 +4,13 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::{LazyLock, OnceLock};
+use std::sync::OnceLock;
 
 use clap::Args;
 use jaka_robot::proto::CommandInfo;
 use jaka_spec::{Command, Source, Spec};
 
+use crate::builtin;
 use crate::failure::Failure;
 use crate::output;
 use crate::target::{Lookup, usual_packs};
@@ -31,7 +32,7 @@ static STATUS: OnceLock<Spec> = OnceLock::new();
 
 /// The protocol by which status packets are read: the built-in one, unless [`Protocol::read_status`] says otherwise.
 pub(crate) fn of_status() -> &'static Spec {
-    STATUS.get_or_init(|| builtin().clone())
+    STATUS.get_or_init(|| builtin::spec().clone())
 }
 
 /// The protocol with packs.
@@ -54,7 +55,7 @@ impl Protocol {
     /// Facts of a command of this protocol.
     pub(crate) fn info(&self, command: &Command) -> &'static CommandInfo {
         let mut infos = self.infos.borrow_mut();
-        infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(command))
+        infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(&self.spec, command))
     }
 
     /// Has status packets read by this protocol, which is said before the first of them comes.
@@ -77,15 +78,9 @@ impl SpecArgs {
     pub(crate) fn load(&self, lookup: Lookup<'_>) -> Result<Protocol, Failure> {
         let (packs, is_confirmed) =
             if self.packs.is_empty() { usual_packs(lookup)? } else { (self.packs.clone(), false) };
-        let spec = packs.iter().try_fold(builtin().clone(), |spec, path| add(&spec, path))?;
+        let spec = packs.iter().try_fold(builtin::spec().clone(), |spec, path| add(&spec, path))?;
         Ok(Protocol::new(spec, packs, is_confirmed))
     }
-}
-
-/// The built-in spec.
-pub(crate) fn builtin() -> &'static Spec {
-    static BUILTIN: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
-    &BUILTIN
 }
 
 /// The text of a file that is named on the command line.

@@ -19,6 +19,7 @@ use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;
 use self::environment::Environment;
+use crate::builtin;
 use crate::failure::Failure;
 use crate::record;
 use crate::seconds::some_seconds;
@@ -228,13 +229,19 @@ impl Target {
 
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
-        Ok(Client::connect_with(&self.config, &self.address.commands)?)
+        let mut client = Client::connect_with(&self.config, &self.address.commands)?;
+        if builtin::spec().varies_by_firmware() {
+            client.check_firmware()?;
+        }
+        Ok(client)
     }
 
     /// Connects to both ports, and waits for the first status packet.
     pub(crate) fn robot<S: MotionStatus>(&self) -> Result<Robot<S>, Failure> {
         let monitor = Monitor::connect_with(&self.config, &self.address.status)?;
-        let robot = Robot::with_monitor(self.client()?, monitor);
+        let client = self.client()?;
+        monitor.set_firmware(client.firmware());
+        let robot = Robot::with_monitor(client, monitor);
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }
@@ -250,13 +257,8 @@ impl Target {
     }
 
     /// Connects to both ports, and looks at all that should be looked at before the robot is used.
-    pub(crate) fn preflight(&self, limits: Option<&Limits>) -> Preflight {
-        match limits {
-            Some(limits) => {
-                Preflight::read_with_limits(&self.config, &self.address.commands, &self.address.status, limits)
-            }
-            None => Preflight::read_at(&self.config, &self.address.commands, &self.address.status),
-        }
+    pub(crate) fn preflight<S: MotionStatus>(&self, limits: Option<&Limits>) -> Preflight {
+        Preflight::read_as::<S>(&self.config, &self.address.commands, &self.address.status, limits)
     }
 
     /// Connects to the status port, which serves any number of readers.

@@ -6,18 +6,31 @@ use std::path::{Path, PathBuf};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{ErrorKind, Monitor, Robot};
 use jaka_sim::{Controller, Firmware};
-use jaka_spec::{BUILTIN, Source, load, load_pack};
+use jaka_spec::{BUILTIN, NEEDED_FIELDS, Source, load, load_pack};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
 use crate::program::{Run, address_of, command, run, scratch};
 
 jaka_robot::pack!("tests/guide/newer.toml");
+jaka_robot::pack!("tests/guide/moved.toml");
 
 use newer::NewerCommands as _;
 
 const GUIDE: &str = include_str!("../../jaka-sync/docs/newer-firmware.md");
 const PACK: &str = include_str!("guide/newer.toml");
+
+impl jaka_sync::MotionStatus for moved::RobotStatus {
+    fn robot_status(&self) -> jaka_sync::status::RobotStatus {
+        let mut status = self.as_built_in();
+        status.joint_actual_position = self.joint_actual_position.map(|joints| joints.map(f64::to_degrees).into());
+        status
+    }
+
+    fn absent() -> &'static [&'static str] {
+        &["error_code"]
+    }
+}
 
 /// A controller with the guide's firmware.
 fn controller(arm: ArmBuilder) -> Arm {
@@ -103,7 +116,8 @@ fn the_guide_s_commands_print_what_it_shows() {
     fs::create_dir_all(&folder).expect("it can be made");
     upstream(&folder.join("upstream"));
     let controller = controller(Arm::real_time());
-    let [draft, pack] = blocks("toml")[..] else { panic!("the guide shows the draft and the pack") };
+    let [draft, pack, moved] = blocks("toml")[..] else { panic!("the guide shows the draft and two packs") };
+    assert_eq!(moved, include_str!("guide/moved.toml"), "and so is this one");
     assert_eq!(pack, PACK, "the guide's pack is the one that is compiled here");
     let file = folder.join("newer.toml");
     let mut codes = Vec::new();
@@ -202,4 +216,25 @@ fn after_the_upgrade_the_guide_s_pack_has_all_its_names() {
     });
     assert_eq!((&before.0, before.1), (&after.0, after.1));
     assert_eq!((before.2, after.2), (false, true));
+}
+
+#[test]
+fn the_guide_lists_what_a_robot_needs() {
+    let rows = NEEDED_FIELDS.iter().map(|field| {
+        let need = if field.is_required { "required" } else { "can be absent" };
+        format!("| `{}` | {need} | {} |\n", field.name, field.without)
+    });
+    let table = rows.collect::<String>();
+    assert!(GUIDE.contains(&format!("|---|---|---|\n{table}\n")), "the guide has another table than\n{table}");
+}
+
+#[test]
+fn the_guide_s_conversion_is_the_one_that_is_compiled_here() {
+    let code = blocks("ignore").into_iter().find(|code| code.contains("as_built_in")).expect("the guide shows it");
+    assert!(include_str!("guide.rs").contains(code), "{code}");
+    let mut packet = moved::RobotStatus::default();
+    (packet.safety_halt, packet.joint_actual_position) = (Some(true), Some([std::f64::consts::PI; 6]));
+    let status = jaka_sync::MotionStatus::robot_status(&packet);
+    assert_eq!((status.protective_stop, status.error_code), (Some(true), None));
+    assert_eq!(status.joint_actual_position.map(|joints| joints.0), Some([180.0; 6]));
 }

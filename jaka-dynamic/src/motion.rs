@@ -114,7 +114,7 @@ impl Fields<'_> {
 
 /// Facts of a command of a spec that is loaded at run time, for what takes those of a generated command. They stay in
 /// memory to the end of the program: make them once for a command.
-pub fn command_info(command: &Command) -> &'static CommandInfo {
+pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
     let leaked = |text: &str| &*Box::leak(text.to_owned().into_boxed_str());
     let section = command.section.as_deref().unwrap_or_default();
     let effect = match command.effect {
@@ -132,6 +132,7 @@ pub fn command_info(command: &Command) -> &'static CommandInfo {
     info.deadline = command.deadline.filter(|deadline| *deadline > Duration::ZERO);
     info.reply_certain = command.reply_certain;
     info.ends_session = command.ends_session;
+    info.needs_firmware = spec.needs_firmware(command);
     Box::leak(Box::new(info))
 }
 
@@ -216,7 +217,7 @@ mod tests {
         let spec = builtin();
         for info in Request::COMMANDS {
             let command = spec.command(info.name).expect("both have the same commands");
-            let found = command_info(command);
+            let found = command_info(&spec, command);
             let expected = with(**info, |info| (info.bare_reply, info.firmware) = (None, found.firmware));
             assert_eq!(*found, expected);
         }

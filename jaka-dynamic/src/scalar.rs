@@ -140,6 +140,11 @@ fn float(value: &Value) -> Option<(f64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_number())))
 }
 
+/// A finite number, read as leniently as the generated code reads it.
+pub(crate) fn float_value(value: &Value) -> Option<f64> {
+    float(value).map(|(float, _)| float)
+}
+
 /// A whole number.
 pub(crate) fn int(value: &Value) -> Option<(i64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_i64())))

@@ -1,6 +1,6 @@
 //! Requests and replies.
 
-use jaka_spec::{Command, Request};
+use jaka_spec::{Command, Request, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,7 +24,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let checks = validate::request(scope, command, &name);
     let reply = reply(scope, command);
     let reply_type = scope.reply_type(&TokenStream::new(), command);
-    let info = info(command);
+    let info = info(scope.spec, command);
     let motion = motion::render(scope, command, &name);
     quote! {
         #request
@@ -48,7 +48,7 @@ fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
     Some(typedef::object(scope, &name, &docs, command.reply.own_fields()))
 }
 
-fn info(command: &Command) -> TokenStream {
+fn info(spec: &Spec, command: &Command) -> TokenStream {
     let name = &command.wire;
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
@@ -74,8 +74,9 @@ fn info(command: &Command) -> TokenStream {
     let ends = command.ends_session.then(|| quote!(ends_session: true,));
     let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
     let firmware = validate::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
+    let needs_firmware = spec.needs_firmware(command).then(|| quote!(needs_firmware: true,));
     quote!(
-        proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware)
+        proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware #needs_firmware)
     )
 }
 

@@ -13,6 +13,7 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
+mod forms;
 mod literal;
 mod motion;
 mod pack;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use jaka_spec::{Command, Errors, Field, Module, Pack, Source, Spec, Topic, to_camel};
+use jaka_spec::{Command, Errors, Field, FieldSource, Module, NeededSource, Pack, Source, Spec, Topic, to_camel};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
@@ -106,7 +106,7 @@ pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> To
     let items = topic::items(scope, topic, &module.spec.sent_types());
     let literals = literal::module(&module.spec, topic, sync.clone());
     let covered = covered(module, scope);
-    let status = motion_status(module, built_in, scope, sync);
+    let status = motion_status(module, built_in, sync);
     let methods = methods(module, scope, sync);
     let codes = error_codes::in_pack(docs, &module.codes);
     let events = events::in_pack(&module.events);
@@ -155,46 +155,70 @@ fn covered_commands<'m>(module: &'m Module, topic: &'m Topic) -> impl Iterator<I
     topic.commands.iter().filter(|command| module.covered_commands.contains_key(&command.wire))
 }
 
-/// The fields of a status packet by which `jaka_sync::Robot` tells how a motion goes.
-const MOTION_FIELDS: &[&str] = &[
-    "emergency_stop",
-    "protective_stop",
-    "powered_on",
-    "enabled",
-    "in_position",
-    "paused",
-    "error_code",
-    "error_message",
-    "joint_actual_position",
-    "actual_position",
-    "current_tool_id",
-    "current_user_frame_id",
-];
-
-/// What makes a changed status packet one for robots. Where the pack gives another type to what a robot needs, nothing: the pack's user
-/// says what it means.
-fn motion_status(module: &Module, built_in: &Spec, scope: Scope<'_>, sync: &TokenStream) -> Option<TokenStream> {
-    module.spec.status_type().filter(|id| module.topic.types.contains(id))?;
+/// Implementation of `MotionStatus` for a changed status packet, by the pack's `[robot_status]`. Where that leaves a
+/// field to the program, a method by which the program implements the trait.
+fn motion_status(module: &Module, built_in: &Spec, sync: &TokenStream) -> Option<TokenStream> {
+    let spec = &module.spec;
+    spec.status_type().filter(|id| module.topic.types.contains(id))?;
     let is_packs = |field: &Field| {
-        let topic = field.ty.named().and_then(|id| module.spec.topic_of(id));
+        let topic = field.ty.named().and_then(|id| spec.topic_of(id));
         topic.is_some_and(|topic| topic.is_pack)
     };
-    let rust = |field: &Field| scope.field_type(field).to_string();
-    let as_before = |field: &Field| {
-        let known = built_in.status_fields().iter().find(|known| known.name == field.name);
-        !is_packs(field) && known.is_some_and(|known| rust(known) == rust(field))
+    let same = built_in.status_fields().iter().filter_map(|known| Some((known, spec.status_field_as(known)?)));
+    let (names, own): (Vec<_>, Vec<_>) = same
+        .filter(|(_, field)| !is_packs(field))
+        .map(|(known, field)| (ident(&known.name), ident(&field.name)))
+        .unzip();
+    let body = quote! {
+        let mut status = #sync::status::RobotStatus::default();
+        #(status.#names = ::core::clone::Clone::clone(&self.#own);)*
+        status
     };
-    let fields: Vec<_> = module.spec.status_fields().iter().filter(|field| as_before(field)).collect();
-    if !MOTION_FIELDS.iter().all(|name| fields.iter().any(|field| field.name == *name)) {
-        return None;
+    let (mut expected, mut absent, mut of_program) = (Vec::new(), Vec::new(), Vec::new());
+    for NeededSource { needed, source, is_changed } in spec.robot_status() {
+        let name = needed.name;
+        match source {
+            FieldSource::Field(field) if is_changed => {
+                let own = &field.name;
+                expected.push(quote!([#name, #own]));
+            }
+            FieldSource::Field(_) => {}
+            FieldSource::Absent => absent.push(name),
+            FieldSource::Program => of_program.push(format!("`{name}`")),
+        }
     }
-    let names = fields.iter().map(|field| ident(&field.name));
+    if !of_program.is_empty() {
+        let docs = docs::own(&format!(
+            "The packet in terms of the built-in type, without {}, which the pack leaves to the program: for its \
+             `MotionStatus`.",
+            of_program.join(", ")
+        ));
+        return Some(quote! {
+            impl RobotStatus {
+                #docs
+                pub fn as_built_in(&self) -> #sync::status::RobotStatus {
+                    #body
+                }
+            }
+        });
+    }
+    let absent = (!absent.is_empty()).then(|| {
+        quote! {
+            fn absent() -> &'static [&'static ::core::primitive::str] {
+                &[#(#absent),*]
+            }
+        }
+    });
     Some(quote! {
         impl #sync::MotionStatus for RobotStatus {
             fn robot_status(&self) -> #sync::status::RobotStatus {
-                let mut status = #sync::status::RobotStatus::default();
-                #(status.#names = ::core::clone::Clone::clone(&self.#names);)*
-                status
+                #body
+            }
+
+            #absent
+
+            fn expected() -> &'static [[&'static ::core::primitive::str; 2]] {
+                &[#(#expected),*]
             }
         }
     })

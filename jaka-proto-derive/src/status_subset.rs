@@ -7,7 +7,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Token, braced, bracketed, parenthesized};
 
-use crate::codec::{Manner, read_object_in_place};
+use crate::codec::{Manner, in_place, read_object, read_object_in_place};
 use crate::docs::{Docs, Place};
 use crate::scope::{ModulePaths, Scope};
 
@@ -41,7 +41,12 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
     let scope = Scope { spec: &spec, topic: None, paths: &paths, docs };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));
-    let read = read_object_in_place(&fields, Manner::StatusSubset);
+    let read = if in_place(&fields) {
+        read_object_in_place(&fields, Manner::StatusSubset)
+    } else {
+        let read = read_object(&fields, &quote!(Self), Manner::StatusSubset);
+        quote!(*self = (|| -> Result<Self, wire::DecodeError> { #read })()?; Ok(()))
+    };
     Ok(quote! {
         #[derive(Debug, Clone, #copy PartialEq, Default)]
         #[allow(unreachable_pub)]

@@ -12,15 +12,15 @@ use crate::codec::{
     write_type,
 };
 use crate::scope::{Scope, ident, names};
-use crate::{choice, construct, enums, validate};
+use crate::{choice, construct, enums, forms, validate};
 
 /// The type, its codec and its checks.
 pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef), sent: &BTreeSet<TypeId>) -> TokenStream {
     let name = ident(&def.name);
     let docs = scope.docs.attributes(&def.doc);
     let item = match &def.kind {
-        TypeKind::Object(fields) => object_type(scope, &name, &docs, fields, Manner::of(scope.spec, id)),
-        TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
+        TypeKind::Object(fields) => object_type(scope, (&name, def), &docs, fields, Manner::of(scope.spec, id)),
+        TypeKind::Array { fields, exact } => array(scope, (&name, def), &docs, fields, *exact),
         TypeKind::IntEnum(values) => enums::int(scope.docs, &name, &docs, values),
         TypeKind::TextEnum(values) => enums::text(scope.docs, &name, &docs, values),
         TypeKind::Choice(choice) => choice::array(scope, &name, &docs, choice),
@@ -56,8 +56,17 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
 }
 
 /// The same for a named type. It is read in place too if that is possible and some of its fields own memory, to use that again.
-fn object_type(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], manner: Manner) -> TokenStream {
+fn object_type(
+    scope: Scope<'_>,
+    (name, def): (&Ident, &TypeDef),
+    docs: &TokenStream,
+    fields: &[Field],
+    manner: Manner,
+) -> TokenStream {
     let inline = scope.inline_reads();
+    if !def.forms.is_empty() {
+        return object_with(scope, name, docs, fields, &read_fields(fields, manner), &forms::object(name, def, fields));
+    }
     if scope.spec.all_copy(fields) || !in_place(fields) {
         let read = read_fields(fields, manner);
         let impls = quote!(proto::__object_impls!(#name););
@@ -118,7 +127,13 @@ fn object_with(
     }
 }
 
-fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], exact: bool) -> TokenStream {
+fn array(
+    scope: Scope<'_>,
+    (name, def): (&Ident, &TypeDef),
+    docs: &TokenStream,
+    fields: &[Field],
+    exact: bool,
+) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
     let write = write_all(fields, |name| quote!(&self.#name));
@@ -132,32 +147,39 @@ fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], e
     // What converts from an array of numbers cannot grow.
     let grows = (!is_floats(fields)).then(|| quote!(#[non_exhaustive]));
     let conversions = is_floats(fields).then(|| float_conversions(name, fields));
+    let codec = if def.forms.is_empty() {
+        quote! {
+            impl wire::Encode for #name {
+                #[inline]
+                fn encode(&self, out: &mut wire::Writer) {
+                    out.raw("[");
+                    #write
+                    out.raw("]");
+                }
+            }
+
+            impl wire::Decode for #name {
+                #inline
+                fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                    reader.begin_array()?;
+                    #read
+                }
+
+                #in_place
+            }
+
+            proto::__serde_impls!(#name);
+        }
+    } else {
+        forms::array(name, def, fields, exact)
+    };
     quote! {
         #docs
         #derives
         #grows
         pub struct #name { #declared }
 
-        impl wire::Encode for #name {
-            #[inline]
-            fn encode(&self, out: &mut wire::Writer) {
-                out.raw("[");
-                #write
-                out.raw("]");
-            }
-        }
-
-        impl wire::Decode for #name {
-            #inline
-            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                reader.begin_array()?;
-                #read
-            }
-
-            #in_place
-        }
-
-        proto::__serde_impls!(#name);
+        #codec
         #conversions
     }
 }
@@ -187,8 +209,12 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let inner = scope.rust_type(ty);
     let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
     let write = write_type(ty, &quote!(&self.0));
+    let (write, read) = match def.forms.as_slice() {
+        [] => (write, quote!(wire::Decode::decode(reader).map(Self))),
+        _ => forms::wrapped(def, &write),
+    };
     let inline = scope.inline_reads();
-    let in_place = copy.is_none().then(|| {
+    let in_place = (copy.is_none() && def.forms.is_empty()).then(|| {
         let decode = decode_into(&quote!(self.0.decode_into(reader)));
         quote!(#inline #decode)
     });
@@ -217,7 +243,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
         impl wire::Decode for #name {
             #inline
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                wire::Decode::decode(reader).map(Self)
+                #read
             }
 
             #in_place

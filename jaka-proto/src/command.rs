@@ -27,7 +27,8 @@ pub trait Command: Fields + Validate {
     /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field holds what the spec forbids, or the firmware does not have the command or a field that is given.
+    /// A field holds what the spec forbids, the firmware does not have the command or a field that is given, or it is not
+    /// known and decides the form of the request or the reply.
     fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
         check_request(Self::INFO, self, rules.into())
     }
@@ -36,6 +37,9 @@ pub trait Command: Fields + Validate {
 fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Result<(), NotSent> {
     let place = Place::request(info.name, rules);
     place.exists(&info.firmware)?;
+    if info.needs_firmware && rules.firmware.is_none() {
+        return Err(NotSent::FirmwareUnknown { command: info.name });
+    }
     request.validate(&place, &Limits::NONE)
 }
 
@@ -51,6 +55,7 @@ pub trait Visit {
 /// What the spec says about a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct CommandInfo {
     /// `cmdName` on the wire.
     pub name: &'static str,
@@ -80,6 +85,9 @@ pub struct CommandInfo {
     pub bare_reply: Option<&'static str>,
     /// The firmware that has the command.
     pub firmware: FirmwareRange,
+    /// True where the request, or a value of the reply, has another form by firmware that the version alone tells: it is
+    /// sent only once the firmware is known.
+    pub needs_firmware: bool,
 }
 
 /// What the spec says about a command: of its fields those that are not as for most, which are answered within the client's default
@@ -117,6 +125,7 @@ impl CommandInfo {
             ends_session: false,
             bare_reply: None,
             firmware: FirmwareRange::ALL,
+            needs_firmware: false,
         }
     }
 }

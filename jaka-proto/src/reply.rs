@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use crate::command::CommandInfo;
 use crate::envelope::{ENVELOPE, Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
 use crate::error_code::ErrorCode;
+use crate::firmware::FirmwareVersion;
 use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, read_message};
 
 /// A reply: whose it is, whether the command was accepted, and its payload.
@@ -58,15 +59,27 @@ impl Fields for Value {
 /// # Errors
 /// The text is neither an object by its quotes and brackets nor a Python tuple.
 pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    match read_accepted(reply) {
+    read_reply_of(command, reply, None)
+}
+
+/// The same for a reply of this firmware, where values have other forms in some.
+///
+/// # Errors
+/// As [`read_reply`].
+pub fn read_reply_of<'a, R: Fields>(
+    command: &CommandInfo,
+    reply: &'a str,
+    firmware: Option<FirmwareVersion>,
+) -> Result<Reply<'a, R>, DecodeError> {
+    match read_accepted(reply, firmware) {
         Some(reply) => Ok(reply),
-        None => read_closely(command, reply),
+        None => read_closely(command, reply, firmware),
     }
 }
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
-fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
-    let mut reader = Reader::capturing(text, take_envelope);
+fn read_accepted<R: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Option<Reply<'_, R>> {
+    let mut reader = Reader::capturing(text, take_envelope).with_firmware(firmware);
     let payload = R::read_fields(&mut reader).ok()?;
     let envelope = accepted_envelope(&mut reader)?;
     Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
@@ -106,10 +119,14 @@ fn take_envelope(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
 
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
 #[cold]
-fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
+fn read_closely<'a, R: Fields>(
+    command: &CommandInfo,
+    reply: &'a str,
+    firmware: Option<FirmwareVersion>,
+) -> Result<Reply<'a, R>, DecodeError> {
     let envelope = read_envelope(reply)?;
     let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
-    let payload = accepted.then(|| read_payload(command, reply));
+    let payload = accepted.then(|| read_payload_of(command, reply, firmware));
     Ok(Reply { envelope, payload })
 }
 
@@ -129,7 +146,19 @@ pub fn read_envelope(reply: &str) -> Result<Option<Envelope<'_>>, DecodeError> {
 /// # Errors
 /// A field is missing, comes twice or does not fit its type.
 pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
-    read_message(&as_object(command, reply))
+    read_payload_of(command, reply, None)
+}
+
+/// The same for a reply of this firmware, where values have other forms in some.
+///
+/// # Errors
+/// As [`read_payload`].
+pub fn read_payload_of<R: Fields>(
+    command: &CommandInfo,
+    reply: &str,
+    firmware: Option<FirmwareVersion>,
+) -> Result<R, DecodeError> {
+    read_message(&as_object(command, reply), firmware)
 }
 
 /// The reply as a JSON object, also where it is a bare Python tuple.
@@ -183,7 +212,7 @@ mod tests {
             r#""cmdName": "get_joint_pos", "joint_pos": [1, 2, 3, 4, 5, 6.5], "new": [{"errorCode": 7}], "errorCode": 0"#,
         ] {
             let text = format!("{{{keys}}}");
-            let reply = read_accepted::<GetJointPosReply>(&text).expect(keys);
+            let reply = read_accepted::<GetJointPosReply>(&text, None).expect(keys);
             let envelope = reply.envelope.expect("it has one");
             assert_eq!((envelope.command.as_deref(), &*envelope.message), (Some("get_joint_pos"), ""), "{keys}");
             let joints = reply.payload.expect("it is accepted").expect("it decodes").joint_position;
@@ -203,7 +232,7 @@ mod tests {
             r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]} x"#,
             r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#,
         ] {
-            assert!(read_accepted::<GetJointPosReply>(text).is_none(), "{text}");
+            assert!(read_accepted::<GetJointPosReply>(text, None).is_none(), "{text}");
         }
     }
 }

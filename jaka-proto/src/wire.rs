@@ -7,6 +7,7 @@
 mod decode;
 mod encode;
 mod error;
+mod forms;
 mod number;
 pub mod python;
 mod reader;
@@ -15,8 +16,12 @@ mod typed;
 mod value;
 mod writer;
 
+#[doc(hidden)]
+pub use crate::firmware::FirmwareRange;
 use decode::not_an_array_of;
 pub use error::DecodeError;
+#[doc(hidden)]
+pub use forms::Scaled;
 pub use reader::{Keys, Reader};
 pub(crate) use reader::{lossy_text, read_message, trimmed};
 #[doc(hidden)]

@@ -39,6 +39,9 @@ use crate::{
 pub(crate) trait StatusSource: Send + Sync {
     fn statistics(&self) -> MonitorStatistics;
 
+    /// Fields that packets never have: [`MotionStatus::absent`].
+    fn absent(&self) -> &'static [&'static str];
+
     /// Fails where the connection has ended.
     fn check_open(&self) -> Result<(), jaka_sync::Error>;
 
@@ -52,6 +55,10 @@ pub(crate) trait StatusSource: Send + Sync {
 impl<S: MotionStatus> StatusSource for Monitor<S> {
     fn statistics(&self) -> MonitorStatistics {
         Self::statistics(self)
+    }
+
+    fn absent(&self) -> &'static [&'static str] {
+        S::absent()
     }
 
     fn check_open(&self) -> Result<(), jaka_sync::Error> {
@@ -194,6 +201,11 @@ impl Arm {
     /// Statistics of the status packets.
     pub(crate) fn statistics(&self) -> MonitorStatistics {
         self.source.statistics()
+    }
+
+    /// Fields that status packets never have.
+    pub(crate) fn absent(&self) -> &'static [&'static str] {
+        self.source.absent()
     }
 
     /// Error for the end of the status connection.

@@ -167,7 +167,8 @@ impl Moving<'_> {
             // The motions may go on: they can be waited for again.
             self.planned.batch = Some(rule.batch);
         }
-        let mut end = End::new(occurrence, rest, Report::of_wait(since.passed()));
+        let report = Report::of_wait(since.passed()).without(self.arm.absent());
+        let mut end = End::new(occurrence, rest, report);
         end.packets = rule.packets.into();
         // A connection that is lost is the cause.
         end.error = rule.failure.filter(|failure| !failure.is_disconnected());

@@ -13,7 +13,7 @@ use std::fmt::{self, Display};
 use jaka_motion::Limits;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_sync::layer::MonitorParts as _;
-use jaka_sync::{Client, Config, Error, Monitor};
+use jaka_sync::{Client, Config, Error, Monitor, MotionStatus};
 
 use self::arm::Expected;
 use self::commands::Commands;
@@ -49,7 +49,7 @@ impl Preflight {
     ///
     /// The command port serves one client: another program that is connected there may be disconnected.
     pub fn read_at(config: &Config, commands_address: impl Display, status_address: impl Display) -> Self {
-        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &Expected::default())
+        Self::read_as::<RobotStatus>(config, commands_address, status_address, None)
     }
 
     /// The same for an arm that should be the model of these limits, and within them.
@@ -59,18 +59,25 @@ impl Preflight {
         status_address: impl Display,
         limits: &Limits,
     ) -> Self {
-        let expected = Expected(Some(limits.clone()));
-        Self::connect(config, &commands_address.to_string(), &status_address.to_string(), &expected)
+        Self::read_as::<RobotStatus>(config, commands_address, status_address, Some(limits))
     }
 
-    fn connect(config: &Config, commands_address: &str, status_address: &str, expected: &Expected) -> Self {
-        let monitor = Monitor::<RobotStatus>::connect_with(config, status_address);
+    /// The same by another type of status packets, such as that of a [pack](crate::pack!):
+    /// `Preflight::read_as::<newer::RobotStatus>(…)`.
+    pub fn read_as<S: MotionStatus>(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+        limits: Option<&Limits>,
+    ) -> Self {
+        let expected = Expected(limits.cloned());
+        let monitor = Monitor::<S>::connect_with(config, status_address);
         let mut client = Client::connect_with(config, commands_address);
         let state = monitor.as_ref().map(|monitor| ArmState::new(monitor, monitor.clock(), true));
         let status = monitor
             .as_ref()
             .and_then(|source| Ok(StatusPort { source, state: state.as_ref().map_err(|&error| error)? }));
-        Self::read(client.as_mut().map_err(|error| &*error), status, expected)
+        Self::read(client.as_mut().map_err(|error| &*error), status, &expected)
     }
 
     /// One finding for each [`CheckItem`], in its order.

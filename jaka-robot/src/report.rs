@@ -30,6 +30,10 @@ pub struct Report {
     pub unanswered: u64,
     /// The most answers that were outstanding at once.
     pub most_outstanding: usize,
+    /// Fields that status packets never have, as their type declares
+    /// ([`MotionStatus::absent`](crate::MotionStatus::absent)). Without `error_code`, an error of the controller is not
+    /// seen.
+    pub absent: &'static [&'static str],
     /// Report of a trajectory; none for other motions.
     pub trajectory: Option<TrajectoryReport>,
     lateness: Histogram,
@@ -76,14 +80,19 @@ impl Report {
         self.lateness.at(share)
     }
 
-    /// Report of set-points, with all the memory that it takes.
-    pub(crate) fn of_set_points() -> Self {
-        Self { lateness: Histogram::new(), ..Self::default() }
+    /// Report of set-points, with all the memory that it takes, beside packets without these fields.
+    pub(crate) fn of_set_points(absent: &'static [&'static str]) -> Self {
+        Self { lateness: Histogram::new(), absent, ..Self::default() }
     }
 
     /// Report of a motion that the controller plans.
     pub(crate) fn of_wait(waited: Duration) -> Self {
         Self { waited, ..Self::default() }
+    }
+
+    /// The same report, beside packets without these fields.
+    pub(crate) fn without(self, absent: &'static [&'static str]) -> Self {
+        Self { absent, ..self }
     }
 
     /// The same report, of a trajectory.

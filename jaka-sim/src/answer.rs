@@ -88,7 +88,7 @@ const TOPICS: [Topic; 14] = [
 
 /// Carries out a request, and writes the reply.
 pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) -> Sequel {
-    let request = Request::read(text);
+    let request = Request::read(&spec_index.as_built_in(text));
     let command = match &request {
         Ok(request) => request.info().name,
         Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => command,
@@ -163,7 +163,7 @@ fn carry_out(
     };
     match outcome {
         Outcome::Replied if *packed => {
-            if !pack::complete(&spec_index.spec, command, out) {
+            if !pack::complete(spec_index, command, out) {
                 refuse(&command.wire, &usual_refusal(&command.wire), out);
             }
         }

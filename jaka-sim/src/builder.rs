@@ -222,9 +222,10 @@ impl Builder {
     /// firmware does not have by the pack's `since` and `until` is unknown to the controller, as to a real one: choose
     /// a [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
     ///
-    /// A pack that names or types a key of replies or packets, or names one of requests, otherwise than the built-in
-    /// spec has it is an error at the start: the state has no value for it. A request of a built-in command that the pack
-    /// alone can read, and a reply whose value the pack does not allow, are refused.
+    /// Keys that a pack names otherwise than the built-in spec, other words for false and true, units that convert, and
+    /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in that of the
+    /// firmware that the controller has at the start. What a pack gives another type or another meaning is an error at the
+    /// start that names it: the state has no value for it. A reply whose value the pack does not allow is refused.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());

@@ -3,22 +3,27 @@
 mod replayed;
 mod request_reader;
 
+use std::borrow::Cow;
 use std::io;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_dynamic::Message;
 use jaka_proto::Envelope;
 use jaka_proto::wire::Writer;
+use jaka_spec::COMMAND_NAME;
+use serde_json::{Map, Value};
 
 use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
 use crate::connection::{CommandConnection, NextStep};
+use crate::json_text::respace;
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::socket::Socket;
-use crate::spec_index::accepted;
+use crate::spec_index::{CommandEntry, accepted};
 use crate::world::World;
 use crate::{Port, Takeover, firmware};
 
@@ -148,7 +153,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
     let sequel = match incoming {
-        Incoming::Request(text) => answer::answer(text, &shared.spec_index, &mut world, reply),
+        Incoming::Request(text) => answer::answer(&in_own_forms(text, shared), &shared.spec_index, &mut world, reply),
         Incoming::NoText(_) | Incoming::Garbage => {
             answer::refuse_unknown(&shared.spec_index, reply);
             Sequel::Nothing
@@ -160,6 +165,9 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         put_set_fields(command, shared, reply);
     }
     firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
+    if let Some(command) = &command {
+        put_forms(command, shared, reply);
+    }
     drop(world);
     let fault = shared.faults().next(command.as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
@@ -168,11 +176,40 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     writer.send_reply(fault.delivery(reply.as_str()), sequel)
 }
 
+/// The request in the spec's own forms, of which the firmware may have others.
+fn in_own_forms<'t>(text: &'t str, shared: &Shared) -> Cow<'t, str> {
+    let translated = || {
+        let members: Map<_, _> = serde_json::from_str(text).ok()?;
+        let name = members.get(COMMAND_NAME)?.as_str()?.trim();
+        // A value in a form of other firmware is missing then, and the request is refused.
+        Some(Value::from(shared.forms.as_ref()?.read(Message::Request(name), &members).members).to_string())
+    };
+    if shared.forms.is_none() { Cow::Borrowed(text) } else { translated().map_or(Cow::Borrowed(text), Cow::Owned) }
+}
+
+/// Writes an accepted reply in the forms of the firmware. One that has a packet's keys has them already.
+fn put_forms(command: &str, shared: &Shared, reply: &mut Writer) {
+    let (Some(forms), Some(entry)) = (&shared.forms, shared.spec_index.entry(command)) else { return };
+    let is_refusal = Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some());
+    if is_refusal || is_status(entry, shared) {
+        return;
+    }
+    let members = serde_json::from_str(reply.as_str()).ok();
+    if let Some(members) = members.and_then(|members| forms.written(Message::Reply(command), &members)) {
+        reply.clear();
+        reply.raw(&respace(&Value::from(members).to_string(), shared.options.style().separators));
+    }
+}
+
+/// True for a command whose reply has a packet's keys.
+fn is_status(entry: &CommandEntry, shared: &Shared) -> bool {
+    entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type())
+}
+
 /// Writes what a packet shows into the accepted reply that has a packet's keys.
 fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer) {
     let Some(entry) = shared.spec_index.entry(command) else { return };
-    let is_status = entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type());
-    if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
+    if !is_status(entry, shared) || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
         return;
     }
     reply.clear();

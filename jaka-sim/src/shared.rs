@@ -5,6 +5,7 @@ use std::io;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Duration;
 
+use jaka_dynamic::Forms;
 use serde_json::{Map, Value};
 
 use crate::clock::{CYCLE, Clock};
@@ -28,6 +29,8 @@ use crate::{Builder, FaultPlan, State, status_packet};
 pub(crate) struct Shared {
     pub(crate) options: Builder,
     pub(crate) spec_index: Arc<SpecIndex>,
+    /// Forms of the firmware that the controller has at the start; none where all firmware has the same.
+    pub(crate) forms: Option<Forms>,
     pub(crate) command_listener: Listener,
     pub(crate) status_listener: Listener,
     pub(crate) active_client: ActiveClient,
@@ -57,6 +60,8 @@ impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
         options.check()?;
         let spec_index = SpecIndex::open(&options.packs)?;
+        let world = World::new(&options, &spec_index)?;
+        let forms = Forms::of(&spec_index.spec, world.state.version.parse().ok());
         let time = &options.time;
         Ok(Self {
             command_listener: Listener::bind(options.address, options.command_port, time)?,
@@ -67,7 +72,8 @@ impl Shared {
             triggers: Triggers::default(),
             links: Arc::new(Links::new(&options.faults.links, time)),
             replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
-            world: Mutex::new(World::new(&options, &spec_index)?),
+            world: Mutex::new(world),
+            forms,
             spec_index,
             replies: Mutex::default(),
             status_values: Mutex::default(),
@@ -101,7 +107,8 @@ impl Shared {
     /// The status packet of a state.
     pub(crate) fn packet_of(&self, state: &State) -> String {
         let set = self.status_values().clone();
-        status_packet::packet(state, self.options.firmware, &self.spec_index, &set, &mut lock(&self.packet_parts))
+        let model = (&*self.spec_index, self.forms.as_ref());
+        status_packet::packet(state, self.options.firmware, model, &set, &mut lock(&self.packet_parts))
     }
 
     /// Sends the present state to all status readers; nothing in a replay, which has its own packets.

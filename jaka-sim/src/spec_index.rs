@@ -1,14 +1,16 @@
 //! What the spec says about each command, by the command's name.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
+use jaka_dynamic::{Message, Translation};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, read_payload, write_refusal};
-use jaka_spec::{Effect, Field, Requirement, Source, Spec, Version, Versions};
-use serde_json::Value;
+use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec, Version, Versions};
+use serde_json::{Map, Value};
 
 /// A spec, indexed by `cmdName`.
 #[derive(Debug)]
@@ -16,8 +18,8 @@ pub(crate) struct SpecIndex {
     entries: HashMap<String, CommandEntry>,
     /// All of it.
     pub(crate) spec: Spec,
-    /// True if a pack changes what status packets have without it.
-    changed_status: bool,
+    /// The index of the built-in spec, to which packs were added.
+    base: Option<Arc<Self>>,
     /// The controller's message for something that is not a command.
     pub(crate) unknown: String,
 }
@@ -73,29 +75,54 @@ impl SpecIndex {
             packed.extend(changed);
             spec = pack.spec;
         }
-        Ok(Arc::new(Self::new(spec, Some(&built_in), &packed)))
+        Ok(Arc::new(Self::new(spec, Some(built_in), &packed)))
     }
 
     /// The index of a spec that packs have made of another one, and the commands that they add or change.
-    fn new(spec: Spec, base: Option<&Self>, packed: &BTreeSet<String>) -> Self {
+    fn new(spec: Spec, base: Option<Arc<Self>>, packed: &BTreeSet<String>) -> Self {
         let entry = |command: &jaka_spec::Command| {
-            let base = base.and_then(|base| base.entry(&command.wire));
+            let base = base.as_ref().and_then(|base| base.entry(&command.wire));
             CommandEntry::new(&spec, command, base, packed.contains(&command.wire))
         };
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
-        let changed_status = base.is_some_and(|base| changes_status(&base.spec, &spec));
-        Self { entries, spec, changed_status, unknown }
+        Self { entries, spec, base, unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {
         self.entries.get(command)
     }
 
-    /// True if a value can stand at a key of status packets, which a pack may have changed.
-    pub(crate) fn fits(&self, field: &Field, value: &Value) -> bool {
-        !self.changed_status || jaka_dynamic::is_readable(&self.spec, field, value)
+    /// The request in terms of the built-in spec, where a pack has other keys or forms for it.
+    pub(crate) fn as_built_in<'t>(&self, text: &'t str) -> Cow<'t, str> {
+        self.translated_request(text).map_or(Cow::Borrowed(text), Cow::Owned)
+    }
+
+    fn translated_request(&self, text: &str) -> Option<String> {
+        let base = self.base.as_ref()?;
+        let members: Map<_, _> = serde_json::from_str(text).ok()?;
+        let name = members.get(COMMAND_NAME)?.as_str()?.trim();
+        base.entry(name).and_then(|_| self.entry(name)).filter(|entry| entry.packed)?;
+        let translated = Translation::new(&self.spec, &base.spec).message(Message::Request(name), &members);
+        Some(Value::from(translated.members).to_string())
+    }
+
+    /// A reply in terms of the built-in spec with the keys and forms of packs; false where a value has none.
+    pub(crate) fn with_packs(&self, command: &str, reply: &mut Map<String, Value>) -> bool {
+        let Some(base) = self.base.as_ref().filter(|base| base.entry(command).is_some()) else { return true };
+        let translated = Translation::new(&base.spec, &self.spec).message(Message::Reply(command), reply);
+        *reply = translated.members;
+        translated.lost.is_empty()
+    }
+
+    /// A value of the state at a key of status packets, which a pack may have changed; `value` gives it by the built-in
+    /// name. None where the state has none.
+    pub(crate) fn status_value(&self, field: &Field, value: impl Fn(&str) -> Option<Value>) -> Option<Value> {
+        let Some(base) = &self.base else { return value(&field.name) };
+        let (own, others) = (self.spec.status_fields(), base.spec.status_fields());
+        let known = jaka_dynamic::counterpart(field, own, others)?;
+        Translation::new(&base.spec, &self.spec).field(known, field, &value(&known.name)?)
     }
 
     /// The reply that the spec prints for a command.
@@ -135,59 +162,32 @@ impl CommandEntry {
     }
 }
 
-/// Fails where a pack names or types a key otherwise than the built-in spec has it: the state has no value for it, and
-/// zeros in its place would be false.
+/// Fails where a pack gives a key another type or another meaning than the built-in spec has: the state has no value for
+/// it, and zeros in its place would be false.
 fn check_followed(built_in: &SpecIndex, spec: &Spec, changed: &BTreeSet<String>) -> Result<(), String> {
-    for name in changed {
-        let (Some(entry), Some(command)) = (built_in.entry(name), spec.command(name)) else { continue };
-        let is_kept = |field: &Field| command.request.fields().any(|other| other.wire == field.wire);
-        if let Some(field) = entry.command.request.fields().find(|field| !is_kept(field)) {
-            return Err(format!(
-                "the simulator cannot follow it: it changes `{}` in the request `{name}`, which the simulated arm reads by that name",
-                field.wire
-            ));
+    let (read, written) = (Translation::new(spec, &built_in.spec), Translation::new(&built_in.spec, spec));
+    let not_followed = |key: &String, place: String| {
+        let what = "of which the simulated arm has a value of another type or in another unit";
+        Err(format!("the simulator cannot follow it: it changes `{key}` in {place}, {what}"))
+    };
+    if let Some(key) = written.lost(Message::Status).first() {
+        return not_followed(key, "status packets".to_owned());
+    }
+    for name in changed.iter().filter(|name| built_in.entry(name).is_some()) {
+        if let Some(key) = read.missing(Message::Request(name)).first() {
+            return not_followed(key, format!("the request `{name}`"));
         }
-        let sample: Value = serde_json::from_str(&entry.typed_sample).map_err(|error| error.to_string())?;
-        let before = built_in.spec.reply_fields(&entry.command);
-        let value = |field: &Field| sample.get(&field.wire).cloned();
-        if let Some(key) = not_followed((before, spec.reply_fields(command)), spec, value) {
-            return Err(format!(
-                "the simulator cannot follow it: it changes `{key}` in the reply to `{name}`, for which the simulated arm has a value of \
-                 another name or type"
-            ));
+        if let Some(key) = written.lost(Message::Reply(name)).first() {
+            return not_followed(key, format!("the reply to `{name}`"));
         }
     }
-    let value = |field: &Field| Some(jaka_dynamic::sample_value(&built_in.spec, field));
-    not_followed((built_in.spec.status_fields(), spec.status_fields()), spec, value).map_or(Ok(()), |key| {
-        Err(format!(
-            "the simulator cannot follow it: it changes `{key}` in status packets, for which the simulated arm has a value of another type"
-        ))
-    })
-}
-
-/// The first key that is not there any more, or cannot have the value that it had.
-fn not_followed<'f>(
-    (before, after): (&'f [Field], &[Field]),
-    spec: &Spec,
-    value: impl Fn(&Field) -> Option<Value>,
-) -> Option<&'f str> {
-    let is_followed = |field: &Field| {
-        let same = after.iter().find(|other| other.wire == field.wire);
-        same.is_some_and(|other| value(field).is_none_or(|value| jaka_dynamic::is_readable(spec, other, &value)))
-    };
-    before.iter().find(|field| !is_followed(field)).map(|field| &*field.wire)
+    Ok(())
 }
 
 /// The versions of the firmware that has a command of a pack.
 fn firmware_range(versions: &Versions) -> FirmwareRange {
     let bound = |version: &Option<Version>| version.as_ref().and_then(|version| version.to_string().parse().ok());
     FirmwareRange { since: bound(&versions.since), until: bound(&versions.until) }
-}
-
-/// True if packs have changed keys of status packets that the spec before them has, or types.
-fn changes_status(before: &Spec, after: &Spec) -> bool {
-    before.status_fields().iter().any(|field| !after.status_fields().contains(field))
-        || before.types().any(|(id, def)| Some(id) != before.status_type() && after[id] != *def)
 }
 
 /// A reply that fits the spec.

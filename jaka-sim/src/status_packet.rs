@@ -4,6 +4,7 @@ mod extio;
 mod keys;
 mod values;
 
+use jaka_dynamic::{Forms, Message};
 use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
 use serde_json::{Map, Value};
@@ -33,7 +34,7 @@ enum Shown {
 pub(crate) fn packet(
     state: &State,
     firmware: Firmware,
-    spec_index: &SpecIndex,
+    (spec_index, forms): (&SpecIndex, Option<&Forms>),
     set: &Map<String, Value>,
     parts: &mut Vec<Part>,
 ) -> String {
@@ -50,7 +51,7 @@ pub(crate) fn packet(
             None => Shown::State(shown(field, state, shape, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
-            part.text = respace(&written(field, &shown, values), shape.separators);
+            part.text = respace(&written(field, &shown, values, forms), shape.separators);
             part.shown = Some(shown);
         }
         tail.push_str(&part.text);
@@ -60,16 +61,22 @@ pub(crate) fn packet(
 }
 
 /// A key and what it shows, after a comma.
-fn written(field: &Field, shown: &Shown, values: Values<'_>) -> String {
+fn written(field: &Field, shown: &Shown, values: Values<'_>, forms: Option<&Forms>) -> String {
     let mut out = Writer::new();
-    out.raw(",");
-    out.raw(&json(&field.wire));
-    out.raw(":");
     match shown {
         Shown::Set(value) => out.json(value),
         Shown::State(json) => values.field(field, json, &mut out),
     }
-    out.into_string()
+    let value = out.into_string();
+    let (key, value) = forms.and_then(|forms| in_form(forms, field, &value)).unwrap_or((field.wire.clone(), value));
+    format!(",{}:{value}", json(&key))
+}
+
+/// The key and the value of a field in the form of the firmware.
+fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)> {
+    let member = Map::from_iter([(field.wire.clone(), serde_json::from_str(value).ok()?)]);
+    let (key, value) = forms.written(Message::Status, &member)?.into_iter().next()?;
+    Some((key, value.to_string()))
 }
 
 /// What a packet shows of the state at a key, in JSON.
@@ -77,7 +84,7 @@ fn shown(field: &Field, state: &State, shape: &Shape, spec_index: &SpecIndex) ->
     if field.name == "extio" {
         return extio::report(&spec_index.spec, field, &state.extio, shape.extio_module_id);
     }
-    let value = values::value(&field.name, state, shape).filter(|value| spec_index.fits(field, value));
+    let value = spec_index.status_value(field, |name| values::value(name, state, shape));
     value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field)).to_string()
 }
 

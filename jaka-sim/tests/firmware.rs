@@ -152,14 +152,39 @@ fn pack(name: &str, text: &str) -> PathBuf {
 }
 
 #[test]
-fn a_pack_that_changes_keys_is_refused_since_the_state_has_no_value_for_them() {
-    let renamed = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
-    let retyped = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
+fn keys_units_and_words_that_a_pack_changes_are_followed() {
+    let text = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n\
+                [[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\nwire = 'rate'\n\
+                [[override]]\ntarget = 'get_payload'\nreply = 'mass'\nunit = 'g'\n\
+                [[override]]\ntarget = 'RobotStatus'\nfield = 'enabled'\nwire = 'drives'\nwritten = ['off', 'on']\n\
+                [[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\nwire = 'rate'\n";
+    let controller = at_rest().pack(pack("followed", text)).start().expect("the pack is correct");
+    controller.set_state(|state| (state.powered, state.enabled) = (true, true));
+    let mut peer = Peer::commands(&controller);
+    assert_eq!(peer.ask("{\"cmdName\":\"rapid_rate\",\"rate\":0.5}")["errorCode"], *"0");
+    assert!((controller.state().rapid_rate - 0.5).abs() < 1e-12);
+    // The key of the built-in spec is that of no field any more.
+    assert_ne!(peer.ask("{\"cmdName\":\"rapid_rate\",\"rate_value\":0.25}")["errorCode"], *"0");
+    assert!((controller.state().rapid_rate - 0.5).abs() < 1e-12);
+    let reply = peer.call("get_joint_pos");
+    assert_eq!(reply["joints"].as_array().map(Vec::len), Some(6), "{reply}");
+    assert_eq!(reply.get("joint_pos"), None, "{reply}");
+    controller.set_state(|state| state.payload.mass = 2.5);
+    assert_eq!(peer.call("get_payload")["mass"], json("2500.0"));
+    let packet = Peer::status(&controller).receive();
+    assert!(packet.contains("\"drives\": \"on\"") && packet.contains("\"rate\": 0.5"), "{packet}");
+    assert!(!packet.contains("\"enabled\"") && !packet.contains("\"rapidrate\""), "{packet}");
+}
+
+#[test]
+fn what_a_pack_types_otherwise_is_refused_by_name_since_the_state_has_no_value_for_it() {
+    let reply = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
+    let unit = "[[override]]\ntarget = 'get_payload'\nreply = 'mass'\nunit = 'lb'\n";
     let status = "[[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\ntype = 'text'\n";
-    let request = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\nwire = 'rate'\n";
+    let request = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\ntype = 'text'\n";
     for (name, text, what) in [
-        ("renamed", renamed, "it changes `joint_pos` in the reply to `get_joint_pos`"),
-        ("retyped", retyped, "it changes `joint_pos` in the reply to `get_joint_pos`"),
+        ("retyped", reply, "it changes `joint_pos` in the reply to `get_joint_pos`"),
+        ("unit", unit, "it changes `mass` in the reply to `get_payload`"),
         ("of_status", status, "it changes `rapidrate` in status packets"),
         ("request", request, "it changes `rate_value` in the request `rapid_rate`"),
     ] {
@@ -167,16 +192,6 @@ fn a_pack_that_changes_keys_is_refused_since_the_state_has_no_value_for_them() {
         assert_eq!(error.kind(), io::ErrorKind::Unsupported);
         assert!(error.to_string().contains(what), "{error}");
     }
-}
-
-#[test]
-fn a_request_that_a_pack_types_otherwise_is_refused_and_not_taken_for_carried_out() {
-    let text = "[[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\ntype = 'text'\n";
-    let controller = at_rest().pack(pack("typed_otherwise", text)).start().expect("the pack is correct");
-    let mut peer = Peer::commands(&controller);
-    let reply = peer.ask("{\"cmdName\":\"rapid_rate\",\"rate_value\":\"slow\"}");
-    assert_ne!(reply["errorCode"], *"0", "{reply}");
-    assert!((controller.state().rapid_rate - 1.0).abs() < 1e-12);
 }
 
 #[test]

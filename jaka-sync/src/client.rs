@@ -38,8 +38,6 @@ use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 pub struct Client {
     pub(crate) link: Arc<Link>,
     config: Config,
-    /// The firmware that requests are checked against, if any.
-    firmware: Option<FirmwareVersion>,
     reply: String,
     pub(crate) handle: Handle,
     /// True if its drop closes the connection.
@@ -62,14 +60,7 @@ impl Client {
     pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
         let (stream, tap) = connection::connect(&address.to_string(), Port::Command, config)?;
         let link = Arc::new(Link::new(stream, tap, config));
-        Ok(Self {
-            link,
-            config: config.clone(),
-            firmware: None,
-            reply: String::new(),
-            handle: Handle::FIRST,
-            owns_link: true,
-        })
+        Ok(Self { link, config: config.clone(), reply: String::new(), handle: Handle::FIRST, owns_link: true })
     }
 
     /// Another handle of the same connection, for another thread or for use beside a [`Pipeline`](crate::Pipeline).
@@ -109,7 +100,6 @@ impl Client {
         Self {
             link: Arc::clone(&self.link),
             config: self.config.clone(),
-            firmware: self.firmware,
             reply: String::new(),
             handle,
             owns_link: false,
@@ -122,6 +112,7 @@ impl Client {
     /// - [`InvalidArgument`](ErrorKind::InvalidArgument): the spec forbids a field; nothing was sent.
     /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the controller does not have it, after
     ///   [`check_firmware`](Self::check_firmware); nothing was sent.
+    /// - [`FirmwareUnknown`](ErrorKind::FirmwareUnknown): the form of the command depends on the firmware; nothing was sent.
     /// - [`Refused`](ErrorKind::Refused): the controller refused; the command did not run.
     /// - [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost): the command may have run.
     /// - [`UnexpectedReply`](ErrorKind::UnexpectedReply): accepted, but the reply does not fit the spec.
@@ -171,7 +162,7 @@ impl Client {
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<A, SendError<R>> {
-        let mut reader = TypedReply::new(info);
+        let mut reader = TypedReply::of_firmware(info, self.link.firmware());
         match self.exchange(info, gate, timeout, write, &mut reader) {
             Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
             Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
@@ -206,7 +197,7 @@ impl Client {
 
     /// What commands are checked against, apart from the spec.
     fn rules(&self) -> Rules {
-        Rules { ranges: self.config.advisory_ranges, firmware: self.firmware }
+        Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
     }
 
     /// Sends commands without waiting for their replies, which are counted, and says how many are outstanding.
@@ -236,7 +227,9 @@ impl Client {
     }
 
     /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware
-    /// does not have, according to the spec, is refused before it is sent.
+    /// does not have, according to the spec, is refused before it is sent, and values have the forms of this firmware, where
+    /// firmware differs: a command whose form depends on it is refused before ([`ErrorKind::FirmwareUnknown`]). All handles
+    /// of the connection share what is known; for status packets, see [`Monitor::set_firmware`](crate::Monitor::set_firmware).
     ///
     /// By default, firmware is not checked. Raw calls and stop handles are never checked.
     ///
@@ -255,19 +248,19 @@ impl Client {
         let unfit = || DecodeError::unfit("a firmware version such as 1.6.5_01_X86", &text).in_field("version");
         let no_version = |_| self.link.attach(unexpected(GetVersion::INFO.name, unfit()));
         let firmware = text.parse().map_err(no_version)?;
-        self.firmware = Some(firmware);
+        self.link.set_firmware(Some(firmware));
         Ok(firmware)
     }
 
-    /// Sets the firmware that requests are checked against, without asking the controller; `None` turns these checks
-    /// off.
+    /// Sets the firmware that requests are checked against, for all handles of the connection, without asking the
+    /// controller; `None` turns these checks off.
     pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
-        self.firmware = firmware;
+        self.link.set_firmware(firmware);
     }
 
     /// The firmware that requests are checked against, if any.
     pub fn firmware(&self) -> Option<FirmwareVersion> {
-        self.firmware
+        self.link.firmware()
     }
 
     /// Sends a command that the spec does not know, and returns the whole reply as JSON.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 
@@ -40,6 +41,7 @@ pub struct Config {
     pub(crate) reconnect: Reconnect,
     pub(crate) recorder: Option<Recorder>,
     pub(crate) status_sampling: StatusSampling,
+    pub(crate) firmware: Option<FirmwareVersion>,
     pub(crate) clock: Clock,
 }
 
@@ -55,6 +57,7 @@ impl Default for Config {
             reconnect: Reconnect::Never,
             recorder: None,
             status_sampling: StatusSampling::All,
+            firmware: None,
             clock: Clock::default(),
         }
     }
@@ -67,6 +70,18 @@ impl Config {
     /// The defaults, named at each setting.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Sets the controller's firmware, where it is known before. Not known by default: see
+    /// [`Client::check_firmware`](crate::Client::check_firmware).
+    pub fn firmware(mut self, firmware: Option<FirmwareVersion>) -> Self {
+        self.firmware = firmware;
+        self
+    }
+
+    /// The value of [`firmware`](Self::firmware).
+    pub fn get_firmware(&self) -> Option<FirmwareVersion> {
+        self.firmware
     }
 
     /// Sets how long connecting may take, over all addresses of a name, which share the time. 5 s by default.

@@ -52,6 +52,11 @@ jaka_proto::worded! {
         ///
         /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
         NotInFirmware(missing: NotInFirmware) => "{missing}",
+        /// The firmware decides the form of the request or of its reply, and is not known. Nothing was sent.
+        FirmwareUnknown {
+            /// `cmdName` of the request.
+            command: &'static str,
+        } => "`{command}` was not sent: its form depends on the firmware, which is not known",
         /// No connection could be made. Check the address, the cable, and whether the controller is on.
         ///
         /// A controller may refuse a second client of its command port, which serves one.
@@ -168,6 +173,7 @@ impl Error {
             {
                 Remedy::FreeSeat
             }
+            ErrorKind::FirmwareUnknown { .. } => Remedy::CheckFirmware,
             ErrorKind::StatusTimeout { .. } => Remedy::CheckStatusPort,
             ErrorKind::StatusUnknown { problem } => problem.remedy(),
             ErrorKind::Disconnected { command: None, cause, .. } if cause.is_by_controller() => Remedy::CheckNetwork,
@@ -194,6 +200,7 @@ impl Error {
             ErrorKind::Disconnected { sent, .. } => *sent,
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
+            | ErrorKind::FirmwareUnknown { .. }
             | ErrorKind::Connect { .. }
             | ErrorKind::Refused { .. }
             | ErrorKind::KeptBack { .. }
@@ -288,6 +295,7 @@ impl StdError for Error {
             ErrorKind::StatusUnknown { problem } => problem.source(),
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
+            | ErrorKind::FirmwareUnknown { .. }
             | ErrorKind::Refused { .. }
             | ErrorKind::KeptBack { .. }
             | ErrorKind::Timeout { .. }
@@ -322,6 +330,7 @@ impl From<NotSent> for Error {
         match not_sent {
             NotSent::InvalidArgument(invalid) => invalid.into(),
             NotSent::NotInFirmware(missing) => (*missing).into(),
+            NotSent::FirmwareUnknown { command } => ErrorKind::FirmwareUnknown { command }.into(),
         }
     }
 }

@@ -23,7 +23,7 @@ pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
 pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
 pub use crate::monitor::{StatusNews, describe};
-pub use crate::motion_status::told;
+pub use crate::motion_status::{needed, told};
 pub use crate::stop::WrittenStop;
 pub use crate::sync::{Wakeup, Watched, lock};
 use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};
@@ -31,7 +31,7 @@ use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHa
 /// Failure that an [`Error`] tells of, as a closed choice: each kind is one of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Failure {
-    /// The request is wrong, the firmware does not have it, or it was kept back. Nothing was sent.
+    /// The request is wrong, the firmware does not have it or is not known, or it was kept back. Nothing was sent.
     NotSent,
     /// No connection could be made.
     NotConnected,
@@ -55,7 +55,10 @@ impl Failure {
     /// Failure that an error tells of.
     pub fn of(error: &Error) -> Self {
         match error.kind() {
-            ErrorKind::InvalidArgument(_) | ErrorKind::NotInFirmware(_) | ErrorKind::KeptBack { .. } => Self::NotSent,
+            ErrorKind::InvalidArgument(_)
+            | ErrorKind::NotInFirmware(_)
+            | ErrorKind::FirmwareUnknown { .. }
+            | ErrorKind::KeptBack { .. } => Self::NotSent,
             ErrorKind::Connect { .. } => Self::NotConnected,
             ErrorKind::Refused { .. } => Self::Refused,
             ErrorKind::Timeout { .. } | ErrorKind::NotSentInTime { .. } | ErrorKind::ReplyLost { .. } => {

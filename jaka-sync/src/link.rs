@@ -24,10 +24,10 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
 
-use jaka_proto::CommandInfo;
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
 use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::Writer;
+use jaka_proto::{CommandInfo, FirmwareVersion};
 
 use self::failure::Progress;
 pub use self::failure::unexpected;
@@ -42,7 +42,7 @@ use self::state::{Mode, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::socket::Socket;
-use crate::sync::Watched;
+use crate::sync::{Mutex, Watched, lock};
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
@@ -53,7 +53,7 @@ use crate::{Config, Disconnect, Error};
 /// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state of an arm, never
 ///    two at once. A thread that holds one of these must not take 1.
 /// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which are the state of
-///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`).
+///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`); and `firmware`.
 ///
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
 /// a thread takes out of the state and puts back.
@@ -69,6 +69,8 @@ pub struct Link {
     state: Watched<State>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
+    /// Firmware of the controller, if it is known.
+    firmware: Mutex<Option<FirmwareVersion>>,
 }
 
 /// Target of log records of the wire.
@@ -99,7 +101,17 @@ impl Link {
             reply_timeout: config.reply_timeout,
             state: Watched::new(&config.clock, state),
             stops: AtomicUsize::new(0),
+            firmware: Mutex::new(config.firmware),
         }
+    }
+
+    /// Firmware of the controller, if it is known.
+    pub fn firmware(&self) -> Option<FirmwareVersion> {
+        *lock(&self.firmware)
+    }
+
+    pub(crate) fn set_firmware(&self, firmware: Option<FirmwareVersion>) {
+        *lock(&self.firmware) = firmware;
     }
 
     /// Where the connection leads, with the port.

@@ -15,6 +15,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
@@ -84,10 +85,12 @@ struct State<S> {
     reconnecting: bool,
     /// How often waiting threads were told to check again.
     wakes: u64,
+    /// Firmware by which packets are read.
+    firmware: Option<FirmwareVersion>,
 }
 
 impl<S> State<S> {
-    fn new(stream: Option<Arc<Socket>>, tap: Tap) -> Self {
+    fn new(stream: Option<Arc<Socket>>, tap: Tap, firmware: Option<FirmwareVersion>) -> Self {
         Self {
             latest: None,
             counters: Counters::default(),
@@ -100,6 +103,7 @@ impl<S> State<S> {
             closing: false,
             reconnecting: false,
             wakes: 0,
+            firmware,
         }
     }
 }
@@ -132,7 +136,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let address = address.to_string();
         let packets = Packets::connect(&address, config)?;
         let source_address = packets.tap.address();
-        let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
+        let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone(), config.firmware);
         let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
@@ -164,6 +168,13 @@ impl<S: 'static> Monitor<S> {
     /// The last packet that has come, even if the connection has ended since.
     pub fn last_known_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.board.lock().latest.clone()
+    }
+
+    /// Sets the firmware by which packets are read from now on, where a value has one form or another by firmware and the
+    /// packet does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not
+    /// fit.
+    pub fn set_firmware(&self, firmware: Option<FirmwareVersion>) {
+        self.board.lock().firmware = firmware;
     }
 
     /// True if no packet has come for longer than [`Config::stale_after`].

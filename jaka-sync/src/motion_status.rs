@@ -11,35 +11,71 @@ use crate::Snapshot;
 /// Status packets by which a robot can tell how a motion goes: the built-in type, and the one of a
 /// [pack](crate::pack!) that changes the packet.
 ///
-/// The `RobotStatus` of a pack's module implements it, unless the pack gives another type in Rust to a field that a
-/// robot needs. Another key, or truth values written in another form, are not another type. Where it is not
-/// implemented, implement it: say what the packet means in terms of the built-in type.
+/// The `RobotStatus` of a pack's module implements it by the pack's table `[robot_status]`, which says where packets
+/// have the [fields that a robot needs](crate::newer_firmware#what-a-robot-needs). If the table leaves a field to the
+/// program (`"program"`), the program implements it: the module's type then has a method `as_built_in`, which gives all
+/// but these fields.
 ///
-/// ```no_run
+/// ```
+/// use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 /// use jaka_sync::status::RobotStatus;
 /// use jaka_sync::{Config, Error, Monitor, MotionStatus};
 ///
-/// fn monitor<S: MotionStatus>(address: &str) -> Result<Monitor<S>, Error> {
-///     Monitor::connect_with(&Config::new(), address)
+/// /// Packets of a controller that never sends an error code.
+/// struct Plain(RobotStatus);
+///
+/// impl Decode for Plain {
+///     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+///         RobotStatus::decode(reader).map(Self)
+///     }
 /// }
 ///
-/// let monitor = monitor::<RobotStatus>("10.5.5.100")?;
-/// # Ok::<(), Error>(())
+/// impl MotionStatus for Plain {
+///     fn robot_status(&self) -> RobotStatus {
+///         // Required: `emergency_stop`, `protective_stop`, `powered_on`, `enabled`, `in_position` and
+///         // `joint_actual_position`.
+///         self.0.clone()
+///     }
+///
+///     fn absent() -> &'static [&'static str] {
+///         &["error_code", "error_message"]
+///     }
+/// }
+///
+/// fn monitor(address: &str) -> Result<Monitor<Plain>, Error> {
+///     Monitor::connect_with(&Config::new(), address)
+/// }
 /// ```
 #[diagnostic::on_unimplemented(
     message = "a robot cannot tell by `{Self}` how a motion goes",
-    note = "a pack's `RobotStatus` does not implement `MotionStatus` if the pack changes the type of a field that a robot needs"
+    note = "a pack's `RobotStatus` does not implement it if the pack's `[robot_status]` leaves a field to the program"
 )]
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type.
     ///
-    /// What is left out counts as a key that did not come: an arm is not moved if neither of its stops nor its power is
-    /// shown. What does not fit ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet
-    /// counts as one that cannot be read, and motions are kept back until `jaka_robot::Robot::acknowledge`.
+    /// What is left out counts as a key that did not come. While packets leave out a field that is required, or an
+    /// `error_code` that is not declared [absent](Self::absent), no motion is sent. What does not fit
+    /// ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot
+    /// be read, and motions are kept back until `jaka_robot::Robot::acknowledge`.
     ///
     /// Called for each packet and robot on the monitor's thread, and by `Robot::power_up`: a slow implementation holds
     /// packets up.
     fn robot_status(&self) -> RobotStatus;
+
+    /// Fields of the built-in type, by their Rust names, that packets of this controller never have.
+    ///
+    /// `jaka_robot` says so where that matters: without `error_code`, an end of a motion says that an error of the
+    /// controller is not seen, and so does a preflight.
+    fn absent() -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Fields without which a packet keeps motions back, each by its Rust name in the built-in type and by that in
+    /// this type, where the reader's errors name it. Those that are declared absent do not count.
+    #[doc(hidden)]
+    fn expected() -> &'static [[&'static str; 2]] {
+        &REQUIRED
+    }
 
     /// Fields of the built-in type that came and do not fit, by their Rust names, in addition to those that the reader
     /// left out ([`Snapshot::unfit`](crate::Snapshot::unfit)).
@@ -52,14 +88,87 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// and the packet as a whole does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
-        let Snapshot { status: packet, received, number, unfit, follows_silence, clock } = &**snapshot;
+        let Snapshot { status: packet, received, number, unfit, follows_silence, clock, .. } = &**snapshot;
         let (mut unfit, clock) = (unfit.clone(), clock.clone());
         let told = caught(|| (packet.robot_status(), packet.unfit()));
-        let (status, more) = told.unwrap_or_else(|error| (RobotStatus::default(), vec![error]));
-        unfit.extend(more);
+        let (status, untold) = match told {
+            Ok((status, more)) => {
+                unfit.extend(more);
+                unfit = in_built_in_names::<Self>(unfit);
+                let untold = untold::<Self>(&status, &mut unfit);
+                (status, untold)
+            }
+            Err(error) => {
+                unfit.push(error);
+                Default::default()
+            }
+        };
         let (received, number, follows_silence) = (*received, *number, *follows_silence);
-        Arc::new(Snapshot { status, received, number, unfit, follows_silence, clock })
+        Arc::new(Snapshot { status, received, number, unfit, follows_silence, untold, clock })
     }
+}
+
+/// Fields that a program's own type must tell: those that are required, and the controller's errors.
+const REQUIRED: [[&str; 2]; 7] = [
+    ["emergency_stop"; 2],
+    ["protective_stop"; 2],
+    ["powered_on"; 2],
+    ["enabled"; 2],
+    ["in_position"; 2],
+    ["joint_actual_position"; 2],
+    ["error_code"; 2],
+];
+
+/// Errors of fields by their names in the built-in type. Those of fields that a robot has from elsewhere, or not at
+/// all, do not concern it.
+fn in_built_in_names<S: MotionStatus>(unfit: Vec<DecodeError>) -> Vec<DecodeError> {
+    let is_unused = |error: &DecodeError| {
+        let is_moved = |[field, own]: &[&str; 2]| field != own && error.is_in(field);
+        S::absent().iter().any(|field| error.is_in(field)) || S::expected().iter().any(is_moved)
+    };
+    let named = |error: DecodeError| {
+        let sources = S::expected().iter().filter(|[_, own]| error.is_in(own));
+        let named: Vec<_> = sources.map(|[field, own]| within(error.clone(), field, own)).collect();
+        if named.is_empty() && !is_unused(&error) { vec![error] } else { named }
+    };
+    unfit.into_iter().flat_map(named).collect()
+}
+
+fn within(error: DecodeError, field: &str, own: &str) -> DecodeError {
+    if field == own { error } else { error.in_field(field) }
+}
+
+/// Error of the first expected field that a packet does not tell. Each is among those that do not fit.
+fn untold<S: MotionStatus>(status: &RobotStatus, unfit: &mut Vec<DecodeError>) -> Option<DecodeError> {
+    let is_told = |field: &str| needed(status).iter().any(|(name, is_told)| *name == field && *is_told);
+    let untold = S::expected().iter().filter(|[field, _]| !S::absent().contains(field) && !is_told(field));
+    let mut first = None;
+    for [field, own] in untold {
+        let at = unfit.iter().position(|error| error.is_in(field)).unwrap_or_else(|| {
+            unfit.push(within(DecodeError::unfit("a value in each packet", "none").in_field(own), field, own));
+            unfit.len() - 1
+        });
+        first.get_or_insert_with(|| unfit[at].clone());
+    }
+    first
+}
+
+/// Fields of status packets that a robot needs, each with whether the packet tells it.
+pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 12] {
+    [
+        ("emergency_stop", status.emergency_stop.is_some()),
+        ("protective_stop", status.protective_stop.is_some()),
+        ("powered_on", status.powered_on.is_some()),
+        ("enabled", status.enabled.is_some()),
+        ("in_position", status.in_position.is_some()),
+        ("joint_actual_position", status.joint_actual_position.is_some()),
+        ("paused", status.paused.is_some()),
+        ("error_code", status.error_code.is_some()),
+        ("error_message", status.error_message.is_some()),
+        ("actual_position", status.actual_position.is_some()),
+        ("current_tool_id", status.current_tool_id.is_some()),
+        ("current_user_frame_id", status.current_user_frame_id.is_some()),
+    ]
 }
 
 /// Status that a packet tells, unless its own type panics.

@@ -32,12 +32,14 @@
 /// let queue = robot.demo_motion_state()?.queue;
 /// ```
 ///
-/// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to the
-/// status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources dispute. The
-/// module then has messages of its own for each command that is changed by it. Their methods bear the module's name, such as
-/// `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is read by a
-/// `Monitor<newer::RobotStatus>`, and a robot takes it: `jaka_robot::Robot::with_monitor`. The format is described with
-/// [jaka-spec](https://docs.rs/jaka-spec).
+/// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to
+/// the status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources
+/// dispute. The module then has messages of its own for each command that is changed by it. Their methods bear the
+/// module's name, such as `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is
+/// read by a `Monitor<newer::RobotStatus>`, and a robot takes it: `jaka_robot::Robot::with_monitor`. Where the pack
+/// changes the type, unit or name of what [a robot needs](crate::newer_firmware#what-a-robot-needs), its table
+/// `[robot_status]` says where packets have that, that they never have it, or that the program implements
+/// [`MotionStatus`](crate::MotionStatus). The format is described with [jaka-spec](https://docs.rs/jaka-spec).
 ///
 /// A pack can stand on others, which are named in their order, and whose modules stand next to its own:
 ///

@@ -9,6 +9,8 @@ jaka_proto::worded! {
     pub enum Remedy {
         /// Nothing is known to help.
         None => "",
+        /// Ask the controller for its firmware.
+        CheckFirmware => "call `check_firmware` first",
         /// Check the network, and that the controller is on.
         CheckNetwork => "check the network, and that the controller is on",
         /// Check that the controller is on, and that no other client holds the seat of its command port.

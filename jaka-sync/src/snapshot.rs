@@ -31,6 +31,8 @@ pub struct Snapshot<S = RobotStatus> {
     /// [`Monitor::wait_until`](crate::Monitor::wait_until) and [`Monitor::next_packet`](crate::Monitor::next_packet)
     /// pass over such packets, and no motion goes out by them.
     pub follows_silence: bool,
+    /// Field that its type says each packet tells, and that this one does not.
+    pub(crate) untold: Option<DecodeError>,
     pub(crate) clock: Clock,
 }
 
@@ -43,10 +45,11 @@ impl Snapshot {
         self.unfit.iter().find(|error| error.field().is_empty())
     }
 
-    /// Why the packet does not show whether the arm is stopped: that cannot be read, or is not there at all.
+    /// Why the packet does not show whether the arm is stopped: that cannot be read, or is not there at all; or a field
+    /// is not there that a pack maps, or that a program's own [type](crate::MotionStatus) must tell.
     pub fn unreadable(&self) -> Option<DecodeError> {
         let unfit = || self.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
-        self.panicked().or_else(unfit).cloned().or_else(|| {
+        self.panicked().or_else(unfit).or(self.untold.as_ref()).cloned().or_else(|| {
             let status = &self.status;
             let told = [status.emergency_stop, status.protective_stop, status.powered_on, status.enabled];
             let is_told = told.iter().any(Option::is_some);
@@ -63,8 +66,8 @@ impl<S> Snapshot<S> {
     #[doc(hidden)]
     pub fn arriving(status: S, number: u64) -> std::sync::Arc<Self> {
         let clock = Clock::default();
-        let (received, unfit, follows_silence) = (clock.now(), Vec::new(), false);
-        std::sync::Arc::new(Self { status, received, number, unfit, follows_silence, clock })
+        let (received, unfit, follows_silence, untold) = (clock.now(), Vec::new(), false, None);
+        std::sync::Arc::new(Self { status, received, number, unfit, follows_silence, untold, clock })
     }
 }
 

@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
@@ -40,6 +41,7 @@ pub struct StatusStream {
     stale_after: Duration,
     follows_silence: bool,
     broken: Option<Arc<Disconnect>>,
+    firmware: Option<FirmwareVersion>,
 }
 
 impl StatusStream {
@@ -65,6 +67,7 @@ impl StatusStream {
             stale_after: config.stale_after,
             follows_silence: false,
             broken: None,
+            firmware: config.firmware,
         })
     }
 
@@ -125,6 +128,12 @@ impl StatusStream {
         self.read_packet(|reader| status.decode_into(reader))
     }
 
+    /// Sets the firmware by which packets are read, where a value has one form or another by firmware and the packet does
+    /// not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not fit.
+    pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
+        self.firmware = firmware;
+    }
+
     /// The text of the packet that was read last, as it came; with `\udcNN` for each byte that is not UTF-8.
     pub fn packet_text(&self) -> Option<&str> {
         (!self.packets.text.is_empty()).then_some(&*self.packets.text)
@@ -146,7 +155,7 @@ impl StatusStream {
 
     fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
         self.follows_silence = self.silence.is_followed_by(self.clock.now(), self.stale_after);
-        let mut reader = Reader::new(&self.packets.text);
+        let mut reader = Reader::of_firmware(&self.packets.text, self.firmware);
         let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();
         found.map_err(|source| self.packets.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))

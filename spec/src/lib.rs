@@ -3,10 +3,12 @@
 mod advice;
 mod builtin;
 mod envelope;
+mod form;
 mod item;
 mod meaning;
 mod model;
 mod names;
+mod needed;
 mod pack;
 pub mod prose;
 mod quote;
@@ -14,6 +16,7 @@ mod range;
 mod read;
 mod report;
 mod resolve;
+mod robot_status;
 mod role;
 mod scalar;
 mod shape;
@@ -25,16 +28,21 @@ mod unique;
 mod version;
 pub mod words;
 
+use std::collections::BTreeMap;
+
 pub use builtin::{BUILTIN, builtin};
 pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
+pub use form::{Factors, Form, FormKind, TypeForm, unit_factor};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Refusal, Reply, Request, Requirement,
     Severity, Spec, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
+pub use needed::{NEEDED_FIELDS, NeededField};
 pub use pack::{Module, Pack, load_pack};
 pub use range::{Advice, Condition, Range};
 pub use report::{Error, Errors};
+pub use robot_status::{FieldSource, NeededSource};
 pub use role::{Change, JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 pub use scalar::Scalar;
 pub use shape::{Shape, is_floats};
@@ -66,5 +74,5 @@ pub fn load(sources: &[Source<'_>]) -> Result<Spec, Errors> {
     let topics = sources.iter().map(|source| read::topic(*source, &mut index, &report)).collect();
     resolve::check(&index, &report);
     report.finish()?;
-    Ok(Spec { topics, types: index.finish() })
+    Ok(Spec { topics, types: index.finish(), built_in: None, status_lines: BTreeMap::new() })
 }

@@ -1,10 +1,14 @@
 //! The spec as plain data, after every check has passed.
 
+use std::collections::BTreeMap;
 use std::ops::{Index, RangeInclusive};
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::envelope::COMMAND_NAME;
+use crate::form::{Form, TypeForm};
 use crate::names::to_camel;
+use crate::needed::StatusLine;
 use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
@@ -19,6 +23,10 @@ pub struct Spec {
     pub topics: Vec<Topic>,
     /// All named types, each at the place of its id.
     pub(crate) types: Vec<TypeDef>,
+    /// Types of the spec to which packs have been added; none without a pack.
+    pub(crate) built_in: Option<Arc<Spec>>,
+    /// Lines of the packs for the fields of status packets that a robot needs.
+    pub(crate) status_lines: BTreeMap<&'static str, StatusLine>,
 }
 
 /// A named type of a spec, and of all specs that packs make of it: `spec[id]` is its definition.
@@ -101,8 +109,8 @@ impl Spec {
         }
     }
 
-    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges
-    /// and versions.
+    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges,
+    /// versions, and forms by firmware.
     pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
         let Some(id) = ty.named() else { return true };
         let def = &self[id];
@@ -316,6 +324,14 @@ impl Request {
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
     }
+
+    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
+        let (fields, variants) = match self {
+            Self::Fields(fields) => (fields.as_mut_slice(), &mut [][..]),
+            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
+        };
+        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
+    }
 }
 
 /// The body of a reply.
@@ -333,6 +349,10 @@ impl Reply {
     /// The fields that no named type has; none where the reply is an object of a named type.
     pub fn own_fields(&self) -> &[Field] {
         if let Self::Fields(fields) = self { fields } else { &[] }
+    }
+
+    pub(crate) fn own_fields_mut(&mut self) -> &mut [Field] {
+        if let Self::Fields(fields) = self { fields } else { &mut [] }
     }
 
     /// The named type whose keys the reply has, if it is an object of one.
@@ -402,6 +422,8 @@ pub struct Field {
     pub disputed: Vec<String>,
     /// First and last firmware that has the field.
     pub versions: Versions,
+    /// Other forms of the field, each in some firmware; no firmware has two of them.
+    pub forms: Vec<Form>,
 }
 
 impl Field {
@@ -440,6 +462,18 @@ impl Type {
         if let Self::Scalar(scalar) = self.innermost() { Some(scalar) } else { None }
     }
 
+    /// True for types that are the same in Rust, however truth values are written.
+    pub(crate) fn is_alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Scalar(Scalar::Bool { .. }), Self::Scalar(Scalar::Bool { .. })) => true,
+            (Self::List(one), Self::List(other)) | (Self::Python(one), Self::Python(other)) => one.is_alike(other),
+            (Self::Array(one, length), Self::Array(other, other_length)) => {
+                length == other_length && one.is_alike(other)
+            }
+            (one, other) => one == other,
+        }
+    }
+
     /// The named type at its heart, if that is one.
     pub fn named(&self) -> Option<TypeId> {
         if let Self::Named(id) = self.innermost() { Some(*id) } else { None }
@@ -455,6 +489,8 @@ pub struct TypeDef {
     pub doc: String,
     /// What it is made of.
     pub kind: TypeKind,
+    /// Other forms of the type, each in some firmware; no firmware has two of them.
+    pub forms: Vec<TypeForm>,
 }
 
 /// What a [`TypeDef`] is made of.
@@ -480,13 +516,13 @@ pub enum TypeKind {
 }
 
 impl TypeKind {
-    /// The same without docs, ranges and versions.
+    /// The same without docs, ranges, versions and forms.
     fn undescribed(&self) -> Self {
         let mut kind = self.clone();
         let plain = |fields: &mut Vec<Field>| {
             for field in fields {
                 (field.doc, field.range, field.versions) = (String::new(), Range::default(), Versions::default());
-                (field.advised, field.disputed) = (Vec::new(), Vec::new());
+                (field.advised, field.disputed, field.forms) = (Vec::new(), Vec::new(), Vec::new());
             }
         };
         match &mut kind {
@@ -516,13 +552,22 @@ impl TypeKind {
     }
 
     /// Its fields, of all variants where there are some.
-    pub(crate) fn fields(&self) -> impl Iterator<Item = &Field> {
+    pub fn fields(&self) -> impl Iterator<Item = &Field> {
         let (fields, variants) = match self {
             Self::Object(fields) | Self::Array { fields, .. } => (fields.as_slice(), &[][..]),
             Self::Choice(choice) => (&[][..], choice.variants.as_slice()),
             Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..]),
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
+    }
+
+    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
+        let (fields, variants) = match self {
+            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_mut_slice(), &mut [][..]),
+            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
+            Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&mut [][..], &mut [][..]),
+        };
+        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
     }
 }
 

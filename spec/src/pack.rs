@@ -4,8 +4,10 @@ mod change;
 mod covers;
 mod event;
 mod module;
+mod robot_status;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use self::change::Target;
 pub use self::module::Module;
@@ -70,14 +72,18 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
         covered: Covered::default(),
         motions: BTreeSet::new(),
         edits: Vec::new(),
+        status: robot_status::Lines::default(),
     };
+    draft.spec.built_in.get_or_insert_with(|| Arc::new(Spec { topics: Vec::new(), ..base.clone() }));
     let mut topic = read::file(source, &report, |root, topic| draft.read(root, topic));
     topic.is_pack = true;
     draft.check_optional(&report);
     draft.check_motions(base, source, &report);
     resolve::check(&draft.index, &report);
-    let Draft { mut spec, index, codes, events, changed, covered, .. } = draft;
+    let Draft { mut spec, index, codes, events, changed, covered, edits, status, .. } = draft;
     spec.types = index.finish();
+    let edits = edits.into_iter().map(|(at, what, target)| (at, what, target.type_id()));
+    status.check(&spec, source, edits, &report);
     let mut notes = notes.finish().map_or_else(Errors::into_list, |()| Vec::new());
     if topic.is_empty() && changed.commands.is_empty() && changed.types.is_empty() {
         let message = "this pack no longer changes anything: the spec has all of it by now".to_owned();
@@ -89,6 +95,7 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let report = Report::default();
     read::check_name(source, &report);
     pack.check_methods(source, &report);
+    pack.check_robot_status(source, &report);
     pack.module_errors = report.finish().map_or_else(Errors::into_list, |()| Vec::new());
     Ok(pack)
 }
@@ -106,6 +113,8 @@ struct Draft<'s, 'r> {
     motions: BTreeSet<String>,
     /// Where it is changed: the entries, in the order of the file.
     edits: Vec<(At<'s>, String, Target)>,
+    /// Its lines and entries for what a robot needs.
+    status: robot_status::Lines<'s>,
 }
 
 impl<'s> Draft<'s, '_> {
@@ -116,10 +125,11 @@ impl<'s> Draft<'s, '_> {
         let events = root.items("event", "event");
         let extensions = root.items("extend", "extension of");
         let overrides = root.items("override", "override of");
+        let robot_status = root.item("robot_status", "`[robot_status]`");
         let all = [&commands, &types, &errors, &events, &extensions, &overrides];
-        if all.iter().all(|items| items.is_empty()) {
-            let message =
-                "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]` or `[[override]]`";
+        if all.iter().all(|items| items.is_empty()) && robot_status.is_none() {
+            let message = "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]`, \
+                           `[[override]]` or `[robot_status]`";
             root.error(root.at, message);
         }
         topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();
@@ -131,6 +141,9 @@ impl<'s> Draft<'s, '_> {
         }
         for item in &overrides {
             self.change(item);
+        }
+        if let Some(item) = &robot_status {
+            self.robot_status(item);
         }
     }
 

@@ -120,7 +120,7 @@ impl<'s> Index<'s> {
         let found = self.types.iter().position(|known| known.name == name);
         TypeId(found.unwrap_or_else(|| {
             let kind = TypeKind::Object(Vec::new());
-            self.types.push(TypeDef { name: name.to_owned(), doc: String::new(), kind });
+            self.types.push(TypeDef { name: name.to_owned(), doc: String::new(), kind, forms: Vec::new() });
             self.types.len() - 1
         }))
     }

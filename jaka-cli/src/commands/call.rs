@@ -6,6 +6,7 @@
 mod consent;
 mod exchange;
 mod firmware;
+mod forms;
 mod help;
 mod lines;
 mod named;

@@ -8,6 +8,8 @@ use jaka_robot::preflight::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
+use crate::packed_status::PackedStatus;
+use crate::packs::SpecArgs;
 use crate::target::{RobotArgs, model};
 use crate::{exit, limits, output, seat};
 
@@ -16,6 +18,7 @@ Examples:
   jaka check -r 10.5.5.100
   jaka check -r cell1 --model zu5 --yes --json > check.json
   jaka check -r cell1 --limits limits.toml
+  jaka check -r cell1 --pack newer.toml
   jaka check --sim --sim-powered
 
 The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing found\" \
@@ -42,6 +45,8 @@ pub(crate) struct Check {
     #[arg(long, short)]
     yes: bool,
     #[command(flatten)]
+    spec: SpecArgs,
+    #[command(flatten)]
     robot: RobotArgs,
 }
 
@@ -51,11 +56,13 @@ impl Check {
             Some(path) => Some(limits::read(path)?),
             None => self.model.map(Limits::of),
         };
-        let target = self.robot.target(&[])?;
+        let protocol = self.spec.load(self.robot.lookup())?;
+        protocol.read_status();
+        let target = self.robot.target(&protocol.packs)?;
         if !self.yes && !self.robot.is_simulated() {
             seat::obtain(target.title(), "nothing was checked")?;
         }
-        let preflight = target.preflight(limits.as_ref());
+        let preflight = target.preflight::<PackedStatus>(limits.as_ref());
         if self.json {
             output::json(&format!("{:#}\n", as_json(target.title(), &preflight)))?;
         } else {

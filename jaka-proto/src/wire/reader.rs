@@ -14,8 +14,10 @@ pub(crate) use odd::lossy_text;
 use skip::MAX_DEPTH;
 
 use super::error::DecodeError;
+use super::forms::Firmware;
 use super::number::{self, Scalar, whole};
 use super::{Decode, Fields, Writer};
+use crate::firmware::FirmwareVersion;
 use crate::near::{first_of, plain_text};
 
 /// A position in a JSON text.
@@ -32,6 +34,7 @@ pub struct Reader<'a> {
     tolerant: bool,
     /// What was left out of a status packet, and why.
     left_out: Vec<DecodeError>,
+    pub(super) firmware: Firmware,
 }
 
 /// A place to which a reader can go back.
@@ -44,7 +47,16 @@ pub struct Mark {
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self { text, at: 0, comma: false, depth: 0, capture: Capture::NONE, tolerant: false, left_out: Vec::new() }
+        Self {
+            text,
+            at: 0,
+            comma: false,
+            depth: 0,
+            capture: Capture::NONE,
+            tolerant: false,
+            left_out: Vec::new(),
+            firmware: Firmware::Unknown,
+        }
     }
 
     /// Where the reader stands.
@@ -382,7 +394,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads a truth value, in any of the usual forms or as one of two words.
-    fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
+    pub(super) fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
         let is = |text: &str, word: &str| {
             text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
         };
@@ -402,8 +414,8 @@ impl<'a> Reader<'a> {
 ///
 /// # Errors
 /// The text is not an object by its brackets, something follows it, or a field does not fit.
-pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
-    let mut reader = Reader::tolerant(text);
+pub(crate) fn read_message<T: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Result<T, DecodeError> {
+    let mut reader = Reader::tolerant(text).with_firmware(firmware);
     let message = T::read_fields(&mut reader)?;
     finish(reader).map(|()| message)
 }

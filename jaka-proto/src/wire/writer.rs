@@ -4,10 +4,14 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
+use crate::firmware::FirmwareVersion;
+
 /// Writes JSON into a buffer that is reused from message to message.
 #[derive(Debug, Default, Clone)]
 pub struct Writer {
     text: String,
+    /// Firmware for which values are written; none for the spec's own forms.
+    pub(super) firmware: Option<FirmwareVersion>,
 }
 
 impl Writer {

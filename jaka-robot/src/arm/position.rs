@@ -123,7 +123,7 @@ impl Position {
         place: impl Fn(R) -> Place,
     ) -> Result<Option<Place>, Error> {
         let link = &self.link;
-        let (mut text, mut reader) = (String::new(), TypedReply::new(info));
+        let (mut text, mut reader) = (String::new(), TypedReply::of_firmware(info, link.firmware()));
         if !link.poll(question, time, &mut text, &mut reader)? {
             return Ok(None);
         }

@@ -149,6 +149,12 @@ impl End {
         if let Evidence::Trip(trip) = self.evidence() { Some(trip) } else { None }
     }
 
+    /// True if an error of the controller may be behind the end, and packets never show one.
+    fn may_hide_error(&self) -> bool {
+        let is_as_told = matches!(self.occurrence.cause, Cause::Reached | Cause::Landed | Cause::NoMotion);
+        !is_as_told && self.report.absent.contains(&"error_code")
+    }
+
     fn is_before_start(&self) -> bool {
         self.trip().is_some_and(|trip| trip.is_before_start)
     }
@@ -178,8 +184,8 @@ impl End {
     }
 }
 
-/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, and whether its arm is at
-/// rest.
+/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, whether its arm is at rest,
+/// and of an end away from the target, that an error of the controller is not seen where packets have no error code.
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.error {
@@ -192,6 +198,9 @@ impl fmt::Display for End {
             let rest = if self.rest.was_seen() { "is at rest" } else { "was not seen at rest" };
             let (reached, duration) = (trajectory.reached.as_secs_f64(), trajectory.duration.as_secs_f64());
             write!(f, " ({reached:.3} s of {duration:.3} s of the trajectory), and the arm {rest}")?;
+        }
+        if self.may_hide_error() {
+            f.write_str("; status packets never have an error code: an error of the controller is not seen")?;
         }
         Ok(())
     }

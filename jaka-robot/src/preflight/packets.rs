@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::Stopwatch;
+use jaka_sync::layer::{Stopwatch, needed};
 use jaka_sync::{Error, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 use super::finding::{CheckItem, Finding, Judgement};
@@ -65,7 +65,8 @@ impl<'m> Count<'m> {
         findings.extend([
             Judgement::nothing("packets come").at(CheckItem::StatusPort),
             rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
-            form(&newest, after.dropped_bytes.saturating_sub(self.before.dropped_bytes)).at(CheckItem::StatusPackets),
+            form(&newest, source.absent(), after.dropped_bytes.saturating_sub(self.before.dropped_bytes))
+                .at(CheckItem::StatusPackets),
         ]);
         Ok(Some(newest))
     }
@@ -164,43 +165,40 @@ fn rate(packets: u64, elapsed: Duration) -> Judgement {
 }
 
 /// What of the packet is missing or cannot be read, and what came between packets.
-fn form(newest: &Snapshot, dropped: u64) -> Judgement {
+fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
     const PROBE: &str = "`jaka probe` compares the packet with the spec";
+    const NO_ERRORS: &str = "look at the pendant for errors of the controller: packets do not show them";
     let mut seen: Vec<_> = newest.unfit.iter().map(|unfit| format!("cannot be read: {unfit}")).collect();
-    let missing: Vec<_> = missing(newest);
+    let missing: Vec<_> = missing(newest).into_iter().filter(|field| !absent.contains(field)).collect();
     if !missing.is_empty() {
         seen.push(format!("missing: {}", missing.join(", ")));
     }
     if dropped > 0 {
         seen.push(format!("{dropped} bytes came that are not a packet"));
     }
+    let is_whole = seen.is_empty();
+    if !absent.is_empty() {
+        seen.push(format!("never there, as declared: {}", absent.join(", ")));
+    }
     let seen = seen.join("; ");
     if newest.unreadable().is_some() {
         let advice = format!("a `Robot` refuses motions while it cannot tell whether the arm is stopped: {PROBE}");
         return Judgement::wrong(seen, &advice);
     }
-    if seen.is_empty() { Judgement::nothing("whole") } else { Judgement::look(seen, PROBE) }
+    match (is_whole, absent) {
+        (true, []) => Judgement::nothing("whole"),
+        (true, absent) if absent.contains(&"error_code") => Judgement::look(seen, NO_ERRORS),
+        (true, _) => Judgement::nothing(format!("whole; {seen}")),
+        (false, _) => Judgement::look(seen, PROBE),
+    }
 }
 
-/// The fields by which a robot tells how a motion goes, and those of this check, that the packet neither has nor has in
-/// another form.
+/// Fields that a robot needs, and those of this check, that the packet neither has nor has in another form.
 fn missing(newest: &Snapshot) -> Vec<&'static str> {
     let status = &newest.status;
-    let fields = [
-        ("error_code", status.error_code.is_some()),
-        ("joint_actual_position", status.joint_actual_position.is_some()),
-        ("actual_position", status.actual_position.is_some()),
-        ("enabled", status.enabled.is_some()),
-        ("rapid_rate", status.rapid_rate.is_some()),
-        ("current_tool_id", status.current_tool_id.is_some()),
-        ("current_user_frame_id", status.current_user_frame_id.is_some()),
-        ("on_soft_limit", status.on_soft_limit.is_some()),
-        ("emergency_stop", status.emergency_stop.is_some()),
-        ("powered_on", status.powered_on.is_some()),
-        ("in_position", status.in_position.is_some()),
-        ("protective_stop", status.protective_stop.is_some()),
-    ];
-    let missing = fields.into_iter().filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
+    let of_check = [("rapid_rate", status.rapid_rate.is_some()), ("on_soft_limit", status.on_soft_limit.is_some())];
+    let missing =
+        needed(status).into_iter().chain(of_check).filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
     missing.map(|(field, _)| field).collect()
 }
 

@@ -17,8 +17,8 @@ use crate::motions::PlannedMotion;
 use crate::planned::Planned;
 use crate::preflight::Preflight;
 use crate::{
-    AnalogCondition, Client, Config, End, Error, ErrorKind, Explanation, InputCondition, Monitor, Motion, MotionStatus,
-    Occurrence, PowerStep, RobotStop, Run, Snapshot, power_steps, status::RobotStatus,
+    AnalogCondition, Client, Config, End, Error, ErrorKind, Explanation, FirmwareVersion, InputCondition, Monitor,
+    Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, Snapshot, power_steps, status::RobotStatus,
 };
 
 impl Robot<RobotStatus> {
@@ -241,6 +241,16 @@ impl<S: MotionStatus> Robot<S> {
     pub fn client(&mut self) -> &mut Client {
         self.limits.forget_plan();
         self.arm.client()
+    }
+
+    /// Asks the controller for its firmware, as [`Client::check_firmware`], and reads status packets by it from now on.
+    ///
+    /// # Errors
+    /// As [`Client::check_firmware`].
+    pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
+        let firmware = self.arm.client().check_firmware()?;
+        self.monitor.set_firmware(Some(firmware));
+        Ok(firmware)
     }
 
     /// The monitor, which can be cloned for other threads.

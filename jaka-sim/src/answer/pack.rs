@@ -5,24 +5,27 @@ use jaka_proto::{Envelope, ErrorCode};
 use jaka_spec::{Command, Field, Spec};
 use serde_json::{Map, Value};
 
+use crate::spec_index::SpecIndex;
+
 /// True if the spec allows the request.
 pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     let message: Result<Map<_, _>, _> = serde_json::from_str(request);
     message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
-/// Gives a reply the shape that the pack describes, which the handlers do not know. False where the state has a value
-/// that the pack does not allow: then nothing is left of the reply.
-pub(super) fn complete(spec: &Spec, command: &Command, out: &mut Writer) -> bool {
-    let Some(mut reply) = accepted(out.as_str()) else { return true };
+/// Gives a reply the keys and forms that the pack describes, which the handlers do not know. False where the state has a
+/// value that the pack does not allow: then nothing is left of the reply.
+pub(super) fn complete(spec_index: &SpecIndex, command: &Command, out: &mut Writer) -> bool {
+    let Some(written) = accepted(out.as_str()) else { return true };
+    let (spec, mut reply) = (&spec_index.spec, written.clone());
+    let is_translated = spec_index.with_packs(&command.wire, &mut reply);
     let fits = |field: &Field| reply.get(&field.wire).is_none_or(|value| jaka_dynamic::is_readable(spec, field, value));
-    if !spec.reply_fields(command).iter().all(fits) {
+    if !is_translated || !spec.reply_fields(command).iter().all(fits) {
         out.clear();
         return false;
     }
-    let before = reply.clone();
     jaka_dynamic::complete_reply(spec, command, &mut reply);
-    if reply != before {
+    if reply != written {
         rewrite(&reply, out);
     }
     true

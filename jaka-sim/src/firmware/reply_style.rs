@@ -23,7 +23,7 @@ pub struct ReplyStyle {
     pub(super) codes: CodeStyle,
     pub(super) truths: TruthStyle,
     pub(super) numbers: NumberStyle,
-    pub(super) separators: Separators,
+    pub(crate) separators: Separators,
     pub(super) key_order: KeyOrder,
     pub(super) success_message: bool,
     pub(super) event: EventStyle,

@@ -79,6 +79,7 @@ impl Link {
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()).into());
         };
+        outbound.out.set_firmware(self.firmware());
         // After a panic in code that writes, nothing that was not sent is left.
         outbound.compose(count, write);
         state.check_reserved(outgoing).map_err(|error| self.attach(error))?;

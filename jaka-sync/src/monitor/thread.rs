@@ -139,7 +139,8 @@ impl<S: Decode> Worker<S> {
     /// Decodes a packet. A panic of the user's own decoder is an error like any other.
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
         let (spare, number, clock) = (self.spare.take(), self.number, &self.config.clock);
-        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number, clock)));
+        let reader = Reader::of_firmware(packet, self.board.lock().firmware);
+        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, reader, number, clock)));
         let mut decoded = decoded
             .unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))?;
         // Nobody else has it yet.
@@ -285,11 +286,11 @@ impl<S: Decode> Worker<S> {
 /// Decodes a packet, into the memory of an earlier one that is no longer in use if there is one.
 fn decode_over<S: Decode>(
     mut spare: Option<Arc<Snapshot<S>>>,
-    packet: &str,
+    mut reader: Reader<'_>,
     number: u64,
     clock: &Clock,
 ) -> Result<Arc<Snapshot<S>>, DecodeError> {
-    let (mut reader, received) = (Reader::new(packet), clock.now());
+    let received = clock.now();
     if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
         snapshot.status.decode_into(&mut reader)?;
         reader.end()?;
@@ -301,7 +302,15 @@ fn decode_over<S: Decode>(
             let status = S::decode(&mut reader)?;
             reader.end()?;
             let unfit = reader.take_unfit();
-            Ok(Arc::new(Snapshot { status, received, number, unfit, follows_silence: false, clock: clock.clone() }))
+            Ok(Arc::new(Snapshot {
+                status,
+                received,
+                number,
+                unfit,
+                follows_silence: false,
+                untold: None,
+                clock: clock.clone(),
+            }))
         }
     }
 }

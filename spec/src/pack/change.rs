@@ -36,6 +36,11 @@ impl Target {
         None
     }
 
+    /// The type that it is.
+    pub(super) fn type_id(&self) -> Option<TypeId> {
+        if let Self::Type(id) = self { Some(*id) } else { None }
+    }
+
     /// Where its fields stand.
     fn parts(&self) -> &'static [Part] {
         match self {
@@ -100,7 +105,7 @@ impl<'s> Draft<'s, '_> {
         let Some(list) = list(outer, spec, place) else { return false };
         let new = read::field(item, list.taken.as_deref(), index);
         let keyed = list.taken.is_some();
-        let same = list.fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
+        let same = list.fields.iter().find(|old| (keyed && shared_key(old, &new).is_some()) || old.name == new.name);
         match same.map(|old| (old, covers::field(old, &new))) {
             Some((_, Ok(()))) => {
                 self.note(item, COVERED);
@@ -174,12 +179,31 @@ impl<'s> Draft<'s, '_> {
         match (named.as_slice(), &target) {
             ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
             ([], Target::Command(wire)) => self.change_command(item, wire),
-            ([], Target::Type(_)) => item.error(item.at, "`field` or `value` says what is overridden, and is missing"),
+            ([], Target::Type(id)) if item.has("form") => self.change_type_forms(item, *id),
+            ([], Target::Type(_)) => {
+                item.error(item.at, "`field`, `value` or `form` says what is overridden, and is missing");
+            }
             _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
         }
     }
 
+    /// Gives a type other forms by firmware.
+    fn change_type_forms(&mut self, item: &Item<'_, 's>, id: TypeId) {
+        let forms = read::type_forms(item, &self.spec[id].kind);
+        item.finish();
+        if self.spec.status_type() == Some(id) {
+            return item.error(item.at, read::NO_STATUS_FORM);
+        }
+        if self.spec.types[id.0].forms == forms {
+            self.note(item, COVERED);
+            return self.covered.changes.add(&Target::Type(id));
+        }
+        self.spec.types[id.0].forms = forms;
+        self.changed(item, &Target::Type(id));
+    }
+
     fn change_field(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>, place: Place<'_, 's>) {
+        let spec_status = self.spec.status_type();
         let Self { spec, index, .. } = self;
         let Some(mut list) = list(item, spec, place) else { return };
         let fields = &mut *list.fields;
@@ -194,16 +218,19 @@ impl<'s> Draft<'s, '_> {
         let new = read::changed_field(item, &fields[at], list.taken.as_deref().unwrap_or_default(), index);
         let mut others = fields.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, other)| other);
         if let Some(other) =
-            others.find(|other| other.name == new.name || list.taken.is_some() && other.wire == new.wire)
+            others.find(|other| other.name == new.name || list.taken.is_some() && shared_key(other, &new).is_some())
         {
-            let what =
-                if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{}`", new.wire) };
+            let key = shared_key(other, &new).unwrap_or_default();
+            let what = if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{key}`") };
             item.error(item.at, &format!("another field has the {what}"));
         }
         let old = &fields[at];
         if new == *old {
             self.note(item, COVERED);
             return self.covered.changes.add(place.0);
+        }
+        if place.0.type_id().is_some_and(|id| spec_status == Some(id)) {
+            self.status.note(&old.name, item);
         }
         let is_undisputed = old.disputed.is_empty();
         let (old_name, new_name) = (list.fields[at].name.clone(), new.name.clone());
@@ -284,7 +311,7 @@ impl<'s> Draft<'s, '_> {
 }
 
 impl Changed {
-    fn add(&mut self, target: &Target) {
+    pub(super) fn add(&mut self, target: &Target) {
         match target {
             Target::Command(wire) => self.commands.insert(wire.clone()),
             Target::Type(id) => self.types.insert(*id),
@@ -362,6 +389,11 @@ fn same_values(base: &Spec, spec: &Spec, ty: &Type, mode: &MotionMode) -> bool {
         _ => None,
     };
     [Some(mode.absolute), mode.offset].into_iter().flatten().all(|wire| name(base, wire) == name(spec, wire))
+}
+
+/// Key that both fields have, each in some firmware.
+fn shared_key<'f>(field: &'f Field, other: &Field) -> Option<&'f str> {
+    field.keys().find(|key| other.keys().any(|other| other == *key))
 }
 
 const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";

@@ -3,8 +3,7 @@
 //! It can where its code compiles as before and means the same: where all names, types and units of the pack are there, and no argument
 //! more. What else the spec says, such as another range, counts.
 
-use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Type, TypeDef, TypeId, TypeKind, Variant};
-use crate::scalar::Scalar;
+use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, TypeDef, TypeId, TypeKind, Variant};
 
 /// Nothing, or what the spec has otherwise, to be read after "there".
 type Covers = Result<(), String>;
@@ -38,7 +37,7 @@ pub(super) fn type_def(spec: &Spec, known: TypeId, new: &TypeDef) -> Covers {
         (TypeKind::TextEnum(known), TypeKind::TextEnum(new)) => values(known, new),
         (TypeKind::Choice(known), TypeKind::Choice(new)) => choice(known, new),
         (TypeKind::Wrapper(known, known_unit), TypeKind::Wrapper(new, new_unit)) => {
-            let is_same = same_type(known, new) && same_unit(known_unit.as_ref(), new_unit.as_ref());
+            let is_same = known.is_alike(new) && same_unit(known_unit.as_ref(), new_unit.as_ref());
             if is_same { Ok(()) } else { Err("it is around something else".to_owned()) }
         }
         _ => Err("it is of another kind".to_owned()),
@@ -72,7 +71,7 @@ pub(super) fn field(known: &Field, new: &Field) -> Covers {
     let name = &new.name;
     if known.wire != new.wire {
         Err(format!("`{name}` is the key `{}`", known.wire))
-    } else if !same_type(&known.ty, &new.ty) || known.or_raw != new.or_raw {
+    } else if !known.ty.is_alike(&new.ty) || known.or_raw != new.or_raw {
         Err(format!("its field `{name}` has another type"))
     } else if known.optional != new.optional {
         Err(format!("its field `{name}` is {}", if known.optional { "optional" } else { "always there" }))
@@ -103,16 +102,6 @@ pub(super) fn variant(known: &Variant, new: &Variant) -> Covers {
 fn values<T: PartialEq>(known: &[EnumValue<T>], new: &[EnumValue<T>]) -> Covers {
     let is_there = |new: &EnumValue<T>| known.iter().any(|known| known.name == new.name && known.wire == new.wire);
     new.iter().find(|new| !is_there(new)).map_or(Ok(()), |new| Err(format!("`{}` is not that value", new.name)))
-}
-
-/// True for types that are the same in Rust, however truth values are written.
-fn same_type(known: &Type, new: &Type) -> bool {
-    match (known, new) {
-        (Type::Scalar(Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => true,
-        (Type::List(known), Type::List(new)) | (Type::Python(known), Type::Python(new)) => same_type(known, new),
-        (Type::Array(known, length), Type::Array(new, new_length)) => length == new_length && same_type(known, new),
-        (known, new) => known == new,
-    }
 }
 
 /// True unless the same number means something else.

@@ -68,7 +68,7 @@ impl Pack {
         // What is changed as well is the module's own.
         covered_commands.retain(|wire, _| !own.commands.contains(wire));
         let covered_types = &(&all.types | &self.covered.types) - &own.types;
-        let spec = Spec { topics, types: self.spec.types.clone() };
+        let spec = Spec { topics, ..self.spec.clone() };
         Module {
             topic,
             spec,

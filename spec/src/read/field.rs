@@ -1,6 +1,7 @@
 //! The fields of requests, replies and types.
 
 use super::common::{required_doc, snake_name, versions};
+use super::form;
 use crate::advice;
 use crate::item::{Item, Placed};
 use crate::model::{Field, Type};
@@ -28,7 +29,10 @@ pub(crate) fn fields<'s>(
         if taken.is_some() {
             keys.add(item, "key", &wire);
         }
-        let field = read(item, wire.value, name, index);
+        for form in form::keys(item, &wire) {
+            keys.add(item, "key", &form);
+        }
+        let field = read(item, wire.value, name, (taken, index));
         if taken.is_none() && optional_seen && !field.optional {
             item.error(item.at, OPTIONAL_LAST);
         }
@@ -45,7 +49,7 @@ pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be
 /// One field of a struct; `taken` as in [`fields`].
 pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>, index: &mut Index<'s>) -> Field {
     let (wire, name) = key_and_name(item, taken);
-    read(item, wire.value, name, index)
+    read(item, wire.value, name, (taken, index))
 }
 
 fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, String>, Placed<'s, String>) {
@@ -58,7 +62,7 @@ fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, 
     (wire, name)
 }
 
-fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
+pub(super) fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
     let wire = item.required_text("wire");
     if taken.contains(&wire.value.as_str()) {
         item.error(wire.at, &format!("the key `{}` is that of the tag, or of what each message has", wire.value));
@@ -66,10 +70,15 @@ fn key<'s>(item: &Item<'_, 's>, taken: &[&str]) -> Placed<'s, String> {
     wire
 }
 
-fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
+fn read<'s>(
+    item: &Item<'_, 's>,
+    wire: String,
+    name: Placed<'s, String>,
+    (taken, index): (Option<&[&str]>, &mut Index<'s>),
+) -> Field {
     check_name(item, &name);
     let ty = field_type(item, index);
-    let field = Field {
+    let mut field = Field {
         name: name.value,
         constructors: constructors(item, &ty, index),
         ty,
@@ -82,9 +91,11 @@ fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: 
         doc: required_doc(item),
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
         versions: versions(item, &Versions::default()),
+        forms: Vec::new(),
         wire,
     };
     check_field(item, &field);
+    field.forms = form::forms(item, &field, taken.unwrap_or_default(), index);
     item.finish();
     field
 }
@@ -145,9 +156,16 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         disputed: base.disputed.clone(),
         versions: versions(item, &base.versions),
+        forms: Vec::new(),
     };
     settle(item, &mut field, base);
     check_field(item, &field);
+    // What a pack says of the field holds for each firmware of the pack.
+    let is_as_before = (&field.wire, &field.ty, &field.unit) == (&base.wire, &base.ty, &base.unit);
+    field.forms = match form::forms(item, &field, taken, index) {
+        forms if forms.is_empty() && is_as_before => base.forms.clone(),
+        forms => forms,
+    };
     item.finish();
     field
 }
@@ -203,7 +221,7 @@ const NEEDS_KEY: &str =
     "words for false and true, and python(…), are read only as the whole of a field that has a key and no `or_raw`";
 
 /// True for what is read in a way of its own, and so only where the field's key is read.
-fn needs_key(ty: &Type) -> bool {
+pub(super) fn needs_key(ty: &Type) -> bool {
     match ty {
         Type::Python(_) => true,
         Type::List(element) | Type::Array(element, _) => needs_key(element),
@@ -234,7 +252,7 @@ pub(super) fn wrapped_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Ty
     ty
 }
 
-fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
+pub(super) fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
     let text = item.required_text("type");
     let mut ty = match type_text::parse(&text.value, &mut |name| index.type_id(name)) {
         Ok(ty) => ty,
@@ -251,7 +269,7 @@ fn field_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
 }
 
 /// Takes from the table how a truth value is written.
-fn written(item: &Item<'_, '_>, ty: &mut Type) {
+pub(super) fn written(item: &Item<'_, '_>, ty: &mut Type) {
     let Some(written) = item.json_scalars("written") else { return };
     match (scalar_mut(ty), written.value.as_slice()) {
         (Some(Scalar::Bool { off, on }), [no, yes]) if are_told_apart(no, yes) => {

@@ -2,6 +2,7 @@
 
 use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{fields, wrapped_type};
+use super::form;
 use super::role::role;
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
@@ -27,10 +28,16 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId
     if name.value == STATUS_TYPE && !matches!(kind, TypeKind::Object(_)) {
         item.error(item.at, "the status packet is an object");
     }
-    let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind });
+    let forms = form::type_forms(item, &kind);
+    if name.value == STATUS_TYPE && !forms.is_empty() {
+        item.error(item.at, NO_STATUS_FORM);
+    }
+    let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind, forms });
     item.finish();
     id
 }
+
+pub(crate) const NO_STATUS_FORM: &str = "the status packet is an object in any firmware; its fields may have forms";
 
 fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {
     let variants = variants(item, |item| array_variant_fields(item, index));

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::{Command, ErrorCode, Spec, Topic, TypeDef};
+use crate::model::STATUS_TYPE;
+use crate::{Command, ErrorCode, FieldSource, NeededSource, Spec, Topic, TypeDef};
 
 mod collect;
 mod command;
@@ -82,6 +83,8 @@ impl fmt::Display for Change {
 /// | `python(…)` around what functions take as `impl Into<…>`, or a method in place of the request | major | they take it otherwise |
 /// | unit: another | major | the same number means something else |
 /// | unit: stated or left out | patch | the number means what it meant |
+/// | form by firmware: added, where the firmware must be known for it | major | a command that has it is not sent before `check_firmware` |
+/// | any other change of a form | minor | only the bytes change |
 /// | range, `ascii`, newer firmware's values: narrower, where requests are checked | major | what was sent before is refused |
 /// | the same, wider | minor | more is sent |
 /// | the same in what is only received | patch | nothing is checked there: documentation |
@@ -93,6 +96,7 @@ impl fmt::Display for Change {
 /// | the opposite of these two | minor | calls succeed that failed |
 /// | bare reply read | minor | a reply is understood that was not; major where it is given up |
 /// | event of the controller: added, removed, or of another severity | minor | a program that waits acts otherwise at run time |
+/// | `[robot_status]` | minor | a robot reads the status otherwise; major where the module's `RobotStatus` becomes, or is no longer, a `MotionStatus` |
 /// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
 /// | doc, errata, disputed readings, firmware versions, section, titles, evidence, sources, refusal, examples, message of an error code, meaning of an event | patch | documentation, and what the simulator answers |
 pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
@@ -105,6 +109,7 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
     for pair in pairs(&types(old), &types(new), |(_, def)| def.name.clone()) {
         named_types(&mut differ, &pair);
     }
+    robot_status(&mut differ);
     for pair in pairs(&old.errors().collect::<Vec<_>>(), &new.errors().collect::<Vec<_>>(), |error| error.wire) {
         error_codes(&mut differ, &pair);
     }
@@ -169,6 +174,23 @@ fn named_types(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, TypeDef>>) {
     if let Some(((old_topic, old), (new_topic, new))) = d.both(&place, pair, Impact::Minor) {
         d.value(&place, "topic", &old_topic.name, &new_topic.name, Impact::Major);
         types::compare(d, &place, old, new);
+    }
+}
+
+/// Sources of what a robot needs of status packets.
+fn robot_status(d: &mut Differ<'_>) {
+    let (old, new) = (d.old, d.new);
+    let text = |source: &NeededSource<'_>| match source.source {
+        FieldSource::Field(field) => field.name.clone(),
+        FieldSource::Absent => "absent".to_owned(),
+        FieldSource::Program => "program".to_owned(),
+    };
+    for new in new.robot_status() {
+        let Some(old) = old.robot_status().find(|old| old.needed == new.needed) else { continue };
+        let is_program = |source: &NeededSource<'_>| source.source == FieldSource::Program;
+        let impact = if is_program(&old) == is_program(&new) { Impact::Minor } else { Impact::Major };
+        let place = format!("type `{STATUS_TYPE}`, field `{}`", new.needed.name);
+        d.value(&place, "source for a robot", &text(&old), &text(&new), impact);
     }
 }
 

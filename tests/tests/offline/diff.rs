@@ -579,3 +579,16 @@ fn requests_and_types_of_another_shape() {
         "]],
     );
 }
+
+#[test]
+fn sources_of_what_a_robot_needs() {
+    let text = "title = 'T'\n[robot_status]\nerror_code = 'absent'\npaused = 'program'\npowered_on = 'enabled'\n";
+    let pack = jaka_spec::load_pack(&spec(), Source { path: "newer.toml", text });
+    let pack = pack.unwrap_or_else(|errors| panic!("{errors}"));
+    expect![[r"
+        major: type `RobotStatus`, field `paused`: source for a robot changed from `paused` to `program`
+        minor: type `RobotStatus`, field `error_code`: source for a robot changed from `error_code` to `absent`
+        minor: type `RobotStatus`, field `powered_on`: source for a robot changed from `powered_on` to `enabled`
+    "]]
+    .assert_eq(&lines(&diff(&spec(), &pack.spec)));
+}

@@ -5,6 +5,7 @@ mod guards;
 mod io_waits;
 mod limits;
 mod lost_seat;
+mod mapped_status;
 mod motion;
 mod old_status;
 mod races;

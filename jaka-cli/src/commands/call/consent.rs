@@ -6,10 +6,11 @@ use serde_json::Value;
 use super::options::Options;
 use super::reply;
 use super::request::Request;
+use crate::builtin;
 use crate::consent;
 use crate::failure::Failure;
 use crate::output;
-use crate::packs::{self, Protocol};
+use crate::packs::Protocol;
 use crate::seat;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
@@ -82,7 +83,7 @@ fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
 
 /// True for a command of the built-in spec whose request no pack has changed.
 fn is_built_in(command: &Command) -> bool {
-    packs::builtin().command(&command.wire).is_some_and(|known| known.request == command.request)
+    builtin::spec().command(&command.wire).is_some_and(|known| known.request == command.request)
 }
 
 /// Role of the request, which may be that of its variant.
@@ -102,7 +103,7 @@ mod tests {
     use super::*;
 
     fn protocol(pack: &str, is_confirmed: bool) -> Protocol {
-        let pack = jaka_spec::load_pack(packs::builtin(), jaka_spec::Source { path: "pack.toml", text: pack });
+        let pack = jaka_spec::load_pack(builtin::spec(), jaka_spec::Source { path: "pack.toml", text: pack });
         Protocol::new(pack.expect("it is correct").spec, Vec::new(), is_confirmed)
     }
 

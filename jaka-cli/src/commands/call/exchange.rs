@@ -8,6 +8,7 @@ use jaka_spec::{Command, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::json;
 
+use super::forms::{self, FirmwareForms};
 use super::options::{Keys, Options};
 use super::request::Request;
 use super::{consent, firmware, named, reply, wait};
@@ -23,9 +24,13 @@ use crate::target::Target;
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
     if options.dry_run {
         // The bytes that would be sent, which are the user's own.
+        forms::must_be_known(protocol, request)?;
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    let motion = options.wait.then(|| wait::must_be_motion(protocol, request)).transpose()?;
+    if options.wait {
+        // The text that goes out may have another form.
+        drop(wait::must_be_motion(protocol, request, &request.text)?);
+    }
     let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(protocol, request, options, target.title())?;
@@ -33,14 +38,17 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     if options.check_firmware {
         firmware::check(connection.client(), &protocol.spec, request)?;
     }
-    if let (Connection::Robot(robot), Some(motion)) = (&mut connection, motion) {
+    let forms = FirmwareForms::of(protocol, connection.client())?;
+    let text = forms.request(request)?;
+    if let Connection::Robot(robot) = &mut connection {
+        let motion = wait::must_be_motion(protocol, request, &text)?;
         let patience = target.patience(motion::PATIENCE);
         let end = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
         return motion::print(&request.name, end, Form::of(options.json.is_some()));
     }
     let client = connection.client();
-    match send(client, request, &target, &under_way) {
-        Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
+    match send(client, (request, &text), &target, &under_way) {
+        Ok(Some(text)) => print_reply(protocol, options, request, (&text, &forms.reply(request.command, &text))),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
             let is_wire = options.json == Some(Keys::Wire);
@@ -78,13 +86,13 @@ impl Connection {
 /// The reply's text; none where the controller may go away instead of replying, and did.
 pub(super) fn send(
     client: &mut Client,
-    request: &Request<'_>,
+    (request, text): (&Request<'_>, &str),
     target: &Target,
     under_way: &UnderWay,
 ) -> Result<Option<String>, Error> {
     let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
     under_way.set(Stage::Sent(format!("`{}`", request.name)));
-    let reply = client.call_text(&request.text, target.patience(usual)).map(str::to_owned);
+    let reply = client.call_text(text, target.patience(usual)).map(str::to_owned);
     under_way.set(Stage::Answered);
     let may_end = request.command.is_some_and(|command| !command.reply_certain);
     match reply {
@@ -115,9 +123,16 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     failure
 }
 
-fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
+/// Prints a reply, given as it came and in the spec's own forms.
+fn print_reply(
+    protocol: &Protocol,
+    options: &Options,
+    request: &Request<'_>,
+    (wire, text): (&str, &str),
+) -> Result<(), Failure> {
+    let spec = &protocol.spec;
     match options.json {
-        Some(Keys::Wire) => json_line(text)?,
+        Some(Keys::Wire) => json_line(wire)?,
         Some(Keys::Names) => {
             let line = json!({"command": request.name, "reply": named::reply(spec, request.command, text)});
             output::json(&format!("{line}\n"))?;

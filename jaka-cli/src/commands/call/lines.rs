@@ -6,6 +6,7 @@ use jaka_spec::COMMAND_NAME;
 use serde_json::{Value, json};
 
 use super::exchange::Connection;
+use super::forms::FirmwareForms;
 use super::options::Options;
 use super::request::Request;
 use super::{consent, exchange, named, request, wait};
@@ -27,8 +28,9 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
         seat::warn(&options.robot);
         consent::warn_of_stops(protocol, options);
     }
-    let connection = Connection::open(&target, options)?;
-    let mut session = Session { protocol, options, target, connection, under_way };
+    let mut connection = Connection::open(&target, options)?;
+    let forms = FirmwareForms::of(protocol, connection.client())?;
+    let mut session = Session { protocol, options, target, connection, forms, under_way };
     let mut first = Ok(());
     session.under_way.set(Stage::Idle);
     for line in stdin().lock().lines() {
@@ -54,6 +56,7 @@ struct Session<'s> {
     options: &'s Options,
     target: Target,
     connection: Connection,
+    forms: FirmwareForms,
     under_way: UnderWay,
 }
 
@@ -77,7 +80,8 @@ impl Session<'_> {
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
-        let motion = if self.options.wait { wait::motion(self.protocol, &request)? } else { None };
+        let text = self.forms.request(&request)?;
+        let motion = if self.options.wait { wait::motion(self.protocol, &request, &text)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
@@ -86,8 +90,9 @@ impl Session<'_> {
                 Ok(end.reached()?)
             }
             (connection, _) => {
-                let sent = exchange::send(connection.client(), &request, &self.target, &self.under_way);
+                let sent = exchange::send(connection.client(), (&request, &text), &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
+                let reply = reply.map(|text| self.forms.reply(request.command, &text).into_owned());
                 let text = reply.as_deref();
                 answer["reply"] = text.map_or(Value::Null, |text| named::reply(spec, request.command, text));
                 text.zip(request.command).map_or(Ok(()), |(text, command)| exchange::must_fit(spec, command, text))

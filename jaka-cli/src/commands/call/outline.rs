@@ -128,7 +128,7 @@ mod tests {
             let found = outline(&format!("{line} power_on"));
             assert_eq!(found.robot.as_deref(), Some(Path::new("cell2")), "{line}");
             assert_eq!(found.command.as_deref(), Some("power_on"), "{line}");
-            let parsed = parser::Parser::of(crate::packs::builtin(), None).parse(found.rest).expect("it is a line");
+            let parsed = parser::Parser::of(crate::builtin::spec(), None).parse(found.rest).expect("it is a line");
             assert_eq!(parsed.options.robot.lookup().robot, Some("cell2"), "{line}");
         }
     }

@@ -4,28 +4,29 @@ use jaka_robot::motions::MotionText;
 use jaka_spec::words;
 
 use super::request::Request;
+use crate::builtin;
 use crate::failure::Failure;
-use crate::packs::{self, Protocol};
+use crate::packs::Protocol;
 
-/// The motion that the request asks for, if its end can be waited for.
+/// The motion that the request asks for, if its end can be waited for; `text` is sent.
 ///
 /// # Errors
 /// A pack has changed it, so that its target cannot be told.
-pub(super) fn motion(protocol: &Protocol, request: &Request<'_>) -> Result<Option<MotionText>, Failure> {
+pub(super) fn motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> Result<Option<MotionText>, Failure> {
     let Some(command) = request.command else { return Ok(None) };
-    let motion = jaka_dynamic::motion(&protocol.spec, packs::builtin(), command, &request.text);
+    let motion = jaka_dynamic::motion(&protocol.spec, builtin::spec(), command, &request.text);
     let motion = motion.map_err(|problem| {
         Failure::Usage(format!("`{}` was not sent: it cannot be waited for: {problem}", request.name))
     })?;
     Ok(motion.map(|motion| {
-        let text = MotionText::new(protocol.info(command), &*request.text);
+        let text = MotionText::new(protocol.info(command), text);
         text.target(motion.target).path(motion.path).tolerance_mm(motion.tolerance_mm)
     }))
 }
 
 /// The same of a request that must ask for one.
-pub(super) fn must_be_motion(protocol: &Protocol, request: &Request<'_>) -> Result<MotionText, Failure> {
-    motion(protocol, request)?.ok_or_else(|| {
+pub(super) fn must_be_motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> Result<MotionText, Failure> {
+    motion(protocol, request, text)?.ok_or_else(|| {
         let motions: Vec<_> =
             protocol.spec.commands().filter(|command| command.motion.is_some()).map(|command| &*command.wire).collect();
         let motions = words::list(&motions, "and");

@@ -20,6 +20,7 @@ pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String>
         spec,
         version,
         text: head(version, &findings.packs),
+        lines: String::new(),
         written: Vec::new(),
         known_arrays: samples::fixed(spec),
     };
@@ -35,7 +36,7 @@ pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String>
         let (name, fields) = (&spec[id].name, spec.status_fields());
         draft.take(&findings.status, |path| locate(spec, name, "field", fields, path));
     }
-    (!draft.written.is_empty()).then_some(draft.text)
+    (!draft.written.is_empty()).then(|| draft.with(""))
 }
 
 fn head(version: &str, packs: &[String]) -> String {
@@ -55,6 +56,8 @@ struct Draft<'f> {
     spec: &'f Spec,
     version: &'f str,
     text: String,
+    /// Lines of its `[robot_status]`.
+    lines: String,
     /// What it has entries or comments for.
     written: Vec<Location<'f>>,
     /// The arrays of fixed length that the spec has.
@@ -171,8 +174,33 @@ impl<'f> Draft<'f> {
 
     /// True if the draft loads with this entry.
     fn loads(&self, entry: &str) -> bool {
-        let text = format!("{}{entry}", self.text);
-        load_pack(self.spec, Source { path: "draft.toml", text: &text }).is_ok()
+        load_pack(self.spec, Source { path: "draft.toml", text: &self.with(entry) }).is_ok()
+    }
+
+    /// The draft with one more entry, and with its `[robot_status]` if it has lines there.
+    fn with(&self, entry: &str) -> String {
+        let Self { text, lines, .. } = self;
+        let table =
+            if lines.is_empty() { String::new() } else { format!("\n{}[robot_status]\n{lines}", comment(TODO_ROBOT)) };
+        format!("{text}{entry}{table}")
+    }
+
+    /// True if the draft loads with this entry, or with it and a line for the field that a robot needs, which it then
+    /// has.
+    fn loads_with_line(&mut self, entry: &str, location: &Location<'f>) -> bool {
+        if self.loads(entry) {
+            return true;
+        }
+        let mut fields = self.spec.status_fields().iter().filter(|field| field.wire == location.key);
+        let is_of_status = self.spec.status_type().is_some_and(|id| self.spec[id].name == location.target);
+        let Some(field) = fields.next().filter(|_| is_of_status) else { return false };
+        let before = self.lines.clone();
+        self.lines += &[&field.name, " = \"program\"\n"].concat();
+        let loads = self.loads(entry);
+        if !loads {
+            self.lines = before;
+        }
+        loads
     }
 
     fn entry(&self, departure: &Departure, location: &Location<'_>, (name, ty): (&str, &str)) -> String {
@@ -199,11 +227,16 @@ impl<'f> Draft<'f> {
         let entry =
             format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(location.key));
         let comment = comment(&format!("TODO: whether this is right. {}: {departure}", finding.name));
-        let entry = if self.loads(&format!("\n{entry}")) { entry } else { entry.lines().map(self::comment).collect() };
+        let loads = self.loads_with_line(&format!("\n{entry}"), &location);
+        let entry = if loads { entry } else { entry.lines().map(self::comment).collect() };
         self.text.extend(["\n", &comment, &entry]);
         self.written.push(location);
     }
 }
+
+/// Task of its author where it has a `[robot_status]`.
+const TODO_ROBOT: &str =
+    "TODO: a robot needs these: name a field that has the built-in type, or implement `MotionStatus` in your program.";
 
 fn comment(line: &str) -> String {
     format!("# {}\n", visible(line))

@@ -8,9 +8,10 @@ use itertools::Itertools as _;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
+use crate::builtin;
 use crate::choice::{Choice, one_of};
+use crate::output;
 use crate::recorded::command_of;
-use crate::{output, packs};
 
 /// The options that select entries.
 #[derive(Debug, Args)]
@@ -71,7 +72,7 @@ impl Filter {
 impl CommandFilter {
     /// The command by its `cmdName` or its name in Rust, or a name that is not in the spec.
     fn new(called: &str, recording: &Recording) -> Self {
-        let known = packs::builtin().command_called(called).map(|command| command.wire.clone());
+        let known = builtin::spec().command_called(called).map(|command| command.wire.clone());
         let command = known.unwrap_or_else(|| called.to_owned());
         let names: BTreeSet<_> =
             recording.answers().iter().filter_map(|answered| command_of(&answered.request)).collect();

@@ -6,6 +6,7 @@ use clap::Args;
 use jaka_spec::{Command, Error, Errors, Source, Spec, tools};
 
 use super::files;
+use crate::builtin;
 use crate::failure::Failure;
 use crate::number::count;
 use crate::{output, packs};
@@ -29,7 +30,7 @@ impl Check {
         let mut found = Found::default();
         let mut spec = match &self.spec {
             Some(folder) => whole(folder, &mut found)?,
-            None => packs::builtin().clone(),
+            None => builtin::spec().clone(),
         };
         for path in &self.packs {
             if let Some(with_pack) = pack(&spec, path, &mut found)? {

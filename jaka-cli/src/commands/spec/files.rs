@@ -5,6 +5,7 @@ use std::path::Path;
 
 use jaka_spec::{BUILTIN, Source, Spec};
 
+use crate::builtin;
 use crate::failure::Failure;
 use crate::packs;
 
@@ -43,10 +44,10 @@ fn place(path: &Path) -> usize {
 /// The spec that a word of the command line stands for: `builtin`, a folder, or a pack on the built-in spec.
 pub(super) fn spec(word: &Path) -> Result<Spec, Failure> {
     if word == Path::new(BUILTIN_NAME) {
-        return Ok(packs::builtin().clone());
+        return Ok(builtin::spec().clone());
     }
     if !word.is_dir() {
-        return packs::add(packs::builtin(), word);
+        return packs::add(builtin::spec(), word);
     }
     jaka_spec::load(&sources(&read(word)?))
         .map_err(|errors| Failure::Usage(format!("the spec in {} has errors:\n{errors}", word.display())))

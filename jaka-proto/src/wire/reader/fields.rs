@@ -176,7 +176,12 @@ impl Reader<'_> {
         self.field_with(name, slot, |reader| reader.word(off, on))
     }
 
-    pub(in crate::wire) fn field_with<T>(
+    /// Reads a field's value with `decode`.
+    ///
+    /// # Errors
+    /// As [`field`](Self::field).
+    #[doc(hidden)]
+    pub fn field_with<T>(
         &mut self,
         name: &'static str,
         slot: &mut Option<T>,

@@ -27,6 +27,7 @@ pub(super) fn render(out: &mut String, spec: &Spec, fields: &[Field], first: usi
     table.render(out);
     longer_docs(out, fields.iter().map(|field| (label(field), field.doc.as_str())));
     for field in fields {
+        forms(out, spec, field);
         disputed(out, field);
     }
 }
@@ -79,7 +80,20 @@ fn meaning(field: &Field) -> String {
     let versions =
         words::versions(&field.versions).map(|versions| format!(" Firmware {versions}.")).unwrap_or_default();
     let disputed = if field.disputed.is_empty() { "" } else { " Disputed: see below." };
-    format!("{first}{versions}{disputed}")
+    let forms = if field.forms.is_empty() { "" } else { " Other firmware has another form: see below." };
+    format!("{first}{versions}{forms}{disputed}")
+}
+
+/// Forms by firmware, as a list.
+fn forms(out: &mut String, spec: &Spec, field: &Field) {
+    if field.forms.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "Other forms of `{}`:\n", label(field));
+    for form in &field.forms {
+        let _ = writeln!(out, "- {}", words::form(spec, field, form));
+    }
+    *out += "\n";
 }
 
 fn disputed(out: &mut String, field: &Field) {

@@ -1,0 +1,351 @@
+//! Messages of one spec as messages of another, which has the same fields in other forms.
+
+use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type, unit_factor};
+use serde_json::{Map, Value};
+
+use crate::scalar;
+
+/// Translation of messages between two specs, one of which was made of the other by a pack, or is that of a firmware: keys,
+/// words for false and true, units, literals, and objects that are arrays. Fields belong together by their names in Rust.
+#[derive(Debug)]
+pub struct Translation<'s> {
+    from: &'s Spec,
+    to: &'s Spec,
+}
+
+/// Message that is translated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Message<'m> {
+    /// Request of this command.
+    Request(&'m str),
+    /// Reply to this command.
+    Reply(&'m str),
+    /// Packet of port 10000.
+    Status,
+}
+
+/// Members of a translated message.
+#[derive(Debug, Default, Clone, PartialEq)]
+pub struct Translated {
+    /// Members, by the keys of the second spec.
+    pub members: Map<String, Value>,
+    /// Fields without a translation of their value, which are left out.
+    pub lost: Vec<Lost>,
+}
+
+/// Field whose value has no translation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lost {
+    /// Name of the field in Rust.
+    pub name: String,
+    /// Value in the message.
+    pub value: Value,
+}
+
+impl<'s> Translation<'s> {
+    /// Translation of messages of the first spec into messages of the second.
+    pub fn new(from: &'s Spec, to: &'s Spec) -> Self {
+        Self { from, to }
+    }
+
+    /// Translates the members of a message. A member that neither spec knows stays as it is; one that the second spec has
+    /// for a field of another name is left out.
+    pub fn message(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
+        let [from, to] = [self.from, self.to].map(|spec| fields(spec, message, members));
+        self.members(from, to, members)
+    }
+
+    /// Translates the value of a field; none where it has no translation.
+    pub fn field(&self, from: &Field, to: &Field, value: &Value) -> Option<Value> {
+        self.value(of(from), of(to), value)
+    }
+
+    /// Keys in the first spec of fields of a message that the second has not, or whose values have no translation.
+    pub fn lost(&self, message: Message<'_>) -> Vec<String> {
+        let mut lost = Vec::new();
+        for (from, to) in self.parts_of(message) {
+            let is_lost =
+                |field: &&Field| !counterpart(field, from, to).is_some_and(|other| self.can(of(field), of(other)));
+            lost.extend(from.iter().filter(is_lost).map(|field| field.wire.clone()));
+        }
+        lost
+    }
+
+    /// Keys in the second spec of fields of a message that the first has not, or whose values have no translation.
+    pub fn missing(&self, message: Message<'_>) -> Vec<String> {
+        let mut missing = Vec::new();
+        for (from, to) in self.parts_of(message) {
+            let is_missing =
+                |other: &&Field| !counterpart(other, to, from).is_some_and(|field| self.can(of(field), of(other)));
+            missing.extend(to.iter().filter(is_missing).map(|field| field.wire.clone()));
+        }
+        missing
+    }
+
+    /// The fields of a message in both specs; of a choice, those of each variant.
+    fn parts_of(&self, message: Message<'_>) -> Vec<(&'s [Field], &'s [Field])> {
+        let none = Map::new();
+        let (Message::Request(name), (from, to)) = (message, (self.from, self.to)) else {
+            return vec![(fields(self.from, message, &none), fields(self.to, message, &none))];
+        };
+        let choice = |spec: &'s Spec| spec.command(name).map_or(&[][..], Command::variants);
+        let variants = choice(from).iter().map(|variant| {
+            let same = choice(to).iter().find(|other| other.wire == variant.wire);
+            (&*variant.fields, same.map_or(&[][..], |other| &other.fields))
+        });
+        variants.chain([(fields(from, message, &none), fields(to, message, &none))]).collect()
+    }
+
+    /// The fields of a message in the second spec.
+    pub(crate) fn fields(&self, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
+        fields(self.to, message, members)
+    }
+
+    fn members(&self, from: &[Field], to: &[Field], members: &Map<String, Value>) -> Translated {
+        let mut translated = Translated::default();
+        for (key, value) in members {
+            let Some(field) = from.iter().find(|field| field.wire == *key) else {
+                if to.iter().all(|field| field.wire != *key) {
+                    translated.members.insert(key.clone(), value.clone());
+                }
+                continue;
+            };
+            let same = counterpart(field, from, to);
+            match same.and_then(|other| Some((other, self.value(of(field), of(other), value)?))) {
+                Some((other, value)) => drop(translated.members.insert(other.wire.clone(), value)),
+                None => translated.lost.push(Lost { name: field.name.clone(), value: value.clone() }),
+            }
+        }
+        translated
+    }
+
+    fn value(&self, from: Kind<'_>, to: Kind<'_>, value: &Value) -> Option<Value> {
+        if value.is_null() || from.means(self.from, to, self.to) {
+            return Some(value.clone());
+        }
+        let (from, to) = (from.unwrapped(self.from), to.unwrapped(self.to));
+        match (from.ty, to.ty) {
+            (Type::Python(inner), _) => self.value(from.inner(inner), to, &scalar::literal(value.as_str()?)?),
+            (_, Type::Python(inner)) => {
+                let value = self.value(from, to.inner(inner), value)?;
+                jaka_proto::python::from_json(&value.to_string()).ok().map(Value::from)
+            }
+            (Type::Scalar(from_scalar), Type::Scalar(to_scalar)) => match (from_scalar, to_scalar) {
+                (Scalar::Bool { .. }, Scalar::Bool { off, on }) => {
+                    let is_on = scalar::truth_value(from_scalar, value)?;
+                    serde_json::from_str(if is_on { on } else { off }).ok()
+                }
+                (Scalar::Float | Scalar::Int, Scalar::Float) => number(value, from.unit, to.unit),
+                (Scalar::Float | Scalar::Int, Scalar::Int) if from.unit == to.unit => {
+                    scalar::int(value).map(|(whole, _)| whole.into())
+                }
+                (_, Scalar::Json) => Some(value.clone()),
+                (from, to) => (from == to).then(|| value.clone()),
+            },
+            _ => self.parts(from, to, value),
+        }
+    }
+
+    /// Translates what has parts.
+    fn parts(&self, from: Kind<'_>, to: Kind<'_>, value: &Value) -> Option<Value> {
+        match (self.from.shape(from.ty), self.to.shape(to.ty)) {
+            (Shape::List(element, _), Shape::List(other, len)) => {
+                let elements = value.as_array()?;
+                let each = |value| self.value(from.inner(element), to.inner(other), value);
+                let elements: Option<Vec<_>> = elements.iter().map(each).collect();
+                elements.filter(|elements| len.is_none_or(|len| elements.len() == len)).map(Value::from)
+            }
+            (Shape::Object(fields), Shape::Object(others)) => {
+                let translated = self.members(fields, others, value.as_object()?);
+                translated.lost.is_empty().then(|| translated.members.into())
+            }
+            (Shape::Object(fields), Shape::Tuple { fields: others, .. }) => {
+                let found = value.as_object()?;
+                let element = |other: &Field| {
+                    let field = fields.iter().find(|field| field.name == other.name)?;
+                    self.value(of(field), of(other), found.get(&field.wire).unwrap_or(&Value::Null))
+                };
+                let elements: Option<Vec<_>> = others.iter().map(element).collect();
+                elements.map(Value::from)
+            }
+            (Shape::Tuple { fields, .. }, Shape::Object(others)) => {
+                let found = value.as_array()?;
+                let mut members = Map::new();
+                for (field, value) in fields.iter().zip(found).filter(|(_, value)| !value.is_null()) {
+                    let other = others.iter().find(|other| other.name == field.name)?;
+                    members.insert(other.wire.clone(), self.value(of(field), of(other), value)?);
+                }
+                Some(members.into())
+            }
+            (Shape::Tuple { fields, .. }, Shape::Tuple { fields: others, .. }) => {
+                self.elements(fields, others, value.as_array()?).map(Value::from)
+            }
+            (Shape::Choice(choice), Shape::Choice(other)) => {
+                let (tag, rest) = value.as_array()?.split_first()?;
+                let wire = scalar::int(tag)?.0;
+                let variant = choice.variants.iter().find(|variant| variant.wire == wire)?;
+                let other = other.variants.iter().find(|other| other.name == variant.name)?;
+                let elements = self.elements(&variant.fields, &other.fields, rest)?;
+                Some([vec![other.wire.into()], elements].concat().into())
+            }
+            (Shape::IntEnum(values), Shape::IntEnum(others)) => {
+                let wire = scalar::int(value)?.0;
+                let name = &values.iter().find(|value| value.wire == wire)?.name;
+                Some(others.iter().find(|value| value.name == *name)?.wire.into())
+            }
+            (Shape::TextEnum(values), Shape::TextEnum(others)) => {
+                let name = &values.iter().find(|listed| Some(&*listed.wire) == value.as_str())?.name;
+                Some(others.iter().find(|value| value.name == *name)?.wire.clone().into())
+            }
+            (Shape::IntEnum(values), Shape::TextEnum(others)) => {
+                let wire = scalar::int(value)?.0;
+                let name = &values.iter().find(|value| value.wire == wire)?.name;
+                Some(others.iter().find(|value| value.name == *name)?.wire.clone().into())
+            }
+            (Shape::TextEnum(values), Shape::IntEnum(others)) => {
+                let name = &values.iter().find(|listed| Some(&*listed.wire) == value.as_str())?.name;
+                Some(others.iter().find(|value| value.name == *name)?.wire.into())
+            }
+            _ => None,
+        }
+    }
+
+    /// Translates the elements of an array; those beyond the fields stay as they are.
+    fn elements(&self, fields: &[Field], others: &[Field], found: &[Value]) -> Option<Vec<Value>> {
+        let each = |(at, value): (usize, &Value)| match (fields.get(at), others.get(at)) {
+            (Some(field), Some(other)) if field.name == other.name => self.value(of(field), of(other), value),
+            (None, _) => Some(value.clone()),
+            _ => None,
+        };
+        found.iter().enumerate().map(each).collect()
+    }
+
+    /// True if values of the one can be translated into values of the other.
+    fn can(&self, from: Kind<'_>, to: Kind<'_>) -> bool {
+        if from.means(self.from, to, self.to) {
+            return true;
+        }
+        let (from, to) = (from.unwrapped(self.from), to.unwrapped(self.to));
+        match (from.ty, to.ty) {
+            (Type::Python(inner), _) => return self.can(from.inner(inner), to),
+            (_, Type::Python(inner)) => return self.can(from, to.inner(inner)),
+            (Type::Scalar(from_scalar), Type::Scalar(to_scalar)) => {
+                return match (from_scalar, to_scalar) {
+                    (Scalar::Bool { .. }, Scalar::Bool { .. }) | (_, Scalar::Json) => true,
+                    (Scalar::Float | Scalar::Int, Scalar::Float) => factor(from.unit, to.unit).is_some(),
+                    // As far as the number is whole.
+                    (Scalar::Float, Scalar::Int) => from.unit == to.unit,
+                    (from_scalar, to_scalar) => from_scalar == to_scalar && from.unit == to.unit,
+                };
+            }
+            _ => {}
+        }
+        let all = |fields: &[Field], others: &[Field]| {
+            fields
+                .iter()
+                .all(|field| others.iter().any(|other| other.name == field.name && self.can(of(field), of(other))))
+        };
+        match (self.from.shape(from.ty), self.to.shape(to.ty)) {
+            (Shape::List(element, len), Shape::List(other, other_len)) => {
+                (other_len.is_none() || len == other_len) && self.can(from.inner(element), to.inner(other))
+            }
+            (
+                Shape::Object(fields) | Shape::Tuple { fields, .. },
+                Shape::Object(others) | Shape::Tuple { fields: others, .. },
+            ) => all(fields, others),
+            (Shape::Choice(choice), Shape::Choice(other)) => choice.variants.iter().all(|variant| {
+                let same = other.variants.iter().find(|other| other.name == variant.name);
+                same.is_some_and(|other| all(&variant.fields, &other.fields))
+            }),
+            (Shape::IntEnum(_) | Shape::TextEnum(_), Shape::IntEnum(_) | Shape::TextEnum(_)) => {
+                let (names, others) = (names(self.from.shape(from.ty)), names(self.to.shape(to.ty)));
+                names.iter().all(|name| others.contains(name))
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The field of the other spec that a field of this one stands for: that of its name in Rust, or else of its key, which a
+/// pack may have given another name.
+pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Option<&'f Field> {
+    let by_name = others.iter().find(|other| other.name == field.name);
+    by_name.or_else(|| {
+        let is_free = |other: &&Field| own.iter().all(|own| own.name != other.name);
+        others.iter().filter(is_free).find(|other| other.wire == field.wire && !field.wire.is_empty())
+    })
+}
+
+fn names(shape: Shape<'_>) -> Vec<&str> {
+    match shape {
+        Shape::IntEnum(values) => values.iter().map(|value| &*value.name).collect(),
+        Shape::TextEnum(values) => values.iter().map(|value| &*value.name).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The fields of a message; of a choice, those of the variant.
+fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
+    let command = |name: &str| spec.command(name);
+    match message {
+        Message::Status => spec.status_fields(),
+        Message::Reply(name) => command(name).map_or(&[], |command| spec.reply_fields(command)),
+        Message::Request(name) => match command(name).map(|command| &command.request) {
+            None => &[],
+            Some(Request::Fields(fields)) => fields,
+            Some(Request::Choice(choice)) => {
+                let tag = members.get(&choice.tag).and_then(scalar::int).map(|(tag, _)| tag);
+                let variant = choice.variants.iter().find(|variant| Some(variant.wire) == tag);
+                variant.map_or(&[], |variant| &variant.fields)
+            }
+        },
+    }
+}
+
+/// Type of a value, and the unit that its field gives it.
+#[derive(Debug, Clone, Copy)]
+struct Kind<'f> {
+    ty: &'f Type,
+    unit: Option<&'f str>,
+}
+
+fn of(field: &Field) -> Kind<'_> {
+    Kind { ty: &field.ty, unit: field.unit.as_deref() }
+}
+
+impl<'f> Kind<'f> {
+    fn inner(self, ty: &'f Type) -> Self {
+        Self { ty, ..self }
+    }
+
+    /// The wrapped type with its unit, if it is a wrapper.
+    fn unwrapped<'s>(self, spec: &'s Spec) -> Kind<'s>
+    where
+        'f: 's,
+    {
+        Kind { ty: spec.unwrapped(self.ty), unit: spec.unit(self.ty).or(self.unit) }
+    }
+
+    /// True if values mean the same in both specs as they stand.
+    fn means(self, spec: &Spec, other: Kind<'_>, other_spec: &Spec) -> bool {
+        self.ty == other.ty && self.unit == other.unit && spec.defines_as(other_spec, self.ty)
+    }
+}
+
+/// A number in another unit; none where it is not known how they relate.
+fn number(value: &Value, from: Option<&str>, to: Option<&str>) -> Option<Value> {
+    let factor = factor(from, to)?;
+    #[expect(clippy::float_cmp, reason = "the factor of one unit is exactly one")]
+    if factor == 1.0 {
+        return Some(value.clone());
+    }
+    let number: f64 = scalar::float_value(value)?;
+    serde_json::Number::from_f64(number * factor).map(Value::from)
+}
+
+fn factor(from: Option<&str>, to: Option<&str>) -> Option<f64> {
+    match (from, to) {
+        (Some(from), Some(to)) => unit_factor(from, to),
+        (from, to) => (from == to).then_some(1.0),
+    }
+}

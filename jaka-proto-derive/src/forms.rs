@@ -1,0 +1,255 @@
+//! Forms of fields and types by firmware: how they are written and read.
+
+use jaka_spec::{Factors, Field, Form, FormKind, Type, TypeDef, Versions};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use crate::codec::{Manner, read_array, read_object, write_all, write_type};
+use crate::validate::firmware_of;
+
+/// Statements that write a field in the form of the firmware, with its key where it has one; `value` is a reference to its
+/// value.
+pub(crate) fn write(field: &Field, value: &TokenStream) -> TokenStream {
+    let write = |form: &Form| {
+        let key = form.key();
+        let before = if form.wire.is_empty() { quote!(out.comma();) } else { quote!(out.key(#key);) };
+        let write = write_scaled(&form.ty, &quote!(value), form.factors);
+        quote!({ #before #write })
+    };
+    let (ranges, own) = (ranges(field.forms.iter().map(|form| &form.versions)), write(&field.own_form()));
+    let arms = arms(field.forms.iter().map(write));
+    let write = quote!(match out.form(#ranges) { #arms _ => #own });
+    if field.optional { quote!(if let Some(value) = #value { #write }) } else { quote!({ let value = #value; #write }) }
+}
+
+/// A statement that writes the value behind a reference, in another unit where the factor is not one.
+fn write_scaled(ty: &Type, value: &TokenStream, factors: Factors) -> TokenStream {
+    if factors.are_one() {
+        return write_type(ty, value);
+    }
+    let factor = Literal::f64_unsuffixed(factors.to);
+    write_type(ty, &quote!(&wire::Scaled::times(#value, #factor)))
+}
+
+/// Forms whose keys are not those of the fields, one for each key, with its field's place.
+pub(crate) fn further_keys(fields: &[Field]) -> Vec<(usize, Form)> {
+    let of_field = |(at, field): (usize, &Field)| -> Vec<(usize, Form)> {
+        field.keys().skip(1).filter_map(|key| Some((at, field.forms_under(key).next()?))).collect()
+    };
+    fields.iter().enumerate().flat_map(of_field).collect()
+}
+
+/// A closure that reads the value of a field under one of its keys.
+pub(crate) fn read(field: &Field, key: &str) -> TokenStream {
+    let forms: Vec<_> = field.forms_under(key).collect();
+    if field.are_alike_under(key) {
+        let ranges = ranges(field.forms.iter().map(|form| &form.versions));
+        let at_key = |form: &Form| if form.wire == key { read_one(&form.ty, form.factors) } else { ambiguous() };
+        let (arms, own) = (arms(field.forms.iter().map(at_key)), at_key(&field.own_form()));
+        return quote!(|reader| match reader.form(#ranges)? { #arms _ => #own });
+    }
+    let factors = forms.first().map_or(Factors::ONE, |form| form.factors);
+    let truths: Vec<_> = forms.iter().filter_map(|form| truth_words(&form.ty)).collect();
+    let (literal, plain): (Vec<_>, Vec<_>) = forms.iter().partition(|form| matches!(form.ty, Type::Python(_)));
+    let read = match (plain.first(), literal.first()) {
+        _ if !truths.is_empty() => {
+            let words = truths.iter().map(|[off, on]| quote!([#off, #on]));
+            quote!(reader.words(&[#(#words),*]))
+        }
+        (Some(plain), Some(literal)) => {
+            let [plain, literal] = [plain, literal].map(|form| read_one(&form.ty, factors));
+            return quote!(|reader| if reader.is_literal() { #literal } else { #plain });
+        }
+        (Some(form), None) | (None, Some(form)) => return closure(&read_one(&form.ty, factors)),
+        (None, None) => ambiguous(),
+    };
+    closure(&read)
+}
+
+fn closure(read: &TokenStream) -> TokenStream {
+    quote!(|reader| #read)
+}
+
+fn ambiguous() -> TokenStream {
+    quote!(Err(wire::DecodeError::ambiguous()))
+}
+
+/// An expression that reads a value of one form.
+fn read_one(ty: &Type, factors: Factors) -> TokenStream {
+    let read = match ty {
+        Type::Python(_) => quote!(reader.python()),
+        other => truth_words(other)
+            .map_or_else(|| quote!(wire::Decode::decode(reader)), |[off, on]| quote!(reader.words(&[[#off, #on]]))),
+    };
+    if factors.are_one() {
+        return read;
+    }
+    let factor = Literal::f64_unsuffixed(factors.from);
+    quote!(#read.map(|value| wire::Scaled::times(&value, #factor)))
+}
+
+fn truth_words(ty: &Type) -> Option<[&str; 2]> {
+    if let Type::Scalar(scalar) = ty { scalar.truth_words() } else { None }
+}
+
+/// An expression that gives an element of an array the unit of its field; `read` reads it as it stands there.
+pub(crate) fn element(field: &Field, read: &TokenStream) -> TokenStream {
+    if field.forms.is_empty() {
+        return read.clone();
+    }
+    let name = &field.name;
+    let ranges = ranges(field.forms.iter().map(|form| &form.versions));
+    let arms = arms(field.forms.iter().map(|form| {
+        let factor = Literal::f64_unsuffixed(form.factors.from);
+        quote!(wire::Scaled::times(&value, #factor))
+    }));
+    quote! {{
+        let value = #read;
+        match reader.form(#ranges).map_err(|error| error.in_field(#name))? { #arms _ => value }
+    }}
+}
+
+/// The codec of an object that is an array in some firmware.
+pub(crate) fn object(name: &Ident, def: &TypeDef, fields: &[Field]) -> TokenStream {
+    let ranges = ranges(def.forms.iter().map(|form| &form.versions));
+    let write = write_all(&elements(fields), |name| quote!(&self.#name));
+    let read = read_array(fields, false, &quote!(Self));
+    quote! {
+        impl wire::Encode for #name {
+            fn encode(&self, out: &mut wire::Writer) {
+                if out.form(#ranges).is_some() {
+                    out.raw("[");
+                    #write
+                    out.raw("]");
+                } else {
+                    out.raw("{");
+                    wire::Fields::write_fields(self, out);
+                    out.raw("}");
+                }
+            }
+        }
+
+        impl wire::Decode for #name {
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                if reader.is_list() {
+                    reader.begin_array()?;
+                    #read
+                } else {
+                    wire::Fields::read_fields(reader)
+                }
+            }
+        }
+
+        proto::__serde_impls!(#name);
+    }
+}
+
+/// The fields of an object as elements of an array.
+fn elements(fields: &[Field]) -> Vec<Field> {
+    fields.iter().map(|field| Field { wire: String::new(), ..field.clone() }).collect()
+}
+
+/// The codec of an array that is an object in some firmware.
+pub(crate) fn array(name: &Ident, def: &TypeDef, fields: &[Field], exact: bool) -> TokenStream {
+    let ranges = ranges(def.forms.iter().map(|form| &form.versions));
+    let own = write_all(fields, |name| quote!(&self.#name));
+    let keys: Vec<_> = def.forms.iter().filter_map(|form| object_keys(&form.kind)).collect();
+    let arms = arms(keys.iter().map(|keys| {
+        let write = write_all(&members(fields, &[keys]), |name| quote!(&self.#name));
+        quote!({ out.raw("{"); #write out.raw("}"); })
+    }));
+    let read = read_array(fields, exact, &quote!(Self));
+    let read_members = read_object(&members(fields, &keys), &quote!(Self), Manner::Strict);
+    quote! {
+        impl wire::Encode for #name {
+            fn encode(&self, out: &mut wire::Writer) {
+                match out.form(#ranges) {
+                    #arms
+                    _ => {
+                        out.raw("[");
+                        #own
+                        out.raw("]");
+                    }
+                }
+            }
+        }
+
+        impl wire::Decode for #name {
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                if reader.is_list() {
+                    reader.begin_array()?;
+                    #read
+                } else {
+                    #read_members
+                }
+            }
+        }
+
+        proto::__serde_impls!(#name);
+    }
+}
+
+fn object_keys(kind: &FormKind) -> Option<&Vec<String>> {
+    match kind {
+        FormKind::Object(keys) => Some(keys),
+        FormKind::Array | FormKind::Unit { .. } => None,
+    }
+}
+
+/// The elements of an array as fields of an object, under the keys of each of its forms.
+fn members(fields: &[Field], keys: &[&Vec<String>]) -> Vec<Field> {
+    let member = |(at, field): (usize, &Field)| {
+        let mut names = keys.iter().filter_map(|keys| keys.get(at));
+        let mut member = Field { wire: names.next().cloned().unwrap_or_default(), ..field.clone() };
+        member.forms.iter_mut().for_each(|form| form.wire.clone_from(&member.wire));
+        let own = member.own_form();
+        member
+            .forms
+            .extend(names.filter(|name| **name != own.wire).map(|name| Form { wire: name.clone(), ..own.clone() }));
+        member
+    };
+    fields.iter().enumerate().map(member).collect()
+}
+
+/// Statements that write, and an expression that reads, a wrapped value in the unit of the firmware.
+pub(crate) fn wrapped(def: &TypeDef, write: &TokenStream) -> (TokenStream, TokenStream) {
+    let ranges = ranges(def.forms.iter().map(|form| &form.versions));
+    let factors: Vec<_> = def.forms.iter().map(|form| unit_factors(&form.kind)).collect();
+    let reads = arms(factors.iter().map(|factors| {
+        let factor = Literal::f64_unsuffixed(factors.from);
+        quote!(wire::Scaled::times(&value, #factor))
+    }));
+    let writes = arms(factors.iter().map(|factors| {
+        let factor = Literal::f64_unsuffixed(factors.to);
+        quote!(wire::Encode::encode(&wire::Scaled::times(&self.0, #factor), out))
+    }));
+    let write = quote!(match out.form(#ranges) { #writes _ => { #write } });
+    let read = quote! {{
+        let form = reader.form(#ranges)?;
+        let value = wire::Decode::decode(reader)?;
+        Ok(Self(match form { #reads _ => value }))
+    }};
+    (write, read)
+}
+
+fn unit_factors(kind: &FormKind) -> Factors {
+    match kind {
+        FormKind::Unit { factors, .. } => *factors,
+        FormKind::Object(_) | FormKind::Array => Factors::ONE,
+    }
+}
+
+/// An arm for each form.
+fn arms(bodies: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let arms = bodies.enumerate().map(|(at, body)| {
+        let at = Literal::usize_unsuffixed(at);
+        quote!(Some(#at) => #body,)
+    });
+    quote!(#(#arms)*)
+}
+
+/// The firmware of each form.
+fn ranges<'f>(versions: impl Iterator<Item = &'f Versions>) -> TokenStream {
+    let ranges = versions.map(|versions| firmware_of(versions, &quote!(wire)));
+    quote!(&[#(#ranges),*])
+}

@@ -1,0 +1,297 @@
+//! Forms of fields and types by firmware.
+
+use std::f64::consts::PI;
+
+use crate::model::{Command, Field, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::quote::key;
+use crate::range::Range;
+use crate::scalar::Scalar;
+use crate::version::{Version, Versions};
+
+/// Form of a field in some firmware. Rust has one type for all forms of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Form {
+    /// Firmware that has the form.
+    pub versions: Versions,
+    /// Key on the wire; empty for an element of an array.
+    pub wire: String,
+    /// Type on the wire, which differs from the field's by words for false and true, or by `python(…)`.
+    pub ty: Type,
+    /// Unit of its number or numbers.
+    pub unit: Option<String>,
+    /// Factor from a number of this form to one in the field's unit, and the one back.
+    pub factors: Factors,
+}
+
+impl Form {
+    /// Its key as JSON text, with its quotes and colon.
+    pub fn key(&self) -> String {
+        key(&self.wire)
+    }
+}
+
+/// Factors between a number of a form and the same in the spec's own unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// From the form.
+    pub from: f64,
+    /// To the form.
+    pub to: f64,
+}
+
+impl Factors {
+    /// Those of one unit.
+    pub const ONE: Self = Self { from: 1.0, to: 1.0 };
+
+    /// Those between a form in one unit and a field in another; none where it is not known how they relate.
+    pub fn of(form: &str, own: &str) -> Option<Self> {
+        Some(Self { from: unit_factor(form, own)?, to: unit_factor(own, form)? })
+    }
+
+    /// True for those of one unit.
+    #[expect(clippy::float_cmp, reason = "the factors of one unit are exactly one")]
+    pub fn are_one(self) -> bool {
+        self.from == 1.0 && self.to == 1.0
+    }
+}
+
+/// Form of a named type in some firmware.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TypeForm {
+    /// Firmware that has the form.
+    pub versions: Versions,
+    /// Difference from the type's own form.
+    pub kind: FormKind,
+}
+
+/// Difference of a type's form from the type's own.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FormKind {
+    /// A JSON object with these keys, one for each element of the array.
+    Object(Vec<String>),
+    /// A JSON array with an element for each field of the object.
+    Array,
+    /// Numbers in another unit.
+    Unit {
+        /// The unit.
+        unit: String,
+        /// Factor from a number of this form to one in the type's unit, and the one back.
+        factors: Factors,
+    },
+}
+
+impl Field {
+    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that means
+    /// false in one form and true in the other.
+    pub fn has_forms_alike(&self) -> bool {
+        self.keys().any(|key| self.are_alike_under(key))
+    }
+
+    /// True if the version alone tells two forms under a key apart.
+    pub fn are_alike_under(&self, key: &str) -> bool {
+        let forms: Vec<_> = self.forms_under(key).collect();
+        let are_alike = |form: &Form, other: &Form| form.unit != other.unit || contradict(&form.ty, &other.ty);
+        forms.iter().enumerate().any(|(at, form)| forms[at + 1..].iter().any(|other| are_alike(form, other)))
+    }
+
+    /// Keys of the field in any firmware, its own first, each once.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        let others = self.forms.iter().enumerate().filter(|(at, form)| {
+            form.wire != self.wire && self.forms[..*at].iter().all(|before| before.wire != form.wire)
+        });
+        std::iter::once(&*self.wire).chain(others.map(|(_, form)| &*form.wire))
+    }
+
+    /// Forms of the field under a key, its own first if it has that key.
+    pub fn forms_under(&self, key: &str) -> impl Iterator<Item = Form> {
+        let own = self.own_form();
+        std::iter::once(own).chain(self.forms.iter().cloned()).filter(move |form| form.wire == key)
+    }
+
+    /// Form of the field in all firmware that none of its other forms is for.
+    pub fn own_form(&self) -> Form {
+        let Self { wire, ty, unit, .. } = self;
+        let (wire, ty, unit) = (wire.clone(), ty.clone(), unit.clone());
+        Form { versions: Versions::default(), wire, ty, unit, factors: Factors::ONE }
+    }
+}
+
+/// True if a value may mean one thing as this type, and another as that.
+#[expect(clippy::match_same_arms, reason = "a text may be a literal, and is one of a list")]
+fn contradict(ty: &Type, other: &Type) -> bool {
+    match (ty, other) {
+        (Type::Python(inner), Type::Python(other)) => contradict(inner, other),
+        // A literal of an array or an object is a string, which these are not.
+        (Type::Python(inner), _) | (_, Type::Python(inner)) => matches!(**inner, Type::Scalar(_)),
+        (Type::List(element), Type::List(other)) => contradict(element, other),
+        (Type::Array(element, _), Type::Array(other, _)) => contradict(element, other),
+        (Type::Scalar(Scalar::Bool { off, on }), Type::Scalar(Scalar::Bool { off: other_off, on: other_on })) => {
+            let words = [off, on, other_off, other_on].map(|word| word.trim_matches('"'));
+            words.iter().any(|word| {
+                let [ours, theirs] = [[off, on], [other_off, other_on]].map(|[off, on]| truth(word, off, on));
+                ours.is_some_and(|ours| theirs.is_some_and(|theirs| ours != theirs))
+            })
+        }
+        _ => false,
+    }
+}
+
+/// Meaning of a word as a truth value with these two forms, or in one of the usual ones.
+fn truth(word: &str, off: &str, on: &str) -> Option<bool> {
+    let is = |forms: &[&str]| forms.iter().any(|form| form.trim_matches('"').eq_ignore_ascii_case(word));
+    match word {
+        _ if is(&[off]) => Some(false),
+        _ if is(&[on]) => Some(true),
+        _ if is(&["false", "0"]) => Some(false),
+        _ if is(&["true", "1"]) => Some(true),
+        _ => None,
+    }
+}
+
+impl TypeDef {
+    /// True if the version alone tells two forms apart: numbers in another unit.
+    pub fn has_forms_alike(&self) -> bool {
+        self.forms.iter().any(|form| match form.kind {
+            FormKind::Unit { .. } => true,
+            FormKind::Object(_) | FormKind::Array => false,
+        })
+    }
+}
+
+impl Spec {
+    /// True if a command can be sent only once the firmware is known: its request has forms, or its reply has forms that
+    /// are told apart by the version alone.
+    pub fn needs_firmware(&self, command: &Command) -> bool {
+        let sent = |field: &Field| !field.forms.is_empty();
+        let sent_type = |def: &TypeDef| !def.forms.is_empty();
+        command.request.fields().any(|field| self.any(field, &sent, &sent_type))
+            || self
+                .reply_fields(command)
+                .iter()
+                .any(|field| self.any(field, &Field::has_forms_alike, &TypeDef::has_forms_alike))
+    }
+
+    /// True if any field or type has forms.
+    pub fn varies_by_firmware(&self) -> bool {
+        self.commands().flat_map(Command::fields).any(|field| !field.forms.is_empty())
+            || self
+                .types()
+                .any(|(_, def)| !def.forms.is_empty() || def.kind.fields().any(|field| !field.forms.is_empty()))
+    }
+
+    /// True if a field of a message, or anything inside it, has forms.
+    pub fn has_forms(&self, fields: &[Field]) -> bool {
+        fields.iter().any(|field| self.any(field, &|field| !field.forms.is_empty(), &|def| !def.forms.is_empty()))
+    }
+
+    /// True if either holds of a field, or of anything inside it.
+    fn any(&self, field: &Field, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
+        of_field(field) || field.ty.named().is_some_and(|id| self.any_in_type(id, of_field, of_type))
+    }
+
+    fn any_in_type(&self, id: TypeId, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
+        let def = &self[id];
+        of_type(def)
+            || def.kind.fields().any(of_field)
+            || def.kind.parts().any(|part| self.any_in_type(part, of_field, of_type))
+    }
+
+    /// The spec as a firmware has it: each field and each type in the form of this version, and in no other. Ranges are left
+    /// out, since they are in the units of the spec's own forms.
+    #[must_use]
+    pub fn of_firmware(&self, version: &Version) -> Self {
+        let mut spec = self.clone();
+        for topic in &mut spec.topics {
+            for command in &mut topic.commands {
+                command.request.fields_mut().for_each(|field| settle(field, version));
+                command.reply.own_fields_mut().iter_mut().for_each(|field| settle(field, version));
+            }
+        }
+        for def in &mut spec.types {
+            def.kind.fields_mut().for_each(|field| settle(field, version));
+            settle_type(def, version);
+        }
+        spec
+    }
+}
+
+/// Gives a field the form of a version.
+fn settle(field: &mut Field, version: &Version) {
+    (field.range, field.advised) = (Range::default(), Vec::new());
+    let forms = std::mem::take(&mut field.forms);
+    let Some(form) = forms.into_iter().find(|form| form.versions.contain(version)) else { return };
+    (field.wire, field.ty, field.unit) = (form.wire, form.ty, form.unit);
+}
+
+fn settle_type(def: &mut TypeDef, version: &Version) {
+    let forms = std::mem::take(&mut def.forms);
+    let Some(form) = forms.into_iter().find(|form| form.versions.contain(version)) else { return };
+    let mut fields: Vec<_> = def.kind.fields().cloned().collect();
+    def.kind = match (form.kind, &def.kind) {
+        (FormKind::Object(keys), _) => {
+            fields.iter_mut().zip(keys).for_each(|(field, key)| field.wire = key);
+            TypeKind::Object(fields)
+        }
+        (FormKind::Array, _) => {
+            for field in &mut fields {
+                field.wire.clear();
+            }
+            TypeKind::Array { fields, exact: false }
+        }
+        (FormKind::Unit { unit, .. }, TypeKind::Wrapper(ty, _)) => TypeKind::Wrapper(ty.clone(), Some(unit)),
+        (FormKind::Unit { .. }, other) => other.clone(),
+    };
+}
+
+/// Factor from a number in one unit to the same in another; none for units of which the spec does not know how they
+/// relate.
+pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
+    const UNITS: &[&[(&str, f64)]] = &[
+        &[("deg", PI / 180.0), ("rad", 1.0)],
+        &[("mm", 0.001), ("m", 1.0)],
+        &[("ms", 0.001), ("s", 1.0)],
+        &[("g", 0.001), ("kg", 1.0)],
+    ];
+    let parts =
+        |unit: &'_ str| unit.split_once('/').map_or((unit.to_owned(), None), |(a, b)| (a.into(), Some(b.to_owned())));
+    let ((from, from_per), (to, to_per)) = (parts(from), parts(to));
+    let size = |units: &[(&str, f64)], unit: &str| units.iter().find(|(name, _)| *name == unit).map(|(_, size)| *size);
+    if from_per != to_per {
+        return None;
+    }
+    if from == to {
+        return Some(1.0);
+    }
+    UNITS.iter().find_map(|units| Some(size(units, &from)? / size(units, &to)?))
+}
+
+/// True for versions that have something in common.
+pub(crate) fn overlap(some: &Versions, others: &Versions) -> bool {
+    let is_void = |since: &Versions, until: &Versions| {
+        Versions { since: since.since.clone(), until: until.until.clone() }.is_void()
+    };
+    !is_void(some, others) && !is_void(others, some)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_one_quantity_convert() {
+        assert_eq!(unit_factor("rad/s", "deg/s"), Some(180.0 / PI));
+        assert_eq!(unit_factor("m", "mm"), Some(1000.0));
+        assert_eq!(unit_factor("mm", "mm"), Some(1.0));
+        for (from, to) in [("rad", "mm"), ("rad/s", "deg"), ("deg/s", "deg/s²"), ("Hz", "ms")] {
+            assert_eq!(unit_factor(from, to), None, "{from} to {to}");
+        }
+    }
+
+    #[test]
+    fn ranges_of_versions_overlap_where_a_version_has_both() {
+        let range = |since: &str, until: &str| Versions { since: Version::read(since), until: Version::read(until) };
+        assert!(overlap(&range("1.5", "1.6"), &range("1.6.5", "")));
+        assert!(overlap(&range("", ""), &range("1.6", "")));
+        assert!(!overlap(&range("", "1.6"), &range("1.7", "")));
+    }
+}
