@@ -33,6 +33,7 @@ mod generator {
     pub(crate) mod enums;
     pub(crate) mod error_codes;
     pub(crate) mod events;
+    pub(crate) mod forms;
     pub(crate) mod literal;
     pub(crate) mod motion;
     pub(crate) mod request;
@@ -45,8 +46,8 @@ mod generator {
 // Modules of the macro crate name one another from its root.
 #[allow(unused_imports, reason = "each is named by some module of the macro crate")]
 use generator::{
-    choice, client, codec, command, construct, docs, enums, error_codes, events, literal, motion, request, scope,
-    topic, typedef, validate,
+    choice, client, codec, command, construct, docs, enums, error_codes, events, forms, literal, motion, request,
+    scope, topic, typedef, validate,
 };
 
 use std::env;
