@@ -9,6 +9,7 @@ mod collect;
 mod command;
 mod events;
 mod field;
+mod made;
 mod rust;
 mod types;
 
@@ -60,7 +61,8 @@ impl fmt::Display for Change {
 /// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands for
 /// them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
 ///
-/// The impact follows from the code that the macros of `jaka-proto-derive` write:
+/// The impact follows from the code that the macros of `jaka-proto-derive` write, and `tests/semver` compares it with the
+/// compiler's verdict on random edits:
 ///
 /// | change | impact | because |
 /// |---|---|---|
@@ -68,14 +70,17 @@ impl fmt::Display for Change {
 /// | any of these, or a field or variant: removed, or its Rust name changed | major | the item is gone |
 /// | command or type: moved to another topic | major | topics are modules, so the path changes |
 /// | optional field added to a request, or to a type or variant that requests have | minor | these are `#[non_exhaustive]` and made by constructors of the required fields; it gets a setter, and no method another argument |
+/// | the same, named as the constructor for a value | major | the constructor gets another name |
 /// | required field added to one of these | major | the constructors get another argument |
+/// | required fields of one of these in another order | major | the constructors take them in this order |
 /// | field added to a reply, or to a type or variant that is only received | minor | these are `#[non_exhaustive]` |
 /// | required field added to a reply or type, all of whose fields were optional | major | `Default` is gone |
 /// | field added to a reply without fields | major | the method returned `()` |
 /// | field added to an array of nothing but numbers | major | it converts from an array of this many numbers |
-/// | `constructors` set | minor | there are functions more; major where they go |
+/// | `constructors` set | minor | there are functions more; major where they go, patch in what is only received |
 /// | field: another Rust type, `optional`, `or_raw` | major | the field's type changes |
 /// | the same Rust type, written in another form | minor | only the bytes change: `written`, `python(…)`, the key of a tag |
+/// | `python(…)` around what functions take as `impl Into<…>`, or a method in place of the request | major | they take it otherwise |
 /// | unit: another | major | the same number means something else |
 /// | unit: stated or left out | patch | the number means what it meant |
 /// | form by firmware: added, where the firmware must be known for it | major | a command that has it is not sent before `check_firmware` |

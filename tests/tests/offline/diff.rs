@@ -216,6 +216,7 @@ fn fields_of_requests() {
             major: command `joint_move`, request field `accel`: is no longer optional
             major: command `joint_move`, request field `speed`: range changed from `at least 0` to `1 to 180`
             major: command `movc`, request field `tol`: range changed from `at least 0` to `0 to 10, advisory`
+            major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `float` to `int`
             major: command `set_payload`, request field `mass`: unit changed from `kg` to `g`
             minor: command `clear_error`, request field `blend`: added
@@ -229,7 +230,6 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` added: `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit added: `share`
-            patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
         "]],
         &expect![[r"
@@ -245,6 +245,7 @@ fn fields_of_requests() {
             major: command `movc`, request field `tol`: range changed from `0 to 10, advisory` to `at least 0`
             major: command `moveL`, request field `speed`: range added: `at least 0`
             major: command `rapid_rate`, request field `rate_value`: range changed from `0 to 2, advisory` to `0 to 1`
+            major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `int` to `float`
             major: command `set_payload`, request field `mass`: unit changed from `g` to `kg`
             minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
@@ -252,8 +253,60 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
-            patch: command `set_network_exception_handle`: order of the request fields changed
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
+        "]],
+    );
+}
+
+/// What fields are to constructors, setters and methods: found by `tests/semver`.
+#[test]
+fn functions_that_take_fields() {
+    let line = "[[command.request]]\nwire = \"line\"\nname = \"relative_to_tool\"\ntype = \"float\"\noptional = true\ndoc = \"A line.\"\n\n[[command.example]]";
+    let (mass, centroid) =
+        ("wire = \"mass\"\ntype = \"float\"\nunit = \"kg\"\nmin = 0\n", "wire = \"centroid\"\ntype = \"Centroid\"\n");
+    check(
+        &[
+            // Its setter would have the name of a constructor, which then has an underscore.
+            ("motion/moveL", "[[command.example]]", line),
+            // Neither a text nor an array of numbers converts into it, and the method takes the request.
+            ("program/load_program", "type = \"text\"\nascii = true", "type = \"python(text)\""),
+            ("program/rapid_rate", "type = \"float\"\nmin = 0\nmax = 1", "type = \"python(float)\"\nmin = 0\nmax = 1"),
+            ("kinematics/kine_forward", "type = \"JointPosition\"", "type = \"python(JointPosition)\""),
+            // Constructors take the mass first; the optional fields have setters, whatever their order.
+            ("payload/set_payload", mass, "wire = \"swap\"\n"),
+            ("payload/set_payload", centroid, mass),
+            ("payload/set_payload", "wire = \"swap\"\n", centroid),
+        ],
+        &expect![[r"
+            major: command `kine_forward`: the method takes the request
+            major: command `kine_forward`, request field `jointPosition`: functions take nothing that converts into it
+            major: command `load_program`: the method takes the request
+            major: command `load_program`, request field `programName`: functions take nothing that converts into it
+            major: command `moveL`, request field `line`: its setter takes the name of the constructor `relative_to_tool`
+            major: command `rapid_rate`: the method takes the request
+            major: command `set_payload`: order of the request fields changed
+            minor: command `kine_forward`, request field `jointPosition`: form on the wire changed from `JointPosition` to `python(JointPosition)`
+            minor: command `load_program`, request field `programName`: form on the wire changed from `text` to `python(text)`
+            minor: command `load_program`, request field `programName`: takes any text
+            minor: command `moveL`, request field `line`: added
+            minor: command `rapid_rate`, request field `rate_value`: form on the wire changed from `float` to `python(float)`
+            patch: command `set_payload`, request field `centroid`: doc changed
+            patch: command `set_payload`, request field `mass`: doc changed
+        "]],
+        &expect![[r"
+            major: command `kine_forward`: the method takes the field
+            major: command `kine_forward`, request field `jointPosition`: constructors are no longer `const`
+            major: command `load_program`: the method takes the field
+            major: command `load_program`, request field `programName`: takes printable ASCII only
+            major: command `load_program`, request field `programName`: constructors are no longer `const`
+            major: command `moveL`, request field `line`: removed
+            major: command `rapid_rate`: the method takes the field
+            major: command `set_payload`: order of the request fields changed
+            minor: command `kine_forward`, request field `jointPosition`: form on the wire changed from `python(JointPosition)` to `JointPosition`
+            minor: command `load_program`, request field `programName`: form on the wire changed from `python(text)` to `text`
+            minor: command `rapid_rate`, request field `rate_value`: form on the wire changed from `python(float)` to `float`
+            patch: command `set_payload`, request field `centroid`: doc changed
+            patch: command `set_payload`, request field `mass`: doc changed
         "]],
     );
 }
@@ -265,6 +318,12 @@ fn fields_of_replies() {
     let with = |field: &str| format!("{field}\n[[command.example]]");
     check(
         &[
+            // Replies have no constructors.
+            (
+                "program/get_program_state/programState",
+                "type = \"ProgramState\"",
+                "type = \"ProgramState\"\nconstructors = true",
+            ),
             // All keys of both are optional; but with a text the first is no longer `Copy`.
             ("power/power_on", "[[command.example]]", &with(extra)),
             ("power/enable_robot", "[[command.example]]", &with(&number)),
@@ -284,6 +343,7 @@ fn fields_of_replies() {
             minor: command `get_version`, reply field `note`: added
             minor: command `power_on`, reply field `note`: added
             patch: command `get_joint_pos`, reply field `joint_pos`: range added: `-360 to 360`
+            patch: command `get_program_state`, reply field `programState`: gets a constructor for each value
         "#]],
         &expect![[r#"
             major: command `disable_robot`, reply field `note`: removed
@@ -295,6 +355,7 @@ fn fields_of_replies() {
             minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written [0, 1]` to `bool written ["robot_disabled", "robot_enabled"]`
             minor: command `power_on`, reply: becomes `Copy`
             patch: command `get_joint_pos`, reply field `joint_pos`: range removed, was `-360 to 360`
+            patch: command `get_program_state`, reply field `programState`: no longer has constructors
         "#]],
     );
 }
@@ -346,6 +407,7 @@ fn types_and_their_parts() {
             major: type `JointPosition`: unit changed from `rad` to `deg`
             major: type `NetworkAction`: removed
             major: type `Pose`: an array with further elements becomes an error
+            major: type `Pose`: order of the fields changed
             major: type `Pose`, field `frame`: removed
             major: type `RobotStatus`, field `speed_limit`: removed
             major: type `Switch`: kind changed from `enum of strings` to `enum of integers`
@@ -356,7 +418,6 @@ fn types_and_their_parts() {
             minor: command `set_digital_output`, request: becomes `Copy`
             minor: command `torque_control_enable`, request: becomes `Copy`
             minor: type `NetworkExceptionAction`: added
-            minor: type `Pose`: order of the fields changed
             patch: type `Pose`, field `x`: doc changed
             patch: type `Pose`, field `y`: doc changed
             patch: type `RobotStatus`, field `inpos`: doc changed

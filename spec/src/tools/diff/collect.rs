@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::{Change, Impact};
-use crate::{Spec, Versions};
+use crate::{Field, Spec, Versions};
 
 /// What is said of an item that only the new spec has.
 pub(super) const ADDED: &str = "added";
@@ -123,4 +123,14 @@ pub(super) fn pairs<'i, T, K: PartialEq>(old: &'i [T], new: &'i [T], key: impl F
     let present = new.iter().map(|new| find(old, new).map_or(Pair::Added(new), |old| Pair::Both(old, new)));
     let removed = old.iter().filter(|old| find(new, old).is_none()).map(Pair::Removed);
     present.chain(removed).collect()
+}
+
+/// The key by which a field is matched.
+pub(super) fn key(field: &Field) -> String {
+    if field.wire.is_empty() { field.name.clone() } else { field.wire.clone() }
+}
+
+/// The keys of `fields` that `others` have too, in the order of `fields`.
+pub(super) fn common(fields: &[Field], others: &[Field]) -> Vec<String> {
+    fields.iter().map(key).filter(|found| others.iter().any(|other| key(other) == *found)).collect()
 }

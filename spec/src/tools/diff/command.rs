@@ -4,7 +4,7 @@ use std::slice::from_ref;
 
 use super::collect::Differ;
 use super::field::{Holder, fields};
-use super::{Impact, types};
+use super::{Impact, made, types};
 use crate::words;
 use crate::{Command, Reply, Request, Scalar, Spec};
 
@@ -80,7 +80,10 @@ fn reply(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
 
 fn request(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     match (&old.request, &new.request) {
-        (Request::Fields(was), Request::Fields(is)) => fields(d, place, &Holder::REQUEST, was, is),
+        (Request::Fields(was), Request::Fields(is)) => {
+            fields(d, place, &Holder::REQUEST, was, is);
+            made::method(d, place, was, is);
+        }
         (Request::Choice(was), Request::Choice(is)) => {
             d.value(place, "key of the tag", &was.tag, &is.tag, Impact::Minor);
             types::variants(d, place, &Holder::REQUEST_VARIANT, &was.variants, &is.variants);

@@ -1,7 +1,7 @@
 //! The fields of requests, replies and types.
 
-use super::Impact;
-use super::collect::{Differ, pairs};
+use super::collect::{Differ, common, key, pairs};
+use super::{Impact, made};
 use crate::words;
 use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
 
@@ -15,6 +15,8 @@ pub(super) struct Holder {
     pub(super) required_added: Impact,
     /// What another order of the fields means.
     pub(super) order: Impact,
+    /// True where programs make values by constructors and setters.
+    pub(super) is_made: bool,
     /// Whether the client checks the fields.
     pub(super) checks: Checks,
 }
@@ -51,11 +53,13 @@ impl Holder {
         optional_added: Impact::Minor,
         required_added: Impact::Major,
         order: Impact::Patch,
+        is_made: true,
         checks: Checks::Sent,
     };
 
     /// What programs receive, and cannot make.
-    const RECEIVED: Self = Self { required_added: Impact::Minor, checks: Checks::Received, ..Self::MADE };
+    const RECEIVED: Self =
+        Self { required_added: Impact::Minor, is_made: false, checks: Checks::Received, ..Self::MADE };
 
     /// A variant of a request that is a choice.
     pub(super) const REQUEST_VARIANT: Self = Self::MADE;
@@ -81,7 +85,7 @@ impl Holder {
         if is_floats(old) {
             // The conversion from an array of numbers goes by place, and by their count.
             let (optional_added, required_added, order) = (Impact::Major, Impact::Major, Impact::Major);
-            return Self { optional_added, required_added, order, ..array };
+            return Self { optional_added, required_added, order, is_made: false, ..array };
         }
         array.with_default(old)
     }
@@ -116,18 +120,13 @@ pub(super) fn fields(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[Fi
         }
     }
     if common(old, new) != common(new, old) {
-        d.note(place, format!("order of the {}s changed", holder.noun), holder.order);
+        let is_noticed = holder.is_made && made::is_reordered(old, new);
+        let impact = if is_noticed { Impact::Major } else { holder.order };
+        d.note(place, format!("order of the {}s changed", holder.noun), impact);
     }
-}
-
-/// What a field is matched by.
-fn key(field: &Field) -> String {
-    if field.wire.is_empty() { field.name.clone() } else { field.wire.clone() }
-}
-
-/// The keys of `fields` that `others` have too, in the order of `fields`.
-fn common(fields: &[Field], others: &[Field]) -> Vec<String> {
-    fields.iter().map(key).filter(|found| others.iter().any(|other| key(other) == *found)).collect()
+    if holder.is_made {
+        made::compare(d, place, holder.noun, old, new);
+    }
 }
 
 fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &Field) {
@@ -138,8 +137,10 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     let optional = ("becomes optional", Impact::Major);
     d.flag(place, (old.optional, new.optional), optional, ("is no longer optional", Impact::Major));
     let or_raw = ("may have another shape, kept as raw JSON", Impact::Major);
-    let constructors = ("gets a constructor for each value", Impact::Minor);
-    let none = ("no longer has constructors", Impact::Major);
+    // What programs only receive has none.
+    let (comes, goes) = if holder.is_made { (Impact::Minor, Impact::Major) } else { (Impact::Patch, Impact::Patch) };
+    let constructors = ("gets a constructor for each value", comes);
+    let none = ("no longer has constructors", goes);
     d.flag(place, (old.constructors, new.constructors), constructors, none);
     d.flag(place, (old.or_raw, new.or_raw), or_raw, ("can no longer have another shape", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
