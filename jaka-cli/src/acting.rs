@@ -4,9 +4,14 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use jaka_dynamic::{Message, Translation};
 use jaka_motion::{Limits, Trajectory};
+use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
+use jaka_robot::power::GetRobotState;
 use jaka_robot::proto::Command;
+use jaka_robot::servo::IsInServomove;
 use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
+use jaka_spec::{Effect, Role, Spec};
 
 use crate::builtin;
 use crate::consent::{self, Intent};
@@ -14,7 +19,7 @@ use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
 use crate::packed_status::PackedRobot;
-use crate::packs::{self, SpecArgs};
+use crate::packs::{Protocol, SpecArgs};
 use crate::target::{RobotArgs, Target};
 
 /// The options of a command that does one thing to a robot.
@@ -49,8 +54,9 @@ impl ActArgs {
         intents: &[Intent<'_>],
         what: impl FnOnce(&Target) -> Result<String, Failure>,
     ) -> Result<Act, Failure> {
-        let packs = self.packs()?;
-        let act = Act::begin(&self.robot, &packs)?;
+        let protocol = self.protocol()?;
+        must_be_as_built_in(&protocol.spec, intents)?;
+        let act = Act::begin(&self.robot, &protocol.packs)?;
         if !self.yes && !self.robot.is_simulated() {
             consent::must_be_askable(intents)?;
             consent::obtain_act(&what(&act.target)?, intents, act.target.title())?;
@@ -60,16 +66,43 @@ impl ActArgs {
 
     /// The robot, if the line names one.
     pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
-        if self.robot.is_given() { self.robot.target(&self.packs()?).map(Some) } else { Ok(None) }
+        if self.robot.is_given() { self.robot.target(&self.protocol()?.packs).map(Some) } else { Ok(None) }
     }
 
-    /// The packs of the line, by which status packets are read from now on.
-    fn packs(&self) -> Result<Vec<PathBuf>, Failure> {
+    /// The protocol with the packs of the line, by which status packets are read from now on.
+    fn protocol(&self) -> Result<Protocol, Failure> {
         let protocol = self.spec.load(self.robot.lookup())?;
         protocol.read_status();
-        Ok(protocol.packs)
+        Ok(protocol)
     }
 }
+
+/// Fails where packs change what is sent here, or what a robot asks for meanwhile: it goes out as it is built in.
+fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failure> {
+    let translation = Translation::new(builtin::spec(), spec);
+    let is_needed = |command: &&jaka_spec::Command| {
+        command.effect == Effect::Power
+            || matches!(command.role, Some(Role::Stop | Role::SetPoint | Role::ServoMode))
+            || intents.iter().any(|intent| intent.name == command.wire)
+            || QUERIES.contains(&&*command.wire)
+    };
+    let is_changed = |command: &&jaka_spec::Command| {
+        !translation.is_identity(Message::Request(&command.wire))
+            || !translation.is_identity(Message::Reply(&command.wire))
+    };
+    match builtin::spec().commands().filter(is_needed).find(is_changed) {
+        None => Ok(()),
+        Some(command) => Err(Failure::Usage(format!(
+            "nothing was sent: a pack changes `{0}`, which is sent here as it is built in\nhint: `jaka call` sends \
+             commands as packs have them",
+            command.wire
+        ))),
+    }
+}
+
+/// Queries by which a robot sees how a motion ends, and what keeps the arm from one.
+const QUERIES: [&str; 4] =
+    [GetJointPos::INFO.name, GetTcpPos::INFO.name, GetRobotState::INFO.name, IsInServomove::INFO.name];
 
 /// The intent to send this.
 pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
@@ -103,7 +136,7 @@ impl Act {
         self.under_way.set(Stage::Sent(sends.to_owned()));
         let done = act(&mut connection);
         self.under_way.set(Stage::Answered);
-        done.map_err(|error| Failure::explained(packs::of_status(), error))
+        done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
     /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
@@ -112,7 +145,7 @@ impl Act {
         self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
         self.under_way.set(Stage::Answered);
-        done.map_err(|error| Failure::explained(packs::of_status(), error))
+        done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
     /// Follows a trajectory to its end, or wherever it ends.
@@ -131,7 +164,7 @@ impl Act {
             run.wait()
         });
         self.under_way.set(Stage::Answered);
-        ended.map_err(|error| Failure::explained(packs::of_status(), error))
+        ended.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
     /// Runs a motion, and prints how it ended.
@@ -147,7 +180,7 @@ impl Act {
             robot.configure(&RobotConfig::new().limits(limits))?;
         }
         let patience = self.patience(motion::PATIENCE);
-        let end = motion::end(&mut robot, |robot| robot.run(motion, patience), packs::of_status(), &self.under_way)?;
+        let end = motion::end(&mut robot, |robot| robot.run(motion, patience), builtin::of_status(), &self.under_way)?;
         motion::print(M::INFO.name, end, form)
     }
 }

@@ -4,7 +4,7 @@ use jaka_spec::Event;
 use jaka_sync::{ControllerEvent, Severity, UnreadableEvent};
 use serde_json::Value;
 
-use crate::packs::of_status;
+use crate::builtin::of_status;
 
 /// The field of status packets that has the code, by its name in Rust.
 pub(crate) const CODE: &str = "error_code";

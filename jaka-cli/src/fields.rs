@@ -5,8 +5,8 @@ mod path;
 use jaka_spec::{Scalar, Shape as Wire, Type};
 use serde_json::{Map, Value};
 
+use crate::builtin::of_status;
 use crate::failure::Failure;
-use crate::packs::of_status;
 
 /// The fields that are shown by default.
 const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\

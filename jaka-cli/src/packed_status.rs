@@ -13,7 +13,6 @@ use serde_json::{Map, Value};
 
 use crate::builtin;
 use crate::failure::Failure;
-use crate::packs;
 
 /// A status packet: what the built-in type has, and what only packs have.
 #[derive(Debug, Clone, Default)]
@@ -41,7 +40,7 @@ impl PackedStatus {
 
     /// The fields that packs add or change, by their names, with what came.
     pub(crate) fn own_fields(&self) -> impl Iterator<Item = (&'static str, &Value)> {
-        let fields = packs::of_status().status_fields().iter();
+        let fields = builtin::of_status().status_fields().iter();
         fields.filter_map(|field| Some((&*field.name, self.own.get(&field.wire)?)))
     }
 }
@@ -77,7 +76,7 @@ struct Sources {
 
 fn sources() -> &'static Sources {
     static SOURCES: OnceLock<Sources> = OnceLock::new();
-    SOURCES.get_or_init(|| Sources::of(packs::of_status()))
+    SOURCES.get_or_init(|| Sources::of(builtin::of_status()))
 }
 
 impl Sources {
@@ -101,7 +100,7 @@ impl Decode for PackedStatus {
         let start = reader.mark();
         if !changed().is_empty() {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, packs::of_status(), changed(), forms(reader.firmware()));
+                return packed(packet, builtin::of_status(), changed(), forms(reader.firmware()));
             }
             reader.go_back(start);
         }
@@ -117,13 +116,13 @@ type Changed = (Field, Option<Field>);
 /// The fields that packs add or change.
 fn changed() -> &'static [Changed] {
     static CHANGED: OnceLock<Vec<Changed>> = OnceLock::new();
-    CHANGED.get_or_init(|| changed_in(packs::of_status()))
+    CHANGED.get_or_init(|| changed_in(builtin::of_status()))
 }
 
 /// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
 fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
     static KNOWN: OnceLock<Mutex<BTreeMap<Option<FirmwareVersion>, &'static Forms>>> = OnceLock::new();
-    let spec = packs::of_status();
+    let spec = builtin::of_status();
     if !spec.varies_by_firmware() {
         return None;
     }
@@ -166,7 +165,7 @@ fn packed(
 ) -> Result<PackedStatus, DecodeError> {
     let mut unfit = Vec::new();
     if let Some(forms) = forms {
-        let Translated { members, lost } = forms.read(Message::Status, &packet);
+        let Translated { members, lost, .. } = forms.read(Message::Status, &packet);
         packet = members;
         let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));

@@ -4,7 +4,6 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
 
 use clap::Args;
 use jaka_robot::proto::CommandInfo;
@@ -25,14 +24,6 @@ pub(crate) struct SpecArgs {
         value_name = "FILE"
     )]
     packs: Vec<PathBuf>,
-}
-
-/// The protocol of status packets, once it is known.
-static STATUS: OnceLock<Spec> = OnceLock::new();
-
-/// The protocol by which status packets are read: the built-in one, unless [`Protocol::read_status`] says otherwise.
-pub(crate) fn of_status() -> &'static Spec {
-    STATUS.get_or_init(|| builtin::spec().clone())
 }
 
 /// The protocol with packs.
@@ -60,8 +51,7 @@ impl Protocol {
 
     /// Has status packets read by this protocol, which is said before the first of them comes.
     pub(crate) fn read_status(&self) {
-        // There is no other.
-        let _ = STATUS.set(self.spec.clone());
+        builtin::read_status_by(&self.spec);
     }
 }
 

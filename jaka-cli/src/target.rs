@@ -229,18 +229,16 @@ impl Target {
 
     /// Connects to the command port, which serves one client.
     pub(crate) fn client(&self) -> Result<Client, Failure> {
-        let mut client = Client::connect_with(&self.config, &self.address.commands)?;
-        if builtin::spec().varies_by_firmware() {
-            client.check_firmware()?;
-        }
-        Ok(client)
+        Ok(Client::connect_with(&self.config, &self.address.commands)?)
     }
 
     /// Connects to both ports, and waits for the first status packet.
     pub(crate) fn robot<S: MotionStatus>(&self) -> Result<Robot<S>, Failure> {
         let monitor = Monitor::connect_with(&self.config, &self.address.status)?;
-        let client = self.client()?;
-        monitor.set_firmware(client.firmware());
+        let mut client = self.client()?;
+        if builtin::of_status().varies_by_firmware() {
+            monitor.set_firmware(Some(client.check_firmware()?));
+        }
         let robot = Robot::with_monitor(client, monitor);
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)

@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 
 use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
+use jaka_proto::wire::{Decode as _, DecodeError, Reader};
 use jaka_spec::{Spec, Version, Versions};
 use serde_json::{Map, Value};
 
 use crate::encode;
 use crate::sample::is_readable;
-use crate::translation::{Lost, Message, Translated, Translation};
+use crate::translation::{Lost, Message, Translated, Translation, fields};
 
 /// Messages of a firmware in the spec's own forms, and back.
 ///
@@ -45,31 +46,31 @@ impl Forms {
         Some(Self { own: spec.clone(), of_firmware, is_known: firmware.is_some() })
     }
 
-    /// Translates the members of a message into the spec's own forms.
+    /// Translates the members of a message into the spec's own forms. A field that comes under two of its keys is lost, and
+    /// so is one whose forms the version alone tells apart, as long as that is not known.
     pub fn read(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
-        let read = |spec| Translation::new(spec, &self.own).message(message, members);
+        let known = fields(&self.own, message, members);
         let fitting = self.fitting(message, members);
-        let known = Translation::new(&self.own, &self.own).fields(message, members);
-        let mut readings = fitting.into_iter().map(read);
-        let mut agreed = readings.next().unwrap_or_default();
-        for other in readings {
-            for field in known {
-                let is_lost = agreed.lost.iter().any(|lost| lost.name == field.name);
-                let differs = !is_lost && agreed.members.get(&field.wire) != other.members.get(&field.wire);
-                if differs {
-                    let value = agreed.members.remove(&field.wire).unwrap_or_default();
-                    agreed.lost.push(Lost { name: field.name.clone(), value });
-                }
+        let Some(spec) = fitting.first() else { return Translated::default() };
+        let mut read = Translation::new(spec, &self.own).message(message, members);
+        for field in known {
+            let mut values = field.keys().filter_map(|key| members.get(key)).filter(|value| !value.is_null());
+            let Some(value) = values.next() else { continue };
+            let is_told = self.is_known || !self.own.is_told_by_version(field);
+            let is_lost = read.lost.iter().any(|lost| lost.name == field.name);
+            if !is_lost && (!is_told || values.next().is_some()) {
+                read.members.remove(&field.wire);
+                read.lost.push(Lost { name: field.name.clone(), value: value.clone() });
             }
         }
-        agreed
+        read
     }
 
     /// The combinations of forms that a message fits best: with the fewest keys that no field has, and values that cannot be
     /// read.
     fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Vec<&Spec> {
         let misfits = |spec: &&Spec| {
-            let fields = Translation::new(spec, spec).fields(message, members);
+            let fields = fields(spec, message, members);
             let is_misfit = |(key, value): &(&String, &Value)| {
                 let field = fields.iter().find(|field| field.wire == **key);
                 field.is_none_or(|field| !value.is_null() && !is_readable(spec, field, value))
@@ -81,25 +82,34 @@ impl Forms {
         misfits.into_iter().filter(|(count, _)| Some(*count) == least).map(|(_, spec)| spec).collect()
     }
 
-    /// Translates the members of a message of the spec's own forms; none where the firmware is not known, or has no form
-    /// of a value.
+    /// Translates the members of a message of the spec's own forms into those of the firmware; none where that is not known.
+    /// A value without a form stays as it is.
     pub fn written(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<Map<String, Value>> {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
-        let translated = Translation::new(&self.own, spec).message(message, members);
-        translated.lost.is_empty().then_some(translated.members)
+        let Translated { members: mut written, lost, .. } = Translation::new(&self.own, spec).message(message, members);
+        for Lost { name, value } in lost {
+            let field = fields(spec, message, members).iter().find(|field| field.name == name);
+            written.extend(field.map(|field| (field.wire.clone(), value)));
+        }
+        Some(written)
     }
 
-    /// The text of a message in the spec's own forms; as it is where it is no JSON object. A value without one stays as it
-    /// came.
-    pub fn own_text(&self, message: Message<'_>, text: &str) -> String {
-        let Ok(members) = serde_json::from_str::<Map<_, _>>(text) else { return text.to_owned() };
-        let Translated { members: mut own, lost } = self.read(message, &members);
-        let fields = Translation::new(&self.own, &self.own).fields(message, &members);
-        for Lost { name, value } in lost {
-            let field = fields.iter().find(|field| field.name == name);
-            own.extend(field.map(|field| (field.wire.clone(), value)));
+    /// The text of a message in the spec's own forms.
+    ///
+    /// # Errors
+    /// The text is no JSON object, a key comes twice, or a value is in no form of the firmware.
+    pub fn own_text(&self, message: Message<'_>, text: &str) -> Result<String, DecodeError> {
+        let mut reader = Reader::new(text);
+        let value = Value::decode(&mut reader)?;
+        reader.end()?;
+        let Value::Object(members) = value else { return Err(DecodeError::unfit("an object", text)) };
+        let read = self.read(message, &members);
+        match read.lost.into_iter().next() {
+            Some(Lost { name, value }) => {
+                Err(DecodeError::unfit("a value in a form of the firmware", &value.to_string()).in_field(&name))
+            }
+            None => Ok(Value::from(read.members).to_string()),
         }
-        Value::from(own).to_string()
     }
 
     /// A request in the forms of the firmware, byte for byte as the generated code writes it; none where the firmware is
@@ -108,7 +118,8 @@ impl Forms {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
         let mut members: Map<_, _> = serde_json::from_str(request).ok()?;
         members.remove(jaka_spec::COMMAND_NAME);
-        let members = self.written(Message::Request(name), &members)?;
+        let translated = Translation::new(&self.own, spec).message(Message::Request(name), &members);
+        let members = Some(translated.members).filter(|_| translated.lost.is_empty())?;
         encode::request(spec, spec.command(name)?, &members, AdvisoryRanges::Ignored).ok()
     }
 }

@@ -108,7 +108,7 @@ impl Fields<'_> {
             return Err(format!("a pack has changed the type of `{}`", field.wire));
         }
         let text = self.values.get(&field.wire).map(Value::to_string).unwrap_or_default();
-        T::decode(&mut Reader::new(&text)).map_err(|error| format!("`{}`: {error}", field.wire))
+        T::decode(&mut Reader::in_own_form(&text)).map_err(|error| format!("`{}`: {error}", field.wire))
     }
 }
 

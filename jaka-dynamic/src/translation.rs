@@ -1,6 +1,6 @@
 //! Messages of one spec as messages of another, which has the same fields in other forms.
 
-use jaka_spec::{Command, Field, Request, Scalar, Shape, Spec, Type, unit_factor};
+use jaka_spec::{Command, EnumValue, Field, Request, Scalar, Shape, Spec, Type, unit_factor};
 use serde_json::{Map, Value};
 
 use crate::scalar;
@@ -31,12 +31,14 @@ pub struct Translated {
     pub members: Map<String, Value>,
     /// Fields without a translation of their value, which are left out.
     pub lost: Vec<Lost>,
+    /// Names in Rust of fields that the second spec does not have, which are left out.
+    pub unknown: Vec<String>,
 }
 
 /// Field whose value has no translation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lost {
-    /// Name of the field in Rust.
+    /// Name in Rust that the second spec has for the field.
     pub name: String,
     /// Value in the message.
     pub value: Value,
@@ -53,6 +55,23 @@ impl<'s> Translation<'s> {
     pub fn message(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let [from, to] = [self.from, self.to].map(|spec| fields(spec, message, members));
         self.members(from, to, members)
+    }
+
+    /// True if a message of the first spec is the same message of the second, whatever its firmware: with the same keys, types
+    /// and units, and no field more that must be there.
+    pub fn is_identity(&self, message: Message<'_>) -> bool {
+        self.parts_of(message).into_iter().all(|(from, to)| {
+            let is_same = |field: &Field| {
+                let other = counterpart(field, from, to);
+                other.is_some_and(|other| {
+                    field.wire == other.wire
+                        && of(field).means(self.from, of(other), self.to)
+                        && !self.to.has_forms(std::slice::from_ref(other))
+                })
+            };
+            let is_known = |other: &Field| other.optional || counterpart(other, to, from).is_some();
+            from.iter().all(is_same) && to.iter().all(is_known)
+        })
     }
 
     /// Translates the value of a field; none where it has no translation.
@@ -96,11 +115,6 @@ impl<'s> Translation<'s> {
         variants.chain([(fields(from, message, &none), fields(to, message, &none))]).collect()
     }
 
-    /// The fields of a message in the second spec.
-    pub(crate) fn fields(&self, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
-        fields(self.to, message, members)
-    }
-
     fn members(&self, from: &[Field], to: &[Field], members: &Map<String, Value>) -> Translated {
         let mut translated = Translated::default();
         for (key, value) in members {
@@ -110,10 +124,13 @@ impl<'s> Translation<'s> {
                 }
                 continue;
             };
-            let same = counterpart(field, from, to);
-            match same.and_then(|other| Some((other, self.value(of(field), of(other), value)?))) {
-                Some((other, value)) => drop(translated.members.insert(other.wire.clone(), value)),
-                None => translated.lost.push(Lost { name: field.name.clone(), value: value.clone() }),
+            let Some(other) = counterpart(field, from, to) else {
+                translated.unknown.push(field.name.clone());
+                continue;
+            };
+            match self.value(of(field), of(other), value) {
+                Some(value) => drop(translated.members.insert(other.wire.clone(), value)),
+                None => translated.lost.push(Lost { name: other.name.clone(), value: value.clone() }),
             }
         }
         translated
@@ -140,7 +157,7 @@ impl<'s> Translation<'s> {
                     scalar::int(value).map(|(whole, _)| whole.into())
                 }
                 (_, Scalar::Json) => Some(value.clone()),
-                (from, to) => (from == to).then(|| value.clone()),
+                (from_scalar, to_scalar) => (from_scalar == to_scalar && from.unit == to.unit).then(|| value.clone()),
             },
             _ => self.parts(from, to, value),
         }
@@ -157,7 +174,7 @@ impl<'s> Translation<'s> {
             }
             (Shape::Object(fields), Shape::Object(others)) => {
                 let translated = self.members(fields, others, value.as_object()?);
-                translated.lost.is_empty().then(|| translated.members.into())
+                (translated.lost.is_empty() && translated.unknown.is_empty()).then(|| translated.members.into())
             }
             (Shape::Object(fields), Shape::Tuple { fields: others, .. }) => {
                 let found = value.as_object()?;
@@ -188,31 +205,21 @@ impl<'s> Translation<'s> {
                 let elements = self.elements(&variant.fields, &other.fields, rest)?;
                 Some([vec![other.wire.into()], elements].concat().into())
             }
-            // A raw number that a pack names, or the other way round.
-            (Shape::Scalar(Scalar::Int), Shape::IntEnum(values)) => {
-                let wire = scalar::int(value)?.0;
-                values.iter().any(|listed| listed.wire == wire).then(|| wire.into())
+            // A raw number that a pack names, or the other way round. Enums are open.
+            (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => {
+                Some(scalar::int(value)?.0.into())
             }
-            (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => Some(scalar::int(value)?.0.into()),
             (Shape::IntEnum(values), Shape::IntEnum(others)) => {
-                let wire = scalar::int(value)?.0;
-                let known = values.iter().find(|value| value.wire == wire).map(|value| &value.name);
-                let same = others.iter().find(|other| Some(&other.name) == known).map(|other| other.wire);
-                // Enums are open: a value that the other does not list stands for itself.
-                same.or_else(|| others.iter().all(|other| other.wire != wire).then_some(wire)).map(Value::from)
+                translated(values, others, &scalar::int(value)?.0).map(Value::from)
             }
             (Shape::TextEnum(values), Shape::TextEnum(others)) => {
-                let name = &values.iter().find(|listed| Some(&*listed.wire) == value.as_str())?.name;
-                Some(others.iter().find(|value| value.name == *name)?.wire.clone().into())
+                translated(values, others, &value.as_str()?.to_owned()).map(Value::from)
             }
             (Shape::IntEnum(values), Shape::TextEnum(others)) => {
-                let wire = scalar::int(value)?.0;
-                let name = &values.iter().find(|value| value.wire == wire)?.name;
-                Some(others.iter().find(|value| value.name == *name)?.wire.clone().into())
+                renamed(values, others, &scalar::int(value)?.0).map(Value::from)
             }
             (Shape::TextEnum(values), Shape::IntEnum(others)) => {
-                let name = &values.iter().find(|listed| Some(&*listed.wire) == value.as_str())?.name;
-                Some(others.iter().find(|value| value.name == *name)?.wire.into())
+                renamed(values, others, &value.as_str()?.to_owned()).map(Value::from)
             }
             _ => None,
         }
@@ -266,9 +273,17 @@ impl<'s> Translation<'s> {
                 let same = other.variants.iter().find(|other| other.name == variant.name);
                 same.is_some_and(|other| all(&variant.fields, &other.fields))
             }),
-            (Shape::IntEnum(_) | Shape::TextEnum(_), Shape::IntEnum(_) | Shape::TextEnum(_)) => {
-                let (names, others) = (names(self.from.shape(from.ty)), names(self.to.shape(to.ty)));
-                names.iter().any(|name| others.contains(name))
+            (Shape::IntEnum(values), Shape::IntEnum(others)) => {
+                values.iter().all(|value| translated(values, others, &value.wire).is_some())
+            }
+            (Shape::TextEnum(values), Shape::TextEnum(others)) => {
+                values.iter().all(|value| translated(values, others, &value.wire).is_some())
+            }
+            (Shape::IntEnum(values), Shape::TextEnum(others)) => {
+                values.iter().all(|value| renamed(values, others, &value.wire).is_some())
+            }
+            (Shape::TextEnum(values), Shape::IntEnum(others)) => {
+                values.iter().all(|value| renamed(values, others, &value.wire).is_some())
             }
             _ => false,
         }
@@ -285,16 +300,24 @@ pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Opt
     })
 }
 
-fn names(shape: Shape<'_>) -> Vec<&str> {
-    match shape {
-        Shape::IntEnum(values) => values.iter().map(|value| &*value.name).collect(),
-        Shape::TextEnum(values) => values.iter().map(|value| &*value.name).collect(),
-        _ => Vec::new(),
-    }
+/// Value of the other enum with the name of this one.
+fn renamed<T: PartialEq, U: Clone>(values: &[EnumValue<T>], others: &[EnumValue<U>], wire: &T) -> Option<U> {
+    let name = &values.iter().find(|value| value.wire == *wire)?.name;
+    others.iter().find(|other| other.name == *name).map(|other| other.wire.clone())
+}
+
+/// The same of an enum of the same kind. What is written alike stands for itself, unless it has there the name of another
+/// value of this one: a value that has another name, or that an enum does not list, since enums are open.
+fn translated<T: PartialEq + Clone>(values: &[EnumValue<T>], others: &[EnumValue<T>], wire: &T) -> Option<T> {
+    renamed(values, others, wire).or_else(|| {
+        let other = others.iter().find(|other| other.wire == *wire);
+        let is_another = other.is_some_and(|other| values.iter().any(|value| value.name == other.name));
+        (!is_another).then(|| wire.clone())
+    })
 }
 
 /// The fields of a message; of a choice, those of the variant.
-fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
+pub(crate) fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
     let command = |name: &str| spec.command(name);
     match message {
         Message::Status => spec.status_fields(),

@@ -1,11 +1,12 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Field, Scalar, Spec, Type, TypeId};
+use jaka_spec::{Field, Spec, Type, TypeId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::forms;
 use crate::scope::{ident, names};
+use crate::value::write_type;
 
 /// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a name into a
 /// reference to its value.
@@ -59,34 +60,6 @@ fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
             wire::Typed::Known(value) => { #write }
             wire::Typed::Raw(value) => wire::Encode::encode(value, out),
         }
-    }
-}
-
-/// A statement that writes the value behind the reference `value`.
-pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
-    match ty {
-        Type::Scalar(Scalar::Bool { off, on }) if off != "false" || on != "true" => {
-            quote!(out.choose(*#value, #off, #on);)
-        }
-        Type::List(element) | Type::Array(element, _) if is_truth(element) => {
-            let write = write_type(element, &quote!(item));
-            quote!(out.array(#value, |out, item| { #write });)
-        }
-        Type::Python(inner) => {
-            let write = write_type(inner, value);
-            quote!(out.python(|out| { #write });)
-        }
-        Type::Scalar(_) | Type::Named(_) | Type::List(_) | Type::Array(..) => {
-            quote!(wire::Encode::encode(#value, out);)
-        }
-    }
-}
-
-/// True for a truth value, and for an array of them.
-fn is_truth(ty: &Type) -> bool {
-    match ty {
-        Type::List(element) | Type::Array(element, _) => is_truth(element),
-        other => matches!(other, Type::Scalar(Scalar::Bool { .. })),
     }
 }
 

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{Scope, ident, variant};
-use crate::{choice, construct, docs, motion, typedef, validate};
+use crate::{choice, construct, docs, firmware, motion, typedef, validate};
 
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -73,7 +73,7 @@ fn info(spec: &Spec, command: &Command) -> TokenStream {
     let uncertain = (!command.reply_certain).then(|| quote!(reply_certain: false,));
     let ends = command.ends_session.then(|| quote!(ends_session: true,));
     let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
-    let firmware = validate::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
+    let firmware = firmware::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
     let needs_firmware = spec.needs_firmware(command).then(|| quote!(needs_firmware: true,));
     quote!(
         proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware #needs_firmware)

@@ -13,6 +13,7 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
+mod firmware;
 mod forms;
 mod literal;
 mod motion;
@@ -21,8 +22,10 @@ mod request;
 mod scope;
 mod status_subset;
 mod topic;
+mod type_forms;
 mod typedef;
 mod validate;
+mod value;
 
 #[cfg(test)]
 mod corpora;

@@ -9,10 +9,10 @@ use quote::quote;
 
 use crate::codec::{
     Manner, decode_into, in_place, read_array, read_array_in_place, read_object, read_object_in_place, write_all,
-    write_type,
 };
 use crate::scope::{Scope, ident, names};
-use crate::{choice, construct, enums, forms, validate};
+use crate::value::write_type;
+use crate::{choice, construct, enums, type_forms, validate};
 
 /// The type, its codec and its checks.
 pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef), sent: &BTreeSet<TypeId>) -> TokenStream {
@@ -65,7 +65,14 @@ fn object_type(
 ) -> TokenStream {
     let inline = scope.inline_reads();
     if !def.forms.is_empty() {
-        return object_with(scope, name, docs, fields, &read_fields(fields, manner), &forms::object(name, def, fields));
+        return object_with(
+            scope,
+            name,
+            docs,
+            fields,
+            &read_fields(fields, manner),
+            &type_forms::object(name, def, fields),
+        );
     }
     if scope.spec.all_copy(fields) || !in_place(fields) {
         let read = read_fields(fields, manner);
@@ -171,7 +178,7 @@ fn array(
             proto::__serde_impls!(#name);
         }
     } else {
-        forms::array(name, def, fields, exact)
+        type_forms::array(name, def, fields, exact)
     };
     quote! {
         #docs
@@ -211,7 +218,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let write = write_type(ty, &quote!(&self.0));
     let (write, read) = match def.forms.as_slice() {
         [] => (write, quote!(wire::Decode::decode(reader).map(Self))),
-        _ => forms::wrapped(def, &write),
+        _ => type_forms::wrapped(def, &write),
     };
     let inline = scope.inline_reads();
     let in_place = (copy.is_none() && def.forms.is_empty()).then(|| {

@@ -14,6 +14,7 @@ mod pack;
 mod payload;
 mod power;
 mod program;
+mod remembered;
 mod servo;
 mod torque_sensor;
 mod trajectory;
@@ -22,11 +23,11 @@ mod variables;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, ErrorCode, Request, RequestError, Visit, read_payload, write_refusal, write_reply};
+use jaka_proto::{Command, ErrorCode, Request, RequestError, Visit, write_refusal, write_reply};
 use jaka_spec::Effect;
 
 pub(crate) use self::pack::put;
-use crate::spec_index::{CommandEntry, SpecIndex, usual_refusal};
+use crate::spec_index::{CommandEntry, SpecIndex, own_payload, usual_refusal};
 use crate::world::{Change, Wait, World};
 
 /// How a topic dealt with a request.
@@ -88,7 +89,8 @@ const TOPICS: [Topic; 14] = [
 
 /// Carries out a request, and writes the reply.
 pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) -> Sequel {
-    let request = Request::read(&spec_index.as_built_in(text));
+    let own = spec_index.as_built_in(text);
+    let request = Request::read(own.as_deref().unwrap_or(text));
     let command = match &request {
         Ok(request) => request.info().name,
         Err(RequestError::Unknown { command } | RequestError::Field { command, .. }) => command,
@@ -103,6 +105,10 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         refuse(command, &(ErrorCode::CALL_FAILED, message.clone()), out);
         return Sequel::Nothing;
     }
+    if let Err(field) = &own {
+        refuse(command, &(ErrorCode::CALL_FAILED, format!("call {command} failed: `{field}`")), out);
+        return Sequel::Nothing;
+    }
     // Also where a pack allows it: what cannot be read cannot be carried out.
     let is_of_pack = entry.packed && matches!(request, Err(RequestError::Unknown { .. }));
     if request.is_err() && !is_of_pack {
@@ -110,7 +116,7 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         return Sequel::Nothing;
     }
     let request = request.ok();
-    carry_out(text, request.as_ref(), (entry, spec_index), world, out);
+    carry_out((text, own.as_deref().unwrap_or(text)), request.as_ref(), (entry, spec_index), world, out);
     sequel(request.as_ref(), entry, world)
 }
 
@@ -140,9 +146,9 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-/// Carries out a command; `request` is missing where only a pack has it.
+/// Carries out a command, whose request is given as it came and in terms of the built-in spec; `request` is missing where only a pack has it.
 fn carry_out(
-    text: &str,
+    (text, own): (&str, &str),
     request: Option<&Request>,
     (entry, spec_index): (&CommandEntry, &SpecIndex),
     world: &mut World,
@@ -156,7 +162,7 @@ fn carry_out(
         Some(request) if !packed => request.check(AdvisoryRanges::Ignored).is_ok(),
         _ => pack::allows(&spec_index.spec, command, text),
     };
-    let typed_sample = spec_index.with_remembered(&command.wire, &entry.typed_sample, &world.state);
+    let typed_sample = remembered::with(spec_index, &command.wire, &entry.typed_sample, &world.state);
     let mut draft = Draft { sample: &typed_sample, out };
     let outcome = match request {
         _ if !is_allowed => Outcome::Refused,
@@ -168,7 +174,7 @@ fn carry_out(
         None => Outcome::Unhandled,
     };
     if outcome != Outcome::Refused {
-        spec_index.remember(&command.wire, text, &mut world.state);
+        remembered::note(spec_index, &command.wire, own, &mut world.state);
     }
     match outcome {
         Outcome::Replied if *packed => {
@@ -178,7 +184,7 @@ fn carry_out(
         }
         Outcome::Replied | Outcome::Accepted => {}
         Outcome::Refused => refuse(&command.wire, &usual_refusal(&command.wire), out),
-        Outcome::Unhandled => out.raw(&spec_index.with_remembered(&command.wire, &entry.sample, &world.state)),
+        Outcome::Unhandled => out.raw(&remembered::with(spec_index, &command.wire, &entry.sample, &world.state)),
     }
     world.make_consistent();
 }
@@ -202,7 +208,7 @@ fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer
 
 /// Accepts a command, with what the handler sets in its reply: a field that it does not set is that of the sample.
 fn reply<C: Command>(_command: &C, draft: &mut Draft<'_>, set: impl FnOnce(&mut C::Reply)) -> Outcome {
-    let Ok(mut reply) = read_payload::<C::Reply>(C::INFO, draft.sample) else { return Outcome::Unhandled };
+    let Ok(mut reply) = own_payload::<C::Reply>(draft.sample) else { return Outcome::Unhandled };
     set(&mut reply);
     write_reply(C::INFO, &reply, draft.out);
     Outcome::Replied

@@ -223,8 +223,8 @@ impl Builder {
     /// a [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
     ///
     /// Keys that a pack names otherwise than the built-in spec, other words for false and true, units that convert, and
-    /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in that of the
-    /// firmware that the controller has at the start. A command of which a pack gives a key another type or another meaning
+    /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in those
+    /// of [`State::version`](crate::State::version). A command of which a pack gives a key another type or another meaning
     /// is refused with a message that names the key, since the state has no value for it; such a key of status packets is an
     /// error at the start. A reply whose value the pack does not allow is refused.
     #[must_use]

@@ -9,9 +9,9 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use jaka_dynamic::Message;
-use jaka_proto::Envelope;
+use jaka_dynamic::{Forms, Message};
 use jaka_proto::wire::Writer;
+use jaka_proto::{Envelope, ErrorCode, write_refusal};
 use jaka_spec::COMMAND_NAME;
 use serde_json::{Map, Value};
 
@@ -152,8 +152,17 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     reply.clear();
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
+    let forms = shared.forms(&world.state);
     let sequel = match incoming {
-        Incoming::Request(text) => answer::answer(&in_own_forms(text, shared), &shared.spec_index, &mut world, reply),
+        Incoming::Request(text) => match in_own_forms(text, forms.as_deref()) {
+            Ok(own) => answer::answer(&own, &shared.spec_index, &mut world, reply),
+            Err(field) => {
+                let command = incoming.command().unwrap_or_default();
+                let message = format!("call {command} failed: `{field}` is in no form of this firmware");
+                write_refusal(Some(&command), ErrorCode::CALL_FAILED, &message, reply);
+                Sequel::Nothing
+            }
+        },
         Incoming::NoText(_) | Incoming::Garbage => {
             answer::refuse_unknown(&shared.spec_index, reply);
             Sequel::Nothing
@@ -166,7 +175,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     }
     firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
     if let Some(command) = &command {
-        put_forms(command, shared, reply);
+        put_forms(command, shared, forms.as_deref(), reply);
     }
     drop(world);
     let fault = shared.faults().next(command.as_deref());
@@ -177,19 +186,23 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
 }
 
 /// The request in the spec's own forms, of which the firmware may have others.
-fn in_own_forms<'t>(text: &'t str, shared: &Shared) -> Cow<'t, str> {
-    let translated = || {
-        let members: Map<_, _> = serde_json::from_str(text).ok()?;
-        let name = members.get(COMMAND_NAME)?.as_str()?.trim();
-        // A value in a form of other firmware is missing then, and the request is refused.
-        Some(Value::from(shared.forms.as_ref()?.read(Message::Request(name), &members).members).to_string())
-    };
-    if shared.forms.is_none() { Cow::Borrowed(text) } else { translated().map_or(Cow::Borrowed(text), Cow::Owned) }
+///
+/// # Errors
+/// The name of a field whose value is in no form of the firmware.
+fn in_own_forms<'t>(text: &'t str, forms: Option<&Forms>) -> Result<Cow<'t, str>, String> {
+    let members: Option<Map<_, _>> = forms.and_then(|_| serde_json::from_str(text).ok());
+    let (Some(forms), Some(members)) = (forms, members) else { return Ok(Cow::Borrowed(text)) };
+    let Some(name) = members.get(COMMAND_NAME).and_then(Value::as_str) else { return Ok(Cow::Borrowed(text)) };
+    let translated = forms.read(Message::Request(name.trim()), &members);
+    match translated.lost.into_iter().next() {
+        Some(lost) => Err(lost.name),
+        None => Ok(Cow::Owned(Value::from(translated.members).to_string())),
+    }
 }
 
 /// Writes an accepted reply in the forms of the firmware. One that has a packet's keys has them already.
-fn put_forms(command: &str, shared: &Shared, reply: &mut Writer) {
-    let (Some(forms), Some(entry)) = (&shared.forms, shared.spec_index.entry(command)) else { return };
+fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut Writer) {
+    let (Some(forms), Some(entry)) = (forms, shared.spec_index.entry(command)) else { return };
     let is_refusal = Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some());
     if is_refusal || is_status(entry, shared) {
         return;

@@ -29,8 +29,8 @@ use crate::{Builder, FaultPlan, State, status_packet};
 pub(crate) struct Shared {
     pub(crate) options: Builder,
     pub(crate) spec_index: Arc<SpecIndex>,
-    /// Forms of the firmware that the controller has at the start; none where all firmware has the same.
-    pub(crate) forms: Option<Forms>,
+    /// Forms of the firmware, by its version; none where all firmware has the same.
+    forms: Mutex<(String, Option<Arc<Forms>>)>,
     pub(crate) command_listener: Listener,
     pub(crate) status_listener: Listener,
     pub(crate) active_client: ActiveClient,
@@ -61,7 +61,7 @@ impl Shared {
         options.check()?;
         let spec_index = SpecIndex::open(&options.packs)?;
         let world = World::new(&options, &spec_index)?;
-        let forms = Forms::of(&spec_index.spec, world.state.version.parse().ok());
+        let forms = Mutex::new((world.state.version.clone(), forms_of(&spec_index, &world.state.version)));
         let time = &options.time;
         Ok(Self {
             command_listener: Listener::bind(options.address, options.command_port, time)?,
@@ -99,6 +99,17 @@ impl Shared {
         world
     }
 
+    /// Forms of the firmware that a state names; none where all firmware has the same.
+    pub(crate) fn forms(&self, state: &State) -> Option<Arc<Forms>> {
+        let mut known = lock(&self.forms);
+        if known.0 != state.version {
+            *known = (state.version.clone(), forms_of(&self.spec_index, &state.version));
+            // What the last packet showed is written in other forms.
+            lock(&self.packet_parts).clear();
+        }
+        known.1.clone()
+    }
+
     /// The status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
         self.packet_of(&self.world().state).into_bytes()
@@ -107,7 +118,8 @@ impl Shared {
     /// The status packet of a state.
     pub(crate) fn packet_of(&self, state: &State) -> String {
         let set = self.status_values().clone();
-        let model = (&*self.spec_index, self.forms.as_ref());
+        let forms = self.forms(state);
+        let model = (&*self.spec_index, forms.as_deref());
         status_packet::packet(state, self.options.firmware, model, &set, &mut lock(&self.packet_parts))
     }
 
@@ -169,4 +181,8 @@ impl Shared {
     pub(crate) fn replies(&self) -> MutexGuard<'_, HashMap<String, Map<String, Value>>> {
         lock(&self.replies)
     }
+}
+
+fn forms_of(spec_index: &SpecIndex, version: &str) -> Option<Arc<Forms>> {
+    Forms::of(&spec_index.spec, version.parse().ok()).map(Arc::new)
 }

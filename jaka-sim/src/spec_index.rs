@@ -7,12 +7,10 @@ use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
 use jaka_dynamic::{Message, Translation};
-use jaka_proto::wire::Writer;
-use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, read_payload, write_refusal};
+use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, write_refusal};
 use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec, Version, Versions};
 use serde_json::{Map, Value};
-
-use crate::State;
 
 /// A spec, indexed by `cmdName`.
 #[derive(Debug)]
@@ -104,51 +102,32 @@ impl SpecIndex {
     }
 
     /// The request in terms of the built-in spec, where a pack has other keys or forms for it.
-    pub(crate) fn as_built_in<'t>(&self, text: &'t str) -> Cow<'t, str> {
-        self.translated_request(text).map_or(Cow::Borrowed(text), Cow::Owned)
-    }
-
-    fn translated_request(&self, text: &str) -> Option<String> {
-        let base = self.base.as_ref()?;
-        let members: Map<_, _> = serde_json::from_str(text).ok()?;
-        let name = members.get(COMMAND_NAME)?.as_str()?.trim();
-        base.entry(name).and_then(|_| self.entry(name)).filter(|entry| entry.packed)?;
-        let translated = Translation::new(&self.spec, &base.spec).message(Message::Request(name), &members);
-        Some(Value::from(translated.members).to_string())
-    }
-
-    /// The spec by which the state has what a query remembers: the built-in one, if that has the query.
-    fn spec_of(&self, command: &str) -> &Spec {
-        let base = self.base.as_ref().filter(|base| base.entry(command).is_some());
-        base.map_or(&self.spec, |base| &base.spec)
-    }
-
-    /// Notes what queries remember of a setting that was accepted.
-    pub(crate) fn remember(&self, command: &str, request: &str, state: &mut State) {
-        let queries = self.spec.commands().filter(|query| query.remembers.as_deref() == Some(command));
-        for query in queries {
-            let Ok(members) = serde_json::from_str::<Map<_, _>>(request) else { return };
-            let to = self.spec_of(&query.wire);
-            let Some(fields) = to.command(&query.wire).map(|query| to.reply_fields(query)) else { continue };
-            let sent = self.spec.command(command).into_iter().flat_map(|setting| setting.request.fields());
-            let translation = Translation::new(&self.spec, to);
-            let value = |set: &Field| {
-                let field = fields.iter().find(|field| field.name == set.name)?;
-                Some((field.name.clone(), translation.field(set, field, members.get(&set.wire)?)?))
-            };
-            state.remembered.entry(query.wire.clone()).or_default().extend(sent.filter_map(value));
+    ///
+    /// # Errors
+    /// The name of a field whose value has no form there.
+    pub(crate) fn as_built_in<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, String> {
+        let Some((name, members)) = self.of_packs(text) else { return Ok(Cow::Borrowed(text)) };
+        let Some(base) = &self.base else { return Ok(Cow::Borrowed(text)) };
+        let translated = Translation::new(&self.spec, &base.spec).message(Message::Request(&name), &members);
+        match translated.lost.into_iter().next() {
+            Some(lost) => Err(lost.name),
+            None => Ok(Cow::Owned(Value::from(translated.members).to_string())),
         }
     }
 
-    /// The sample of a reply with what its query remembers.
-    pub(crate) fn with_remembered<'s>(&self, command: &str, sample: &'s str, state: &State) -> Cow<'s, str> {
-        let Some(remembered) = state.remembered.get(command) else { return Cow::Borrowed(sample) };
-        let Ok(mut members) = serde_json::from_str::<Map<_, _>>(sample) else { return Cow::Borrowed(sample) };
-        let spec = self.spec_of(command);
-        let fields = spec.command(command).map_or(&[][..], |query| spec.reply_fields(query));
-        let member = |field: &Field| Some((field.wire.clone(), remembered.get(&field.name)?.clone()));
-        members.extend(fields.iter().filter_map(member));
-        Cow::Owned(Value::from(members).to_string())
+    /// Name and members of a request of a built-in command that packs change.
+    fn of_packs(&self, text: &str) -> Option<(String, Map<String, Value>)> {
+        let base = self.base.as_ref()?;
+        let members: Map<_, _> = serde_json::from_str(text).ok()?;
+        let name = members.get(COMMAND_NAME)?.as_str()?.trim().to_owned();
+        base.entry(&name).and_then(|_| self.entry(&name)).filter(|entry| entry.packed)?;
+        Some((name, members))
+    }
+
+    /// The spec by which the state has what a command sets or answers: the built-in one, if that has the command.
+    pub(crate) fn spec_of(&self, command: &str) -> &Spec {
+        let base = self.base.as_ref().filter(|base| base.entry(command).is_some());
+        base.map_or(&self.spec, |base| &base.spec)
     }
 
     /// A reply in terms of the built-in spec with the keys and forms of packs; false where a value has none.
@@ -156,23 +135,24 @@ impl SpecIndex {
         let Some(base) = self.base.as_ref().filter(|base| base.entry(command).is_some()) else { return true };
         let translated = Translation::new(&base.spec, &self.spec).message(Message::Reply(command), reply);
         *reply = translated.members;
-        translated.lost.is_empty()
+        translated.lost.is_empty() && translated.unknown.is_empty()
     }
 
     /// A value of the state at a key of status packets, which a pack may have changed; `value` gives it by the built-in
-    /// name. None where the state has none.
+    /// name. None where the state has none; null where its value has no form there.
     pub(crate) fn status_value(&self, field: &Field, value: impl Fn(&str) -> Option<Value>) -> Option<Value> {
         let Some(base) = &self.base else { return value(&field.name) };
         let (own, others) = (self.spec.status_fields(), base.spec.status_fields());
         let known = jaka_dynamic::counterpart(field, own, others)?;
-        Translation::new(&base.spec, &self.spec).field(known, field, &value(&known.name)?)
+        let value = value(&known.name)?;
+        Some(Translation::new(&base.spec, &self.spec).field(known, field, &value).unwrap_or_default())
     }
 
     /// The reply that the spec prints for a command.
     pub(crate) fn example<C: Command>(&self) -> io::Result<C::Reply> {
         let entry = self.entry(C::INFO.name);
         let entry = entry.ok_or_else(|| io::Error::other(format!("the spec does not have `{}`", C::INFO.name)))?;
-        read_payload(C::INFO, &entry.typed_sample).map_err(io::Error::other)
+        own_payload(&entry.typed_sample).map_err(io::Error::other)
     }
 }
 
@@ -234,6 +214,11 @@ fn not_followed(key: &str) -> String {
 fn firmware_range(versions: &Versions) -> FirmwareRange {
     let bound = |version: &Option<Version>| version.as_ref().and_then(|version| version.to_string().parse().ok());
     FirmwareRange { since: bound(&versions.since), until: bound(&versions.until) }
+}
+
+/// Reads the payload of a sample, which has the spec's own forms.
+pub(crate) fn own_payload<R: Fields>(sample: &str) -> Result<R, DecodeError> {
+    R::read_fields(&mut Reader::in_own_form(sample))
 }
 
 /// A reply that fits the spec.

@@ -136,8 +136,10 @@ impl Client {
         command: &C,
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>> {
-        command.check(self.rules()).map_err(Error::from)?;
-        self.call_as(C::INFO, gate, timeout, &mut |out| command.write_request(out))
+        // One look at the firmware for the check, the request and its reply: another handle may set it.
+        let rules = self.rules();
+        command.check(rules).map_err(Error::from)?;
+        self.call_as((C::INFO, rules.firmware), gate, timeout, &mut |out| command.write_request(out))
     }
 
     /// Sends a request of a type that is known to its caller alone, and returns once it is accepted, unless the gate
@@ -148,8 +150,9 @@ impl Client {
         (info, request): (&'static CommandInfo, &dyn Written),
         timeout: Duration,
     ) -> Result<(), SendError<R>> {
-        request.check(self.rules()).map_err(Error::from)?;
-        self.call_as(info, gate, timeout, &mut |out| request.write(out))
+        let rules = self.rules();
+        request.check(rules).map_err(Error::from)?;
+        self.call_as((info, rules.firmware), gate, timeout, &mut |out| request.write(out))
     }
 
     /// Sends a request and waits for its reply, of this type.
@@ -157,13 +160,13 @@ impl Client {
     /// Generic over the reply alone, which many commands have in common.
     fn call_as<A: Fields, R>(
         &mut self,
-        info: &'static CommandInfo,
+        (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<A, SendError<R>> {
-        let mut reader = TypedReply::of_firmware(info, self.link.firmware());
-        match self.exchange(info, gate, timeout, write, &mut reader) {
+        let mut reader = TypedReply::of_firmware(info, firmware);
+        match self.exchange((info, firmware), gate, timeout, write, &mut reader) {
             Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
             Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
                 Ok(A::without_fields().ok_or(error)?)
@@ -176,13 +179,13 @@ impl Client {
     /// to compile.
     fn exchange<R>(
         &mut self,
-        info: &'static CommandInfo,
+        (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
         reader: &mut dyn ReadReply,
     ) -> Result<(), SendError<R>> {
-        let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle);
+        let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle).in_forms_of(firmware);
         self.link.call(&outgoing, gate, write, &mut self.reply, reader)?;
         if info.ends_session {
             self.link.end(info);

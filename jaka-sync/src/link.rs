@@ -236,7 +236,7 @@ impl Link {
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, SendError<R>> {
-        let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by);
+        let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by).in_forms_of(self.firmware());
         self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
     }
 

@@ -1,5 +1,7 @@
 //! Forms of fields and types by firmware.
 
+use std::collections::BTreeMap;
+
 use crate::model::{Command, Field, Form, FormKind, Spec, Type, TypeDef, TypeId, TypeKind};
 use crate::range::Range;
 use crate::scalar::Scalar;
@@ -91,10 +93,12 @@ impl Spec {
         let sent = |field: &Field| !field.forms.is_empty();
         let sent_type = |def: &TypeDef| !def.forms.is_empty();
         command.request.fields().any(|field| self.any(field, &sent, &sent_type))
-            || self
-                .reply_fields(command)
-                .iter()
-                .any(|field| self.any(field, &Field::has_forms_alike, &TypeDef::has_forms_alike))
+            || self.reply_fields(command).iter().any(|field| self.is_told_by_version(field))
+    }
+
+    /// True if a field, or anything inside it, has forms that the version alone tells apart.
+    pub fn is_told_by_version(&self, field: &Field) -> bool {
+        self.any(field, &Field::has_forms_alike, &TypeDef::has_forms_alike)
     }
 
     /// True if any field or type has forms.
@@ -167,6 +171,46 @@ fn settle_type(def: &mut TypeDef, version: &Version) {
         (FormKind::Unit { unit, .. }, TypeKind::Wrapper(ty, _)) => TypeKind::Wrapper(ty.clone(), Some(unit)),
         (FormKind::Unit { .. }, other) => other.clone(),
     };
+}
+
+/// Problem of a type's forms, once all of its fields are known.
+pub(crate) fn problem(def: &TypeDef) -> Option<&'static str> {
+    match &def.kind {
+        TypeKind::Array { fields, .. } => array_problem(def, fields),
+        TypeKind::Object(fields) if !def.forms.is_empty() => object_problem(fields),
+        _ => None,
+    }
+}
+
+/// Problem of an array that is an object in some firmware.
+fn array_problem(def: &TypeDef, fields: &[Field]) -> Option<&'static str> {
+    let keys = def.forms.iter().filter_map(|form| match &form.kind {
+        FormKind::Object(keys) => Some(keys),
+        FormKind::Array | FormKind::Unit { .. } => None,
+    });
+    let keys: Vec<_> = keys.collect();
+    let mut places = BTreeMap::new();
+    for (at, key) in keys.iter().flat_map(|keys| keys.iter().enumerate()) {
+        if *places.entry(key).or_insert(at) != at {
+            return Some("a key of its forms is that of one element in one form, and of another in another");
+        }
+    }
+    if keys.iter().any(|keys| keys.len() != fields.len()) {
+        return Some("its form as an object has a key for each element");
+    }
+    let differ = keys.windows(2).any(|pair| pair[0] != pair[1]);
+    let have_forms = fields.iter().any(|field| !field.forms.is_empty());
+    (differ && have_forms).then_some("elements with forms have one key in all forms of their type")
+}
+
+/// Problem of an object that is an array in some firmware.
+fn object_problem(fields: &[Field]) -> Option<&'static str> {
+    if fields.iter().any(|field| field.ty.needs_key() || !field.forms.is_empty()) {
+        return Some("the fields of an object that is an array in some firmware are read without their keys");
+    }
+    let is_in_order = fields.windows(2).all(|pair| !pair[0].optional || pair[1].optional);
+    (!is_in_order)
+        .then_some("a field after an optional one is optional too, since the object is an array in some firmware")
 }
 
 /// True for versions that have something in common.

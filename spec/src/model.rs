@@ -481,6 +481,16 @@ impl Type {
         }
     }
 
+    /// True for what is read in a way of its own, and so only where the field's key is read.
+    pub(crate) fn needs_key(&self) -> bool {
+        match self {
+            Self::Python(_) => true,
+            Self::List(element) | Self::Array(element, _) => element.needs_key(),
+            Self::Scalar(scalar) => scalar.truth_words().is_some(),
+            Self::Named(_) => false,
+        }
+    }
+
     /// The scalar at its heart, if that is one.
     pub fn scalar(&self) -> Option<&Scalar> {
         if let Self::Scalar(scalar) = self.innermost() { Some(scalar) } else { None }

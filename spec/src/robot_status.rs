@@ -32,7 +32,9 @@ impl Spec {
     pub fn robot_status(&self) -> impl Iterator<Item = NeededSource<'_>> {
         NEEDED_FIELDS.iter().filter_map(|needed| {
             let known = self.as_built_in().status_fields().iter().find(|known| known.name == needed.name)?;
-            let is_changed = |field: &Field| field.wire != known.wire || field.ty != known.ty;
+            let is_changed = |field: &Field| {
+                field.wire != known.wire || field.ty != known.ty || self.has_forms(std::slice::from_ref(field))
+            };
             let source = self.status_source(known)?;
             let is_changed = self.status_lines.contains_key(needed.name)
                 || matches!(source, FieldSource::Field(field) if is_changed(field));

@@ -1,20 +1,9 @@
 //! Forms of values by firmware: the firmware decides in which form a value is written, and how a value is read whose
 //! forms are alike in JSON.
 
+use super::reader::Firmware;
 use super::{DecodeError, Reader, Writer};
 use crate::firmware::{FirmwareRange, FirmwareVersion};
-
-/// Firmware of the messages that a reader reads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum Firmware {
-    /// Not known: a value whose forms are alike cannot be read.
-    #[default]
-    Unknown,
-    /// Known by its version.
-    Version(FirmwareVersion),
-    /// That of the spec's own forms, in which serde has a value.
-    Own,
-}
 
 impl<'a> Reader<'a> {
     /// Reads messages of this firmware from the beginning of `text`. Of a firmware that is not known, a value whose forms

@@ -14,7 +14,6 @@ pub(crate) use odd::lossy_text;
 use skip::MAX_DEPTH;
 
 use super::error::DecodeError;
-use super::forms::Firmware;
 use super::number::{self, Scalar, whole};
 use super::{Decode, Fields, Writer};
 use crate::firmware::FirmwareVersion;
@@ -35,6 +34,18 @@ pub struct Reader<'a> {
     /// What was left out of a status packet, and why.
     left_out: Vec<DecodeError>,
     pub(super) firmware: Firmware,
+}
+
+/// Firmware of the messages that a reader reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Firmware {
+    /// Not known: a value whose forms are alike cannot be read.
+    #[default]
+    Unknown,
+    /// Known by its version.
+    Version(FirmwareVersion),
+    /// That of the spec's own forms, in which serde has a value.
+    Own,
 }
 
 /// A place to which a reader can go back.

@@ -79,7 +79,8 @@ impl Link {
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()).into());
         };
-        outbound.out.set_firmware(self.firmware());
+        outgoing.check_firmware().map_err(|error| self.attach(error))?;
+        outbound.out.set_firmware(outgoing.firmware);
         // After a panic in code that writes, nothing that was not sent is left.
         outbound.compose(count, write);
         state.check_reserved(outgoing).map_err(|error| self.attach(error))?;

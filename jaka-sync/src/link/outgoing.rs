@@ -6,11 +6,11 @@ use std::time::Duration;
 
 use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Effect};
+use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
 
 use super::failure::not_sent_in_time;
-use crate::Error;
 use crate::clock::{Clock, Stopwatch};
+use crate::{Error, ErrorKind};
 
 /// Who goes first where several wait for their turn to send.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,6 +108,8 @@ pub(crate) struct Outgoing<'o> {
     pub(super) by: Handle,
     /// Facts of the command; none for one that neither the spec nor its caller knows.
     pub(super) info: Option<&'static CommandInfo>,
+    /// Firmware in whose forms it is written, and its reply is read.
+    pub(super) firmware: Option<FirmwareVersion>,
 }
 
 impl<'o> Outgoing<'o> {
@@ -131,6 +133,22 @@ impl<'o> Outgoing<'o> {
             is_posted: false,
             by: Handle::FIRST,
             info: None,
+            firmware: None,
+        }
+    }
+
+    /// The same, in the forms of this firmware.
+    pub(crate) fn in_forms_of(self, firmware: Option<FirmwareVersion>) -> Self {
+        Self { firmware, ..self }
+    }
+
+    /// Fails where the firmware decides its form and is not known.
+    pub(super) fn check_firmware(&self) -> Result<(), Error> {
+        match self.info {
+            Some(info) if info.needs_firmware && self.firmware.is_none() => {
+                Err(ErrorKind::FirmwareUnknown { command: info.name }.into())
+            }
+            _ => Ok(()),
         }
     }
 

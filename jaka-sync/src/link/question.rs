@@ -19,7 +19,8 @@ impl Link {
         info: &'static CommandInfo,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'static>, Error> {
-        self.send(&Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by), write)
+        let outgoing = Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by);
+        self.send(&outgoing.in_forms_of(self.firmware()), write)
     }
 
     /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if

@@ -8,6 +8,7 @@ use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, Type, TypeDef, TypeId, TypeKind};
 use crate::report::{At, Report};
+use crate::resolve::Need;
 use crate::role::MotionMode;
 use crate::similar::nearest;
 use crate::{Source, meaning, read};
@@ -305,6 +306,7 @@ impl<'s> Draft<'s, '_> {
         self.edits.push((item.at, item.what.clone(), target.clone()));
         if let Target::Type(id) = target {
             self.index.define(self.spec[*id].clone());
+            self.index.needs(item, item.at, Need::Forms(*id));
         }
         self.changed.add(target);
     }

@@ -2,7 +2,7 @@
 
 use super::common::{required_doc, snake_name, versions};
 use super::form;
-use super::wire::{NEEDS_KEY, field_type, key, needs_key, written};
+use super::wire::{NEEDS_KEY, check_written, field_type, key, written};
 use crate::advice;
 use crate::item::{Item, Placed};
 use crate::model::{Field, Type};
@@ -153,7 +153,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
     settle(item, &mut field, base);
     check_field(item, &field);
     // What a pack says of the field holds for each firmware of the pack.
-    let is_as_before = (&field.wire, &field.ty, &field.unit) == (&base.wire, &base.ty, &base.unit);
+    let is_as_before = (&field.wire, &field.ty, &field.unit) == (&base.wire, &base.ty, &base.unit) && !field.or_raw;
     field.forms = match form::forms(item, &field, taken, index) {
         forms if forms.is_empty() && is_as_before => base.forms.clone(),
         forms => forms,
@@ -193,14 +193,7 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
         item.error(item.at, "`advisory` is for a range: give `min` or `max`");
     }
-    let is_whole = match &field.ty {
-        Type::Scalar(_) => true,
-        Type::Python(inner) => !needs_key(inner),
-        other => !needs_key(other),
-    };
-    if !is_whole || needs_key(&field.ty) && (field.wire.is_empty() || field.or_raw) {
-        item.error(item.at, NEEDS_KEY);
-    }
+    check_written(item, &field.ty, !field.wire.is_empty() && !field.or_raw);
     if field.ascii && field.ty.scalar() != Some(&Scalar::Text) {
         item.error(item.at, "`ascii` is for text");
     }
@@ -225,7 +218,7 @@ fn range(item: &Item<'_, '_>) -> Range {
 /// The type inside a wrapper.
 pub(super) fn wrapped_type<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Type {
     let ty = field_type(item, index);
-    if needs_key(&ty) {
+    if ty.needs_key() {
         item.error(item.at, NEEDS_KEY);
     }
     ty

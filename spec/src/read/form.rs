@@ -1,11 +1,11 @@
 //! Forms of fields and types by firmware.
 
 use super::common::{keyword, versions};
-use super::wire::{field_type, key, needs_key, written};
+use super::wire::{check_written, field_type, key, written};
 use crate::form::overlap;
 use crate::item::{Item, Placed};
 use crate::model::{Field, Form, FormKind, Type, TypeForm, TypeKind};
-use crate::resolve::Index;
+use crate::resolve::{Index, Need};
 use crate::scalar::Scalar;
 use crate::unit::Factors;
 use crate::version::Versions;
@@ -46,6 +46,13 @@ fn form<'s>(item: &Item<'_, 's>, field: &Field, taken: &[&str], index: &mut Inde
     }
     let (unit, factors) = unit(item, field.unit.as_ref(), is_floats(&field.ty));
     let form = Form { versions: firmware(item), wire, ty, unit, factors };
+    check_written(item, &form.ty, !form.wire.is_empty());
+    // A literal is a string: beside it stands an array or an object, which is none.
+    if let (Type::Python(inner), plain) | (plain, Type::Python(inner)) = (&form.ty, &field.ty)
+        && !matches!(plain, Type::Python(_))
+    {
+        index.needs(item, item.at, Need::Parts((**inner).clone()));
+    }
     if field.wire.is_empty() && (form.wire != field.wire || form.ty != field.ty) {
         item.error(item.at, "an element of an array has forms that differ in the unit alone");
     }
@@ -72,11 +79,8 @@ fn type_form(item: &Item<'_, '_>, kind: &TypeKind) -> TypeForm {
             keyword(item, "kind", &[("object", ())]);
             FormKind::Object(object_keys(item, fields))
         }
-        TypeKind::Object(fields) => {
+        TypeKind::Object(_) => {
             keyword(item, "kind", &[("array", ())]);
-            if fields.iter().any(|field| needs_key(&field.ty) || !field.forms.is_empty()) {
-                item.error(item.at, "the fields of a type that is an array in some firmware are read without keys");
-            }
             FormKind::Array
         }
         TypeKind::Wrapper(ty, own) => {
@@ -94,6 +98,9 @@ fn type_form(item: &Item<'_, '_>, kind: &TypeKind) -> TypeForm {
     form
 }
 
+/// Rule of the keys of an array that is an object in some firmware.
+pub(crate) const KEYS: &str = "`keys` has a key for each element";
+
 /// Keys of an array that is an object in some firmware: `keys`, or else the names of its elements.
 fn object_keys(item: &Item<'_, '_>, fields: &[Field]) -> Vec<String> {
     let keys = item.texts("keys");
@@ -102,7 +109,7 @@ fn object_keys(item: &Item<'_, '_>, fields: &[Field]) -> Vec<String> {
     }
     let are_apart = keys.iter().enumerate().all(|(at, key)| keys[..at].iter().all(|other| other.value != key.value));
     if keys.len() != fields.len() || !are_apart || keys.iter().any(|key| key.value.is_empty()) {
-        item.error(item.at, "`keys` has a key for each element");
+        item.error(item.at, KEYS);
     }
     keys.into_iter().map(|key| key.value).collect()
 }

@@ -6,7 +6,7 @@ use super::form;
 use super::role::role;
 use crate::item::{Item, Placed};
 use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
-use crate::resolve::Index;
+use crate::resolve::{Index, Need};
 use crate::unique::Unique;
 use crate::version::Versions;
 
@@ -32,7 +32,11 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId
     if name.value == STATUS_TYPE && !forms.is_empty() {
         item.error(item.at, NO_STATUS_FORM);
     }
+    let has_forms = !forms.is_empty();
     let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind, forms });
+    if has_forms {
+        index.needs(item, item.at, Need::Forms(id));
+    }
     item.finish();
     id
 }

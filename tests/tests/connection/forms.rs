@@ -6,7 +6,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 
-use jaka_dynamic::{AdvisoryRanges, Forms};
+use jaka_dynamic::{AdvisoryRanges, Forms, Message, Translation};
 use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::proto::wire::{Decode as _, Reader};
 use jaka_robot::{Client, FirmwareVersion, StatusStream};
@@ -288,4 +288,95 @@ fn the_simulator_reads_and_writes_the_forms_of_its_firmware() {
         assert_eq!((payload.mass, payload.centroid), (3.5, [4.0, 5.0, 6.0].into()));
         assert!((arm.state().payload.mass - 3.5).abs() < 1e-12);
     }
+}
+
+/// Another handle may say meanwhile that the firmware is not known: nothing goes out in a form of no firmware.
+#[test]
+fn a_request_and_its_check_go_by_one_look_at_the_firmware() {
+    const ROUNDS: usize = 2000;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).expect("loopback has free ports");
+    let address = listener.local_addr().expect("it is bound");
+    let server = thread::spawn(move || {
+        let (mut stream, _) = listener.accept().expect("the client connects");
+        let mut odd = Vec::new();
+        // To the end of the connection.
+        while stream.peek(&mut [0]).is_ok_and(|count| count > 0) {
+            let request = message(&mut stream);
+            odd.extend((!request.contains("weight")).then_some(request));
+            stream.write_all(ACCEPTED.as_bytes()).expect("the client reads");
+        }
+        odd
+    });
+    let mut robot = client(address, Some(NEW));
+    let mut other = robot.try_clone().expect("it is connected");
+    let payload = forms::SetPayload::new(2.0, centroid());
+    thread::scope(|scope| {
+        let toggling = scope.spawn(move || {
+            for round in 0..ROUNDS {
+                other.set_firmware(Some(NEW).filter(|_| round % 2 == 1));
+                thread::yield_now();
+            }
+        });
+        while !toggling.is_finished() {
+            match robot.set_payload_forms(&payload) {
+                Ok(()) => {}
+                Err(error) => assert!(matches!(error.kind(), Failure::FirmwareUnknown { .. }), "{error:?}"),
+            }
+        }
+    });
+    drop(robot);
+    assert_eq!(server.join().expect("it does not panic"), Vec::<String>::new());
+}
+
+#[test]
+fn of_an_unknown_firmware_nothing_is_guessed_from_other_keys() {
+    let read = |packet: &Value, firmware| {
+        let forms = Forms::of(&spec(), firmware).expect("it has some");
+        forms.read(Message::Status, packet.as_object().expect("it is an object"))
+    };
+    // The key of the power shows firmware 1.7; the unit of the speed follows from the version alone.
+    let packet = json!({"power_state": "on", "curr_tcp_trans_vel": 2.0});
+    let unknown = read(&packet, None);
+    assert_eq!(unknown.members.get("powered_on"), Some(&json!(1)));
+    assert_eq!(unknown.members.get("curr_tcp_trans_vel"), None);
+    assert_eq!(unknown.lost.iter().map(|lost| &*lost.name).collect::<Vec<_>>(), ["tcp_speed"]);
+    let known = read(&packet, Some(NEW));
+    assert_eq!(known.members.get("curr_tcp_trans_vel"), Some(&json!(2000.0)));
+    // One field under two keys is none.
+    let twice = read(&json!({"power_state": "on", "powered_on": 1}), Some(NEW));
+    assert_eq!((twice.members.get("powered_on"), twice.lost.len()), (None, 1));
+}
+
+#[test]
+fn a_reply_that_is_odd_or_in_another_form_is_not_shown_in_the_unit_of_the_spec() {
+    let forms = Forms::of(&spec(), Some(NEW)).expect("it has some");
+    let own = |text: &str| forms.own_text(Message::Reply("demo_joints"), text);
+    assert!(own(r#"{"errorCode": "0", "joints": [0.5, 0, 0, 0, 0, 0]}"#).is_ok_and(|text| text.contains("28.6")));
+    for odd in [
+        "{\"errorCode\": \"0\", \"errorMsg\": \"a\tb\", \"joints\": [0.5, 0, 0, 0, 0, 0]} x",
+        r#"{"errorCode": "0", "joints": [0.5, 0, 0, 0, 0, 0], "joints": [0.5, 0, 0, 0, 0, 0]}"#,
+        r#"{"errorCode": "0", "joints": "none"}"#,
+    ] {
+        assert!(own(odd).is_err(), "{odd}");
+    }
+    // A tab in a text is odd, and does not hide what comes after it.
+    let odd = "{\"errorMsg\": \"a\tb\", \"joints\": [0.5, 0, 0, 0, 0, 0]}";
+    assert!(own(odd).is_ok_and(|text| text.contains("28.6")), "{odd}");
+}
+
+/// A pack gives enums other names; what is written alike stays, and a number stands for itself.
+#[test]
+fn enums_are_translated_by_name_and_else_as_they_are_written() {
+    let pack = "title = 'T'\n[[override]]\ntarget = 'TaskState'\nvalue = 4\nname = 'Ready'\n\
+                [[type]]\nname = 'Link'\nkind = 'enum'\ndoc = 'D.'\n\
+                [[type.value]]\nwire = 0\nname = 'Down'\ndoc = 'D.'\n\
+                [[override]]\ntarget = 'RobotStatus'\nfield = 'netState'\ntype = 'Link'\n";
+    let built_in = jaka_spec::builtin().expect("the built-in spec is correct");
+    let pack =
+        jaka_spec::load_pack(&built_in, Source { path: "t.toml", text: pack }).expect("the pack is correct").spec;
+    let packet = json!({"task_state": 4, "netState": 1});
+    let translated =
+        Translation::new(&built_in, &pack).message(Message::Status, packet.as_object().expect("it is one"));
+    assert_eq!(Value::from(translated.members), packet);
+    assert_eq!(Translation::new(&built_in, &pack).lost(Message::Status), Vec::<String>::new());
 }

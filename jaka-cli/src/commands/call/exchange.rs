@@ -38,17 +38,22 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     if options.check_firmware {
         firmware::check(connection.client(), &protocol.spec, request)?;
     }
-    let forms = FirmwareForms::of(protocol, connection.client())?;
-    let text = forms.request(request)?;
+    let mut forms = FirmwareForms::default();
+    let outgoing = forms.of(protocol, connection.client(), request)?;
     if let Connection::Robot(robot) = &mut connection {
-        let motion = wait::must_be_motion(protocol, request, &text)?;
+        let motion = wait::must_be_motion(protocol, request, &outgoing.text)?;
         let patience = target.patience(motion::PATIENCE);
         let end = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
         return motion::print(&request.name, end, Form::of(options.json.is_some()));
     }
     let client = connection.client();
-    match send(client, (request, &text), &target, &under_way) {
-        Ok(Some(text)) => print_reply(protocol, options, request, (&text, &forms.reply(request.command, &text))),
+    match send(client, (request, &outgoing.text), &target, &under_way) {
+        Ok(Some(text)) => {
+            if options.json == Some(Keys::Wire) {
+                json_line(&text)?;
+            }
+            print_reply(&protocol.spec, options, request, &outgoing.reply(&text)?)
+        }
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
             let is_wire = options.json == Some(Keys::Wire);
@@ -123,16 +128,10 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     failure
 }
 
-/// Prints a reply, given as it came and in the spec's own forms.
-fn print_reply(
-    protocol: &Protocol,
-    options: &Options,
-    request: &Request<'_>,
-    (wire, text): (&str, &str),
-) -> Result<(), Failure> {
-    let spec = &protocol.spec;
+/// Prints a reply, which is given in the spec's own forms, unless it was printed as it came.
+fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
     match options.json {
-        Some(Keys::Wire) => json_line(wire)?,
+        Some(Keys::Wire) => {}
         Some(Keys::Names) => {
             let line = json!({"command": request.name, "reply": named::reply(spec, request.command, text)});
             output::json(&format!("{line}\n"))?;

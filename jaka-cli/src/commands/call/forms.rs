@@ -4,45 +4,66 @@ use std::borrow::Cow;
 
 use jaka_dynamic::{Forms, Message};
 use jaka_spec::Command;
-use jaka_sync::Client;
+use jaka_sync::{Client, Error, ErrorKind};
 
 use super::request::Request;
 use crate::failure::Failure;
 use crate::packs::Protocol;
 
-/// Forms of the firmware, where the protocol has several.
-#[derive(Debug)]
+/// Forms of the firmware, where the protocol has several: the controller is asked for its version before the first request
+/// that needs them, and never before another, such as a stop.
+#[derive(Debug, Default)]
 pub(super) struct FirmwareForms(Option<Forms>);
 
+/// A request as it goes out.
+#[derive(Debug)]
+pub(super) struct Outgoing<'f, 'r> {
+    pub(super) text: Cow<'r, str>,
+    command: Option<&'r Command>,
+    /// Forms of its reply, if that has several.
+    forms: Option<&'f Forms>,
+}
+
 impl FirmwareForms {
-    /// Forms of the controller's firmware, for which it is asked where the protocol has several.
-    pub(super) fn of(protocol: &Protocol, client: &mut Client) -> Result<Self, Failure> {
-        if !protocol.spec.varies_by_firmware() {
-            return Ok(Self(None));
-        }
+    /// The request in the forms of the controller's firmware.
+    pub(super) fn of<'f, 'r>(
+        &'f mut self,
+        protocol: &Protocol,
+        client: &mut Client,
+        request: &'r Request<'_>,
+    ) -> Result<Outgoing<'f, 'r>, Failure> {
+        let as_it_is = Outgoing { text: Cow::Borrowed(&request.text), command: request.command, forms: None };
+        let Some(command) = request.command.filter(|command| varies(protocol, command)) else { return Ok(as_it_is) };
         let firmware = match client.firmware() {
             Some(firmware) => firmware,
             None => client.check_firmware()?,
         };
-        Ok(Self(Forms::of(&protocol.spec, Some(firmware))))
-    }
-
-    /// The text of a request as it goes out.
-    pub(super) fn request<'r>(&self, request: &'r Request<'_>) -> Result<Cow<'r, str>, Failure> {
-        let (Some(forms), Some(command)) = (&self.0, request.command) else { return Ok(Cow::Borrowed(&request.text)) };
+        if self.0.is_none() {
+            self.0 = Forms::of(&protocol.spec, Some(firmware));
+        }
+        let Some(forms) = &self.0 else { return Ok(as_it_is) };
         let text = forms.request(&command.wire, &request.text).ok_or_else(|| {
             Failure::Usage(format!("`{}` was not sent: the controller's firmware has no form of a value", request.name))
         })?;
-        Ok(Cow::Owned(text))
+        Ok(Outgoing { text: Cow::Owned(text), command: Some(command), forms: Some(forms) })
     }
+}
 
-    /// The text of a reply in the spec's own forms.
-    pub(super) fn reply<'r>(&self, command: Option<&Command>, text: &'r str) -> Cow<'r, str> {
-        match (&self.0, command) {
-            (Some(forms), Some(command)) => Cow::Owned(forms.own_text(Message::Reply(&command.wire), text)),
-            _ => Cow::Borrowed(text),
-        }
+impl Outgoing<'_, '_> {
+    /// The text of the reply in the spec's own forms.
+    pub(super) fn reply<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Failure> {
+        let (Some(forms), Some(command)) = (self.forms, self.command) else { return Ok(Cow::Borrowed(text)) };
+        let own = forms
+            .own_text(Message::Reply(&command.wire), text)
+            .map_err(|source| Error::from(ErrorKind::UnexpectedReply { command: command.wire.clone(), source }))?;
+        Ok(Cow::Owned(own))
     }
+}
+
+/// True for a command whose request or reply has forms.
+fn varies(protocol: &Protocol, command: &Command) -> bool {
+    let fields: Vec<_> = command.request.fields().cloned().collect();
+    protocol.spec.has_forms(&fields) || protocol.spec.has_forms(protocol.spec.reply_fields(command))
 }
 
 /// Fails for a request whose bytes depend on the firmware, which a dry run does not ask for.

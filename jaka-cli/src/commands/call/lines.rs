@@ -1,5 +1,6 @@
 //! Lines of JSON on standard input, each a request, over one connection.
 
+use std::borrow::Cow;
 use std::io::{BufRead, stdin};
 
 use jaka_spec::COMMAND_NAME;
@@ -28,8 +29,8 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
         seat::warn(&options.robot);
         consent::warn_of_stops(protocol, options);
     }
-    let mut connection = Connection::open(&target, options)?;
-    let forms = FirmwareForms::of(protocol, connection.client())?;
+    let connection = Connection::open(&target, options)?;
+    let forms = FirmwareForms::default();
     let mut session = Session { protocol, options, target, connection, forms, under_way };
     let mut first = Ok(());
     session.under_way.set(Stage::Idle);
@@ -80,8 +81,8 @@ impl Session<'_> {
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
-        let text = self.forms.request(&request)?;
-        let motion = if self.options.wait { wait::motion(self.protocol, &request, &text)? } else { None };
+        let outgoing = self.forms.of(self.protocol, self.connection.client(), &request)?;
+        let motion = if self.options.wait { wait::motion(self.protocol, &request, &outgoing.text)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
@@ -90,9 +91,10 @@ impl Session<'_> {
                 Ok(end.reached()?)
             }
             (connection, _) => {
-                let sent = exchange::send(connection.client(), (&request, &text), &self.target, &self.under_way);
+                let sent =
+                    exchange::send(connection.client(), (&request, &outgoing.text), &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
-                let reply = reply.map(|text| self.forms.reply(request.command, &text).into_owned());
+                let reply = reply.map(|text| outgoing.reply(&text).map(Cow::into_owned)).transpose()?;
                 let text = reply.as_deref();
                 answer["reply"] = text.map_or(Value::Null, |text| named::reply(spec, request.command, text));
                 text.zip(request.command).map_or(Ok(()), |(text, command)| exchange::must_fit(spec, command, text))

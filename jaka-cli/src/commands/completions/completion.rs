@@ -7,8 +7,9 @@ use clap::{Arg, ArgAction, Command, CommandFactory, ValueHint};
 use jaka_spec::words::first_sentence;
 
 use self::line::{Line, Place};
+use crate::builtin;
 use crate::commands::{all_of_call, protocol_of};
-use crate::{Cli, output, packs};
+use crate::{Cli, output};
 
 /// What the word at the cursor can become.
 #[derive(Debug, PartialEq)]
@@ -39,7 +40,7 @@ pub(crate) fn complete(before: &[String], current: &str) -> Completion {
     if let Ok(protocol) = protocol_of(before) {
         protocol.read_status();
     }
-    let spec = packs::of_status();
+    let spec = builtin::of_status();
     let mut tree = Cli::command().mut_subcommand("call", |_| all_of_call(spec));
     tree.build();
     let line = Line::of(&tree, spec, before);

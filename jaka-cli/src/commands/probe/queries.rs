@@ -69,7 +69,7 @@ impl Connection<'_> {
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
         let own = |reply: &str| match &self.forms {
-            Some(forms) => forms.own_text(Message::Reply(name), reply),
+            Some(forms) => forms.own_text(Message::Reply(name), reply).unwrap_or_else(|_| reply.to_owned()),
             None => reply.to_owned(),
         };
         let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&own(&reply))), reply);

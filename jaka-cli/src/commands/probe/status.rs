@@ -37,7 +37,8 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress
         let mut departures = found.as_ref().map(|found| found.departures.clone()).unwrap_or_default();
         let before = departures.len();
         let sample = reply_json(&packet);
-        let own = forms.as_ref().map(|forms| reply_json(&forms.own_text(Message::Status, &packet)));
+        let own = forms.as_ref().and_then(|forms| forms.own_text(Message::Status, &packet).ok());
+        let own = own.map(|text| reply_json(&text));
         add_new(&mut departures, status_departures(spec, own.as_ref().unwrap_or(&sample)));
         samples.push(sample);
         // The packet that is shown is one that departs.
