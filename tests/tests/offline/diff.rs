@@ -583,7 +583,7 @@ fn requests_and_types_of_another_shape() {
 #[test]
 fn sources_of_what_a_robot_needs() {
     let text = "title = 'T'\n[robot_status]\nerror_code = 'absent'\npaused = 'program'\npowered_on = 'enabled'\n";
-    let pack = jaka_spec::load_pack(&spec(), Source { path: "newer.toml", text });
+    let pack = load_pack(&spec(), Source { path: "newer.toml", text });
     let pack = pack.unwrap_or_else(|errors| panic!("{errors}"));
     expect![[r"
         major: type `RobotStatus`, field `paused`: source for a robot changed from `paused` to `program`
@@ -613,12 +613,12 @@ fn forms_by_firmware() {
         minor: command `get_payload`, reply field `mass`: other forms by firmware: firmware 1.7 and later: key `weight`
         minor: type `RobotStatus`, field `powered_on`: other forms by firmware: firmware 1.7 and later: key `power_state`, `bool`, written "off" and "on"
     "#]].assert_eq(&forms(&spec(), &with_forms()));
-    expect![[r#"
+    expect![[r"
         minor: command `get_payload`, reply field `mass`: other forms by firmware: none
         minor: command `set_payload`, request field `mass`: other forms by firmware: none
         minor: type `Centroid`: other forms by firmware: none
         minor: type `RobotStatus`, field `curr_tcp_trans_vel`: other forms by firmware: none
         minor: type `RobotStatus`, field `powered_on`: other forms by firmware: none
-    "#]]
+    "]]
     .assert_eq(&forms(&with_forms(), &spec()));
 }

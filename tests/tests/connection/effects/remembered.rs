@@ -26,9 +26,11 @@ fn pairs() -> Vec<(&'static Command, &'static Command)> {
 fn allowed(field: &Field, turn: usize) -> Value {
     match spec().shape(&field.ty) {
         Shape::IntEnum(values) => values[turn % values.len()].wire.into(),
-        Shape::Scalar(Scalar::Int) => [field.range.min.unwrap_or(0.0), field.range.max.unwrap_or(7.0)]
-            .map(|bound| Value::from(bound as i64))[turn % 2]
-            .clone(),
+        Shape::Scalar(Scalar::Int) => {
+            let bound = [field.range.min.unwrap_or(0.0), field.range.max.unwrap_or(7.0)][turn % 2];
+            // Rust prints a whole number without a fraction.
+            serde_json::from_str(&bound.to_string()).expect("it is a number")
+        }
         Shape::Scalar(Scalar::Float) => {
             [field.range.min.unwrap_or(-2.5), field.range.max.unwrap_or(12.25)][turn % 2].into()
         }
@@ -54,8 +56,8 @@ fn a_query_answers_what_was_last_set() {
             arm.client.call_raw(&setting.wire, &message).expect("it is accepted");
             let reply = arm.client.call_raw(&query.wire, &Value::Null).expect("it is answered");
             for field in spec().reply_fields(query) {
-                let Some(set) = sent.iter().find(|set| set.name == field.name) else { continue };
-                let expected = number(message.get(&set.wire).unwrap_or(&Value::Null));
+                let Some(source) = sent.iter().find(|other| other.name == field.name) else { continue };
+                let expected = number(message.get(&source.wire).unwrap_or(&Value::Null));
                 assert_eq!(number(&reply[&field.wire]), expected, "{}: `{}`", query.wire, field.name);
                 seen.push(expected.to_string());
             }
