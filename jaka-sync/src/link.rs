@@ -20,8 +20,8 @@ mod wait;
 use std::error::Error as StdError;
 use std::io;
 use std::net::{Shutdown, SocketAddr};
-use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
@@ -42,7 +42,7 @@ use self::state::{Mode, State};
 use crate::clock::Clock;
 use crate::recorder::Tap;
 use crate::socket::Socket;
-use crate::sync::{Mutex, Watched, lock};
+use crate::sync::{Watched, lock};
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.

@@ -130,9 +130,8 @@ impl Pack {
             topic.is_some_and(|topic| topic.is_pack)
         };
         for needed in module.spec.robot_status().filter(|_| has_status) {
-            if let FieldSource::Field(field) = needed.source
-                && is_packs(field)
-            {
+            let FieldSource::Field(field) = needed.source else { continue };
+            if is_packs(field) {
                 let message = format!(
                     "the type of `{}` is this pack's own, and a robot needs the built-in one; in `[robot_status]`, \
                      write {}",

@@ -48,10 +48,13 @@ fn form<'s>(item: &Item<'_, 's>, field: &Field, taken: &[&str], index: &mut Inde
     let form = Form { versions: firmware(item), wire, ty, unit, factors };
     check_written(item, &form.ty, !form.wire.is_empty());
     // A literal is a string: beside it stands an array or an object, which is none.
-    if let (Type::Python(inner), plain) | (plain, Type::Python(inner)) = (&form.ty, &field.ty)
-        && !matches!(plain, Type::Python(_))
-    {
-        index.needs(item, item.at, Need::Parts((**inner).clone()));
+    let literal = match (&form.ty, &field.ty) {
+        (Type::Python(_), Type::Python(_)) => None,
+        (Type::Python(inner), _) | (_, Type::Python(inner)) => Some(&**inner),
+        _ => None,
+    };
+    if let Some(inner) = literal {
+        index.needs(item, item.at, Need::Parts(inner.clone()));
     }
     if field.wire.is_empty() && (form.wire != field.wire || form.ty != field.ty) {
         item.error(item.at, "an element of an array has forms that differ in the unit alone");
