@@ -33,10 +33,12 @@ impl<'s> Intent<'s> {
     /// # Errors
     /// The spec forbids it.
     pub(crate) fn of<C: proto::Command>(spec: &'s Spec, request: &C) -> Result<Self, Failure> {
-        request.check(AdvisoryRanges::Enforced).map_err(|forbidden| match forbidden {
-            NotSent::InvalidArgument(invalid) => not_allowed(&invalid),
-            NotSent::NotInFirmware(_) | NotSent::FirmwareUnknown { .. } => jaka_sync::Error::from(forbidden).into(),
-        })?;
+        match request.check(AdvisoryRanges::Enforced) {
+            // The firmware is asked for when there is a connection.
+            Ok(()) | Err(NotSent::FirmwareUnknown { .. }) => {}
+            Err(NotSent::InvalidArgument(invalid)) => return Err(not_allowed(&invalid)),
+            Err(forbidden @ NotSent::NotInFirmware(_)) => return Err(jaka_sync::Error::from(forbidden).into()),
+        }
         let mut out = Writer::new();
         request.write_request(&mut out);
         let name = C::INFO.name;
