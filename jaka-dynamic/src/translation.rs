@@ -306,8 +306,8 @@ fn renamed<T: PartialEq, U: Clone>(values: &[EnumValue<T>], others: &[EnumValue<
     others.iter().find(|other| other.name == *name).map(|other| other.wire.clone())
 }
 
-/// The same of an enum of the same kind. What is written alike stands for itself, unless it has there the name of another
-/// value of this one: a value that has another name, or that an enum does not list, since enums are open.
+/// Value of another enum of the same kind. A value that is written alike stands for itself, also under another name or
+/// where an enum does not list it, since enums are open; unless it has there the name of another value of this one.
 fn translated<T: PartialEq + Clone>(values: &[EnumValue<T>], others: &[EnumValue<T>], wire: &T) -> Option<T> {
     renamed(values, others, wire).or_else(|| {
         let other = others.iter().find(|other| other.wire == *wire);

@@ -62,7 +62,7 @@ pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Resul
     read_reply_of(command, reply, None)
 }
 
-/// The same for a reply of this firmware, where values have other forms in some.
+/// Reads a reply of this firmware as [`read_reply`], where values have other forms in some.
 ///
 /// # Errors
 /// As [`read_reply`].
@@ -149,7 +149,7 @@ pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, 
     read_payload_of(command, reply, None)
 }
 
-/// The same for a reply of this firmware, where values have other forms in some.
+/// Reads the payload of a reply of this firmware as [`read_payload`], where values have other forms in some.
 ///
 /// # Errors
 /// As [`read_payload`].

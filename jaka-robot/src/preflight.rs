@@ -62,7 +62,7 @@ impl Preflight {
         Self::read_as::<RobotStatus>(config, commands_address, status_address, Some(limits))
     }
 
-    /// The same by another type of status packets, such as that of a [pack](crate::pack!):
+    /// Reads an arm by another type of status packets, such as that of a [pack](crate::pack!):
     /// `Preflight::read_as::<newer::RobotStatus>(…)`.
     pub fn read_as<S: MotionStatus>(
         config: &Config,

@@ -575,7 +575,7 @@ pub enum TypeKind {
 }
 
 impl TypeKind {
-    /// The same without docs, ranges, versions and forms.
+    /// Kind without docs, ranges, versions and forms.
     fn undescribed(&self) -> Self {
         let mut kind = self.clone();
         let plain = |fields: &mut Vec<Field>| {

@@ -12,10 +12,10 @@ pub struct Factors {
 }
 
 impl Factors {
-    /// Those of one unit.
+    /// Factors of one unit.
     pub const ONE: Self = Self { from: 1.0, to: 1.0 };
 
-    /// Those between a form in one unit and a field in another; none where it is not known how they relate.
+    /// Factors between a form in one unit and a field in another; none for units of which no factor is known.
     pub fn of(form: &str, own: &str) -> Option<Self> {
         Some(Self { from: unit_factor(form, own)?, to: unit_factor(own, form)? })
     }
@@ -27,8 +27,7 @@ impl Factors {
     }
 }
 
-/// Factor from a number in one unit to the same in another; none for units of which the spec does not know how they
-/// relate.
+/// Factor from a number in one unit to the same in another; none for units of which no factor is known.
 pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
     const UNITS: &[&[(&str, f64)]] = &[
         &[("deg", PI / 180.0), ("rad", 1.0)],

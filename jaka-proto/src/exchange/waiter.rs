@@ -66,7 +66,7 @@ impl<R: Fields> TypedReply<R> {
         Self::of_firmware(command, None)
     }
 
-    /// The same, for replies of this firmware.
+    /// Reader of replies of this firmware.
     pub fn of_firmware(command: &'static CommandInfo, firmware: Option<FirmwareVersion>) -> Self {
         Self { command, firmware, payload: None }
     }

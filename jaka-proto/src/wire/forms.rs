@@ -110,7 +110,7 @@ fn place(forms: &[FirmwareRange], version: FirmwareVersion) -> Option<usize> {
 /// A number, or what is made of numbers, in another unit.
 #[doc(hidden)]
 pub trait Scaled {
-    /// The same with each number times this factor.
+    /// Multiplies each number by a factor.
     #[must_use]
     fn times(&self, factor: f64) -> Self;
 }

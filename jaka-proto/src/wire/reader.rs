@@ -44,7 +44,7 @@ pub(super) enum Firmware {
     Unknown,
     /// Known by its version.
     Version(FirmwareVersion),
-    /// That of the spec's own forms, in which serde has a value.
+    /// None in particular: values have the spec's own forms, as serde has them.
     Own,
 }
 

@@ -137,7 +137,7 @@ impl<'o> Outgoing<'o> {
         }
     }
 
-    /// The same, in the forms of this firmware.
+    /// Sets the firmware in whose forms the command is written.
     pub(crate) fn in_forms_of(self, firmware: Option<FirmwareVersion>) -> Self {
         Self { firmware, ..self }
     }

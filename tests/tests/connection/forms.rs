@@ -250,7 +250,7 @@ fn simulated(firmware: Firmware) -> Arm {
     Arm::real_time().controller(|controller| controller.firmware(firmware).pack(pack)).start()
 }
 
-/// What the simulator sends, seen by a plain socket, and what the client makes of it.
+/// Bytes of the simulator, seen by a plain socket, and read by the client.
 #[test]
 fn the_simulator_reads_and_writes_the_forms_of_its_firmware() {
     let old =
