@@ -46,8 +46,8 @@ impl Forms {
         Some(Self { own: spec.clone(), of_firmware, is_known: firmware.is_some() })
     }
 
-    /// Translates the members of a message into the spec's own forms. A field that comes under two of its keys is lost, and
-    /// so is one whose forms the version alone tells apart, as long as that is not known.
+    /// Translates the members of a message into the spec's own forms. A field that comes under two of its keys is lost,
+    /// and so is one whose forms the version alone tells apart, as long as that is not known.
     pub fn read(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let known = fields(&self.own, message, members);
         let fitting = self.fitting(message, members);
@@ -66,8 +66,8 @@ impl Forms {
         read
     }
 
-    /// The combinations of forms that a message fits best: with the fewest keys that no field has, and values that cannot be
-    /// read.
+    /// The combinations of forms that a message fits best: with the fewest keys that no field has, and values that
+    /// cannot be read.
     fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Vec<&Spec> {
         let misfits = |spec: &&Spec| {
             let fields = fields(spec, message, members);
@@ -82,8 +82,8 @@ impl Forms {
         misfits.into_iter().filter(|(count, _)| Some(*count) == least).map(|(_, spec)| spec).collect()
     }
 
-    /// Translates the members of a message of the spec's own forms into those of the firmware; none where that is not known.
-    /// A value without a form stays as it is.
+    /// Translates the members of a message of the spec's own forms into those of the firmware; none where that is not
+    /// known. A value without a form stays as it is.
     pub fn written(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<Map<String, Value>> {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
         let Translated { members: mut written, lost, .. } = Translation::new(&self.own, spec).message(message, members);
@@ -112,8 +112,8 @@ impl Forms {
         }
     }
 
-    /// A request in the forms of the firmware, byte for byte as the generated code writes it; none where the firmware is
-    /// not known, or has no form of a value. `request` is what [`request`](crate::request) has made.
+    /// A request in the forms of the firmware, byte for byte as the generated code writes it; none where the firmware
+    /// is not known, or has no form of a value. `request` is what [`request`](crate::request) has made.
     pub fn request(&self, name: &str, request: &str) -> Option<String> {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
         let mut members: Map<_, _> = serde_json::from_str(request).ok()?;

@@ -5,8 +5,9 @@ use serde_json::{Map, Value};
 
 use crate::scalar;
 
-/// Translation of messages between two specs, one of which was made of the other by a pack, or is that of a firmware: keys,
-/// words for false and true, units, literals, and objects that are arrays. Fields belong together by their names in Rust.
+/// Translation of messages between two specs, one of which was made of the other by a pack, or is that of a firmware:
+/// keys, words for false and true, units, literals, and objects that are arrays. Fields belong together by their names
+/// in Rust.
 #[derive(Debug)]
 pub struct Translation<'s> {
     from: &'s Spec,
@@ -50,15 +51,15 @@ impl<'s> Translation<'s> {
         Self { from, to }
     }
 
-    /// Translates the members of a message. A member that neither spec knows stays as it is; one that the second spec has
-    /// for a field of another name is left out.
+    /// Translates the members of a message. A member that neither spec knows stays as it is; one that the second spec
+    /// has for a field of another name is left out.
     pub fn message(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let [from, to] = [self.from, self.to].map(|spec| fields(spec, message, members));
         self.members(from, to, members)
     }
 
-    /// True if a message of the first spec is the same message of the second, whatever its firmware: with the same keys, types
-    /// and units, and no field more that must be there.
+    /// True if a message of the first spec is the same message of the second, whatever its firmware: with the same
+    /// keys, types and units, and no field more that must be there.
     pub fn is_identity(&self, message: Message<'_>) -> bool {
         self.parts_of(message).into_iter().all(|(from, to)| {
             let is_same = |field: &Field| {
@@ -290,8 +291,8 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// The field of the other spec that a field of this one stands for: that of its name in Rust, or else of its key, which a
-/// pack may have given another name.
+/// The field of the other spec that a field of this one stands for: that of its name in Rust, or else of its key, which
+/// a pack may have given another name.
 pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Option<&'f Field> {
     let by_name = others.iter().find(|other| other.name == field.name);
     by_name.or_else(|| {

@@ -7,8 +7,8 @@ use quote::quote;
 use crate::firmware::firmware_of;
 use crate::value::write_type;
 
-/// Statements that write a field in the form of the firmware, with its key where it has one; `value` is a reference to its
-/// value.
+/// Statements that write a field in the form of the firmware, with its key where it has one; `value` is a reference to
+/// its value.
 pub(crate) fn write(field: &Field, value: &TokenStream) -> TokenStream {
     let write = |form: &Form| {
         let key = form.key();

@@ -9,8 +9,8 @@ use crate::unit::Factors;
 use crate::version::{Version, Versions};
 
 impl Field {
-    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that means
-    /// false in one form and true in the other.
+    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that
+    /// means false in one form and true in the other.
     pub fn has_forms_alike(&self) -> bool {
         self.keys().any(|key| self.are_alike_under(key))
     }
@@ -87,8 +87,8 @@ impl TypeDef {
 }
 
 impl Spec {
-    /// True if a command can be sent only once the firmware is known: its request has forms, or its reply has forms that
-    /// are told apart by the version alone.
+    /// True if a command can be sent only once the firmware is known: its request has forms, or its reply has forms
+    /// that are told apart by the version alone.
     pub fn needs_firmware(&self, command: &Command) -> bool {
         let sent = |field: &Field| !field.forms.is_empty();
         let sent_type = |def: &TypeDef| !def.forms.is_empty();
@@ -126,8 +126,8 @@ impl Spec {
             || def.kind.parts().any(|part| self.any_in_type(part, of_field, of_type))
     }
 
-    /// The spec as a firmware has it: each field and each type in the form of this version, and in no other. Ranges are left
-    /// out, since they are in the units of the spec's own forms.
+    /// The spec as a firmware has it: each field and each type in the form of this version, and in no other. Ranges are
+    /// left out, since they are in the units of the spec's own forms.
     #[must_use]
     pub fn of_firmware(&self, version: &Version) -> Self {
         let mut spec = self.clone();

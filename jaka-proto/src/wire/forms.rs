@@ -6,8 +6,8 @@ use super::{DecodeError, Reader, Writer};
 use crate::firmware::{FirmwareRange, FirmwareVersion};
 
 impl<'a> Reader<'a> {
-    /// Reads messages of this firmware from the beginning of `text`. Of a firmware that is not known, a value whose forms
-    /// are alike in JSON cannot be read.
+    /// Reads messages of this firmware from the beginning of `text`. Of a firmware that is not known, a value whose
+    /// forms are alike in JSON cannot be read.
     pub fn of_firmware(text: &'a str, version: Option<FirmwareVersion>) -> Self {
         Self::new(text).with_firmware(version)
     }

@@ -9,8 +9,8 @@ use serde_json::{Map, Value};
 use crate::State;
 use crate::spec_index::SpecIndex;
 
-/// Notes what queries remember of a setting that was accepted. `text` is its request, in terms of the built-in spec if that
-/// has the command.
+/// Notes what queries remember of a setting that was accepted. `text` is its request, in terms of the built-in spec if
+/// that has the command.
 pub(super) fn note(spec_index: &SpecIndex, command: &str, text: &str, state: &mut State) {
     let from = spec_index.spec_of(command);
     let Some(setting) = from.command(command) else { return };

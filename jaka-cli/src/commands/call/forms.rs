@@ -10,8 +10,8 @@ use super::request::Request;
 use crate::failure::Failure;
 use crate::packs::Protocol;
 
-/// Forms of the firmware, where the protocol has several: the controller is asked for its version before the first request
-/// that needs them, and never before another, such as a stop.
+/// Forms of the firmware, where the protocol has several: the controller is asked for its version before the first
+/// request that needs them, and never before another, such as a stop.
 #[derive(Debug, Default)]
 pub(super) struct FirmwareForms(Option<Forms>);
 
