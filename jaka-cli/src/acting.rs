@@ -215,3 +215,34 @@ impl QueueArgs {
         Err(Failure::NotSent(format!("`{command}` was not sent: {why}")))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use jaka_robot::motion::JointMove;
+    use jaka_spec::{Source, load_pack};
+
+    use super::*;
+
+    fn spec(pack: &str) -> Spec {
+        let text = format!("title = 'T'\n{pack}");
+        let pack = load_pack(builtin::spec(), Source { path: "pack.toml", text: &text });
+        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+    }
+
+    #[test]
+    fn commands_that_packs_change_are_not_sent_as_built_in() {
+        let intents = [intent(&JointMove::absolute([0.0; 6], 10.0)).expect("the spec allows it")];
+        let form = "[[override]]\ntarget = 'joint_move'\nrequest = 'speed'\n[[override.form]]\nsince = '1.7'\n\
+                    unit = 'rad/s'\n";
+        let key = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
+        let joints = "[[override]]\ntarget = 'JointPosition'\n[[override.form]]\nsince = '1.7'\nunit = 'rad'\n";
+        for (pack, command) in [(form, "`joint_move`"), (key, "`get_joint_pos`"), (joints, "`joint_move`")] {
+            let refused = must_be_as_built_in(&spec(pack), &intents).expect_err("it would be sent in another form");
+            assert!(refused.to_string().contains(command), "{refused}");
+        }
+        // A field more that may be left out, and commands that are not sent here.
+        let more = "[[extend]]\ntarget = 'joint_move'\n[[extend.request]]\nwire = 'zone'\ntype = 'float'\noptional = true\n\
+                    doc = 'D.'\n[[override]]\ntarget = 'get_payload'\nreply = 'mass'\nwire = 'weight'\n";
+        assert!(must_be_as_built_in(&spec(more), &intents).is_ok());
+    }
+}
