@@ -124,6 +124,11 @@ impl SpecIndex {
         Some((name, members))
     }
 
+    /// The built-in spec, where packs were added to it.
+    pub(crate) fn without_packs(&self) -> Option<&Spec> {
+        self.base.as_ref().map(|base| &base.spec)
+    }
+
     /// The spec by which the state has what a command sets or answers: the built-in one, if that has the command.
     pub(crate) fn spec_of(&self, command: &str) -> &Spec {
         let base = self.base.as_ref().filter(|base| base.entry(command).is_some());

@@ -4,7 +4,7 @@ mod extio;
 mod keys;
 mod values;
 
-use jaka_dynamic::{Forms, Message};
+use jaka_dynamic::{Forms, Message, counterpart};
 use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
 use serde_json::{Map, Value};
@@ -40,12 +40,11 @@ pub(crate) fn packet(
 ) -> String {
     let shape = firmware.shape();
     let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
-    let mut fields = keys::fields(&spec_index.spec, shape);
-    let Some(length) = fields.next() else { return String::new() };
-    let fields: Vec<_> = fields.collect();
+    let fields = fields(spec_index, shape);
+    let Some((length, fields)) = fields.split_first() else { return String::new() };
     parts.resize_with(fields.len(), Part::default);
     let mut tail = String::new();
-    for (field, part) in fields.into_iter().zip(parts) {
+    for (field, part) in fields.iter().zip(parts) {
         let shown = match set.get(&field.wire) {
             Some(value) => Shown::Set(value.clone()),
             None => Shown::State(shown(field, state, shape, spec_index)),
@@ -58,6 +57,15 @@ pub(crate) fn packet(
     }
     tail.push('}');
     with_length(&respace(&format!("{{{}:", json(&length.wire)), shape.separators), &tail)
+}
+
+/// The fields that the firmware sends, those that packs add last. Packs may have given them other names.
+fn fields<'s>(spec_index: &'s SpecIndex, shape: &Shape) -> Vec<&'s Field> {
+    let own = spec_index.spec.status_fields();
+    let Some(built_in) = spec_index.without_packs() else { return keys::fields(&spec_index.spec, shape).collect() };
+    let known = keys::fields(built_in, shape).filter_map(|field| counterpart(field, built_in.status_fields(), own));
+    let is_added = |field: &&Field| counterpart(field, own, built_in.status_fields()).is_none();
+    known.chain(own.iter().filter(is_added)).collect()
 }
 
 /// A key and what it shows, after a comma.

@@ -176,6 +176,18 @@ fn keys_units_and_words_that_a_pack_changes_are_followed() {
     assert!(!packet.contains("\"enabled\"") && !packet.contains("\"rapidrate\""), "{packet}");
 }
 
+/// The place of a key among the others does not follow from its name in Rust.
+#[test]
+fn a_field_that_a_pack_calls_otherwise_in_rust_is_sent_as_before() {
+    let text = "[[override]]\ntarget = 'RobotStatus'\nfield = 'joint_actual_position'\nname = 'joints'\n\
+                [robot_status]\njoint_actual_position = 'joints'\n";
+    let packet = |builder: jaka_sim::Builder| {
+        let controller = builder.firmware(Firmware::Newer).start().expect("the pack is correct");
+        Peer::status(&controller).receive()
+    };
+    assert_eq!(packet(at_rest().pack(pack("renamed", text))), packet(at_rest()));
+}
+
 #[test]
 fn what_a_pack_types_otherwise_is_refused_by_name_since_the_state_has_no_value_for_it() {
     let reply = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'text'\n";
