@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
+use crate::number::seconds;
 use crate::output;
 use crate::packed_status::PackedRobot;
 
@@ -67,5 +68,5 @@ pub(crate) fn print(command: &str, end: End, form: Form) -> Result<(), Failure> 
 pub(crate) fn describe(end: &End, line: &mut Value) {
     line["outcome"] = end.cause().name().into();
     line["text"] = end.to_string().into();
-    line["waited_s"] = end.report.waited.as_secs_f64().into();
+    line["waited_s"] = seconds(end.report.waited).into();
 }

@@ -1,10 +1,27 @@
-//! Numbers for people.
+//! Numbers for people, and for JSON.
+
+use std::time::Duration;
 
 /// A number with this many decimals, without a sign if it rounds to 0: noise around 0 would flicker.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));
     if is_zero { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+/// Seconds to the millisecond, for JSON.
+pub(crate) fn seconds(time: Duration) -> f64 {
+    rounded(time.as_secs_f64())
+}
+
+/// Milliseconds to the microsecond, for JSON.
+pub(crate) fn milliseconds(time: Duration) -> f64 {
+    rounded(time.as_secs_f64() * 1e3)
+}
+
+/// A number with three decimals. Below 2^43, it is printed so.
+fn rounded(number: f64) -> f64 {
+    (number * 1e3).round() / 1e3
 }
 
 /// A number of things, such as `1 request` and `2 requests`.
@@ -16,6 +33,13 @@ pub(crate) fn count(number: usize, noun: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_have_three_decimals() {
+        let time = Duration::from_nanos(2_794_873_340);
+        assert_eq!([seconds(time), milliseconds(time)].map(|number| number.to_string()), ["2.795", "2794.873"]);
+        assert_eq!(seconds(Duration::from_millis(1)).to_string(), "0.001");
+    }
 
     #[test]
     fn zero_has_no_sign() {

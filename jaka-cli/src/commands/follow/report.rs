@@ -1,14 +1,13 @@
 //! What is said of a trajectory before it is followed, and of how it ended.
 
 use std::fmt::Write;
-use std::time::Duration;
 
 use jaka_motion::{Checker, Sample, Trajectory};
 use jaka_robot::{Cause, End, FollowLag};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
-use crate::number::fixed;
+use crate::number::{fixed, milliseconds, seconds};
 use crate::output;
 
 /// In which steps peaks are searched, in seconds, and how many steps are made at most.
@@ -112,8 +111,8 @@ fn ended_as_json(end: &End) -> Value {
         "outcome": end.cause().name(),
         "text": end.to_string(),
         "at_rest": end.rest.was_seen(),
-        "reached_s": trajectory.map(|trajectory| trajectory.reached.as_secs_f64()),
-        "duration_s": trajectory.map(|trajectory| trajectory.duration.as_secs_f64()),
+        "reached_s": trajectory.map(|trajectory| seconds(trajectory.reached)),
+        "duration_s": trajectory.map(|trajectory| seconds(trajectory.duration)),
         "left_curve": trajectory.map(|trajectory| trajectory.has_left_curve),
         "lag_ms": lag.map(|lag| milliseconds(lag.delay)),
         "residual_deg": lag.map(|lag| lag.residual_deg),
@@ -123,8 +122,4 @@ fn ended_as_json(end: &End) -> Value {
         "lateness_p99_ms": milliseconds(end.report.lateness(0.99)),
         "lateness_max_ms": milliseconds(end.report.lateness(1.0)),
     })
-}
-
-fn milliseconds(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
 }

@@ -10,6 +10,7 @@ use serde_json::Value;
 use super::now;
 use super::until::Until;
 use crate::failure::Failure;
+use crate::number::seconds;
 use crate::output;
 use crate::packed_status::PackedStatus;
 use crate::utc;
@@ -197,6 +198,5 @@ impl Packets {
 
 /// Now, to the millisecond.
 fn unix_time() -> f64 {
-    let time = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    (time.as_secs_f64() * 1000.0).round() / 1000.0
+    seconds(SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default())
 }
