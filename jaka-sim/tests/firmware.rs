@@ -181,7 +181,7 @@ fn keys_units_and_words_that_a_pack_changes_are_followed() {
 fn a_field_that_a_pack_calls_otherwise_in_rust_is_sent_as_before() {
     let text = "[[override]]\ntarget = 'RobotStatus'\nfield = 'joint_actual_position'\nname = 'joints'\n\
                 [robot_status]\njoint_actual_position = 'joints'\n";
-    let packet = |builder: jaka_sim::Builder| {
+    let packet = |builder: Builder| {
         let controller = builder.firmware(Firmware::Newer).start().expect("the pack is correct");
         Peer::status(&controller).receive()
     };
