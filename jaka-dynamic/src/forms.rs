@@ -14,8 +14,8 @@ use crate::translation::{Lost, Message, Translated, Translation, fields};
 
 /// Messages of a firmware in the spec's own forms, and back.
 ///
-/// Of a firmware that is not known, a message is read in the forms that it fits; a value that means one thing in one of
-/// these and another in another is lost.
+/// Of a firmware that is not known, a message is read in the forms that it fits best; a value whose forms the version
+/// alone tells apart is lost.
 #[derive(Debug)]
 pub struct Forms {
     own: Spec,
@@ -50,8 +50,7 @@ impl Forms {
     /// and so is one whose forms the version alone tells apart, as long as that is not known.
     pub fn read(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let known = fields(&self.own, message, members);
-        let fitting = self.fitting(message, members);
-        let Some(spec) = fitting.first() else { return Translated::default() };
+        let Some(spec) = self.fitting(message, members) else { return Translated::default() };
         let mut read = Translation::new(spec, &self.own).message(message, members);
         for field in known {
             let mut values = field.keys().filter_map(|key| members.get(key)).filter(|value| !value.is_null());
@@ -66,20 +65,20 @@ impl Forms {
         read
     }
 
-    /// The combinations of forms that a message fits best: with the fewest keys that no field has, and values that
-    /// cannot be read.
-    fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Vec<&Spec> {
-        let misfits = |spec: &&Spec| {
+    /// The combination of forms that a message fits best: with the fewest keys that no field has, and values that
+    /// cannot be read; the first of equal ones.
+    fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<&Spec> {
+        if let [spec] = &*self.of_firmware {
+            return Some(spec);
+        }
+        self.of_firmware.iter().min_by_key(|spec| {
             let fields = fields(spec, message, members);
             let is_misfit = |(key, value): &(&String, &Value)| {
                 let field = fields.iter().find(|field| field.wire == **key);
                 field.is_none_or(|field| !value.is_null() && !is_readable(spec, field, value))
             };
             members.iter().filter(is_misfit).count()
-        };
-        let misfits: Vec<_> = self.of_firmware.iter().map(|spec| (misfits(&spec), spec)).collect();
-        let least = misfits.iter().map(|(count, _)| *count).min();
-        misfits.into_iter().filter(|(count, _)| Some(*count) == least).map(|(_, spec)| spec).collect()
+        })
     }
 
     /// Translates the members of a message of the spec's own forms into those of the firmware; none where that is not

@@ -82,24 +82,14 @@ impl<'s> Translation<'s> {
 
     /// Keys in the first spec of fields of a message that the second has not, or whose values have no translation.
     pub fn lost(&self, message: Message<'_>) -> Vec<String> {
-        let mut lost = Vec::new();
-        for (from, to) in self.parts_of(message) {
-            let is_lost =
-                |field: &&Field| !counterpart(field, from, to).is_some_and(|other| self.can(of(field), of(other)));
-            lost.extend(from.iter().filter(is_lost).map(|field| field.wire.clone()));
-        }
-        lost
+        let can = |field: &Field, other: &Field| self.can(of(field), of(other));
+        self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(from, to, can)).collect()
     }
 
     /// Keys in the second spec of fields of a message that the first has not, or whose values have no translation.
     pub fn missing(&self, message: Message<'_>) -> Vec<String> {
-        let mut missing = Vec::new();
-        for (from, to) in self.parts_of(message) {
-            let is_missing =
-                |other: &&Field| !counterpart(other, to, from).is_some_and(|field| self.can(of(field), of(other)));
-            missing.extend(to.iter().filter(is_missing).map(|field| field.wire.clone()));
-        }
-        missing
+        let can = |other: &Field, field: &Field| self.can(of(field), of(other));
+        self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(to, from, can)).collect()
     }
 
     /// The fields of a message in both specs; of a choice, those of each variant.
@@ -299,6 +289,12 @@ pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Opt
         let is_free = |other: &&Field| own.iter().all(|own| own.name != other.name);
         others.iter().filter(is_free).find(|other| other.wire == field.wire && !field.wire.is_empty())
     })
+}
+
+/// Keys of fields that have no counterpart, or none whose value `can` be translated.
+fn unmatched(fields: &[Field], others: &[Field], can: impl Fn(&Field, &Field) -> bool) -> Vec<String> {
+    let is_unmatched = |field: &&Field| !counterpart(field, fields, others).is_some_and(|other| can(field, other));
+    fields.iter().filter(is_unmatched).map(|field| field.wire.clone()).collect()
 }
 
 /// Value of the other enum with the name of this one.
