@@ -72,7 +72,8 @@ pub(crate) fn must_be_askable(intents: &[Intent<'_>]) -> Result<(), Failure> {
     Err(not_done(intents, &format!(": {what}there is no terminal to ask on; use --yes to {do_it} anyway")))
 }
 
-/// Makes sure that the user wants this to be sent to the robot of this title, of which only the spec says what it does; with its fields as a table.
+/// Makes sure that the user wants this to be sent to the robot of this title, of which only the spec says what it does;
+/// with its fields as a table.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.
@@ -82,7 +83,8 @@ pub(crate) fn obtain(intent: &Intent<'_>, fields: &str, title: &str) -> Result<(
     if question::is_confirmed(&question(intent, fields, title))? { Ok(()) } else { Err(not_done(intents, "")) }
 }
 
-/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for which these are sent, or set-points.
+/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for
+/// which these are sent, or set-points.
 ///
 /// # Errors
 /// The user does not, or cannot be asked.

@@ -199,8 +199,8 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
     })
 }
 
-/// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does not
-/// convert, is left out.
+/// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
+/// not convert, is left out.
 fn as_built_in(
     spec: &Spec,
     changed: &[Changed],

@@ -1,4 +1,5 @@
-//! The guide to newer firmware: its commands are run against a simulated controller that has the firmware, and its pack is used.
+//! The guide to newer firmware: its commands are run against a simulated controller that has the firmware, and its pack
+//! is used.
 
 use std::fs;
 use std::path::{Path, PathBuf};

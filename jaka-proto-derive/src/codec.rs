@@ -8,8 +8,8 @@ use crate::forms;
 use crate::scope::{ident, names};
 use crate::value::write_type;
 
-/// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a name into a
-/// reference to its value.
+/// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a
+/// name into a reference to its value.
 pub(crate) fn write_all(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     // After a field that is always there, a comma is always due, and is one text with the key.
     let always = fields.iter().position(|field| !field.optional).map_or(fields.len(), |first| first + 1);

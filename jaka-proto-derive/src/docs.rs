@@ -1,6 +1,7 @@
 //! The documentation of the generated items.
 //!
-//! Text of the spec or of a pack is prose alone: rustdoc would test code, and pass on HTML. In it, commands are links to their items.
+//! Text of the spec or of a pack is prose alone: rustdoc would test code, and pass on HTML. In it, commands are links
+//! to their items.
 
 mod command;
 mod links;
@@ -13,8 +14,8 @@ use quote::quote;
 
 pub(crate) use links::{Docs, Place};
 
-/// Text of our own, which may have links, as doc attributes, one for each line. What it has of the spec's is a name in Rust or a
-/// code span.
+/// Text of our own, which may have links, as doc attributes, one for each line. What it has of the spec's is a name in
+/// Rust or a code span.
 pub(crate) fn own(text: &str) -> TokenStream {
     let lines = lines(text);
     quote!(#(#[doc = #lines])*)
@@ -93,8 +94,8 @@ impl<'s> Docs<'s> {
         quote!(#docs #alias)
     }
 
-    /// The first sentence, unit and range, what follows in the paragraph, and the spelling on the wire, which is not a command's
-    /// even where a command has it.
+    /// The first sentence, unit and range, what follows in the paragraph, and the spelling on the wire, which is not a
+    /// command's even where a command has it.
     fn summary(self, field: &Field, rest: &str) -> String {
         let measure = self.measure(field).map(|measure| format!(" {measure}")).unwrap_or_default();
         let text = self.prose(&format!("{}{measure}{rest}", first_sentence(&field.doc).0));

@@ -40,8 +40,8 @@ pub fn messages(input: TokenStream) -> TokenStream {
     expand(input, topic::messages)
 }
 
-/// An `impl Client` for each topic of the built-in spec, with a method for each command, and the topic's module, in which requests
-/// link to their methods.
+/// An `impl Client` for each topic of the built-in spec, with a method for each command, and the topic's module, in
+/// which requests link to their methods.
 ///
 /// For use in `jaka-sync`, where the type `Client` has a method `call`, and whose root has these modules.
 #[proc_macro]

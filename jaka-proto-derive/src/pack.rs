@@ -14,7 +14,8 @@ use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
 use crate::{error_codes, events, literal, topic};
 
-/// What `jaka_sync::pack!` hands over: the path of jaka-sync, that of the TOML file, and those of the packs on which it stands.
+/// What `jaka_sync::pack!` hands over: the path of jaka-sync, that of the TOML file, and those of the packs on which it
+/// stands.
 pub(crate) struct Input {
     sync: TokenStream,
     path: LitStr,

@@ -11,7 +11,8 @@ use crate::codec::{Manner, in_place, read_object, read_object_in_place};
 use crate::docs::{Docs, Place};
 use crate::scope::{ModulePaths, Scope};
 
-/// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the fields.
+/// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the
+/// fields.
 pub(crate) struct Input {
     sync: TokenStream,
     head: TokenStream,

@@ -45,8 +45,8 @@ impl Limits<'_> {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
     }
 
-    /// True for a number that may be sent: one within the range, or any number where newer firmware takes more and that is left to
-    /// the controller.
+    /// True for a number that may be sent: one within the range, or any number where newer firmware takes more and that
+    /// is left to the controller.
     pub fn permit(&self, value: f64, ranges: AdvisoryRanges) -> bool {
         self.allow(value) || self.advisory && ranges == AdvisoryRanges::Ignored
     }
@@ -157,7 +157,8 @@ pub struct InvalidArgument {
     pub value: String,
     /// What is allowed.
     pub allowed: String,
-    /// True where the check can be switched off by [`AdvisoryRanges`]: newer firmware may take the value, or it is only advised against.
+    /// True where the check can be switched off by [`AdvisoryRanges`]: newer firmware may take the value, or it is only
+    /// advised against.
     pub advisory: bool,
 }
 

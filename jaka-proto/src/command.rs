@@ -27,8 +27,8 @@ pub trait Command: Fields + Validate {
     /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field holds what the spec forbids, the firmware does not have the command or a field that is given, or it is not
-    /// known and decides the form of the request or the reply.
+    /// A field holds what the spec forbids, the firmware does not have the command or a field that is given, or it is
+    /// not known and decides the form of the request or the reply.
     fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
         check_request(Self::INFO, self, rules.into())
     }
@@ -85,13 +85,13 @@ pub struct CommandInfo {
     pub bare_reply: Option<&'static str>,
     /// The firmware that has the command.
     pub firmware: FirmwareRange,
-    /// True where the request, or a value of the reply, has another form by firmware that the version alone tells: it is
-    /// sent only once the firmware is known.
+    /// True where the request, or a value of the reply, has another form by firmware that the version alone tells: it
+    /// is sent only once the firmware is known.
     pub needs_firmware: bool,
 }
 
-/// What the spec says about a command: of its fields those that are not as for most, which are answered within the client's default
-/// time. For generated code.
+/// What the spec says about a command: of its fields those that are not as for most, which are answered within the
+/// client's default time. For generated code.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __command_info {
@@ -167,9 +167,9 @@ pub enum Role {
 }
 
 impl Role {
-    /// True for a command that another handle of the connection may send while a session, a stream or a trajectory moves
-    /// the arm: a stop, an output, a short query. Power, enabling and servo mode are kept back: at speed the arm would
-    /// fall into its brakes, where a stop brakes it.
+    /// True for a command that another handle of the connection may send while a session, a stream or a trajectory
+    /// moves the arm: a stop, an output, a short query. Power, enabling and servo mode are kept back: at speed the arm
+    /// would fall into its brakes, where a stop brakes it.
     pub fn passes_beside_set_points(self) -> bool {
         match self {
             Self::Stop | Self::Output | Self::State => true,

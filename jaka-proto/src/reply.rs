@@ -14,8 +14,8 @@ use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, re
 pub struct Reply<'a, R> {
     /// What the reply has in addition to its payload; `None` for a bare Python tuple, which has nothing else.
     pub envelope: Option<Envelope<'a>>,
-    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it was,
-    /// so that a missing field never hides a refusal.
+    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it
+    /// was, so that a missing field never hides a refusal.
     pub payload: Option<Result<R, DecodeError>>,
 }
 
@@ -42,8 +42,8 @@ impl Fields for Value {
 
 /// Reads a reply as that to `command`, whosever it is: what [`Envelope::read`] and [`read_payload`] read, in one pass.
 ///
-/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's. A reply that
-/// is odd is read as [`Envelope::read_odd`] does, and its payload where that is not odd itself.
+/// The payload means nothing unless the envelope names the command, or it is known otherwise that it is the command's.
+/// A reply that is odd is read as [`Envelope::read_odd`] does, and its payload where that is not odd itself.
 ///
 /// ```
 /// use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
@@ -140,8 +140,8 @@ pub fn read_envelope(reply: &str) -> Result<Option<Envelope<'_>>, DecodeError> {
 
 /// Reads the payload of an accepted reply.
 ///
-/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names. Values of
-/// other keys may be [odd](Envelope::read_odd).
+/// A bare Python tuple, which some firmware sends in place of a JSON reply, is read as the field that the spec names.
+/// Values of other keys may be [odd](Envelope::read_odd).
 ///
 /// # Errors
 /// A field is missing, comes twice or does not fit its type.

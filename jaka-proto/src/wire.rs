@@ -96,7 +96,8 @@ pub trait Fields: Sized {
         Self::read_fields(&mut Reader::new("{}")).ok()
     }
 
-    /// Reads the whole object over another one, whose memory is used again. After an error, what is there means nothing.
+    /// Reads the whole object over another one, whose memory is used again. After an error, what is there means
+    /// nothing.
     ///
     /// # Errors
     /// As [`read_fields`](Self::read_fields).

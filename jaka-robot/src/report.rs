@@ -90,7 +90,7 @@ impl Report {
         Self { waited, ..Self::default() }
     }
 
-    /// The same report, beside packets without these fields.
+    /// Notes fields that packets leave out.
     pub(crate) fn without(self, absent: &'static [&'static str]) -> Self {
         Self { absent, ..self }
     }

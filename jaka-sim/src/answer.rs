@@ -146,7 +146,8 @@ pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-/// Carries out a command, whose request is given as it came and in terms of the built-in spec; `request` is missing where only a pack has it.
+/// Carries out a command, whose request is given as it came and in terms of the built-in spec; `request` is missing
+/// where only a pack has it.
 fn carry_out(
     (text, own): (&str, &str),
     request: Option<&Request>,

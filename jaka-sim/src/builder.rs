@@ -21,8 +21,8 @@ use crate::{
     Underrun,
 };
 
-/// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come first have methods
-/// of their own.
+/// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come
+/// first have methods of their own.
 macro_rules! options {
     (
         with methods of their own [ $( $field:ident: $Field:ty = $initial:expr; )* ]
@@ -73,7 +73,8 @@ options! {
         replay: Option<ReplaySource> = None;
     ]
 
-    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated arm.
+    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated
+    /// arm.
     address: IpAddr = Ipv4Addr::LOCALHOST.into();
 
     /// Sets the arm: a Zu 5 if not set.
@@ -82,13 +83,15 @@ options! {
     /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
     delays: Delays = Delays::REAL;
 
-    /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if not set.
+    /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if
+    /// not set.
     ///
-    /// So an arm in motion is behind by its speed times the lag, 1.6 deg at 100 deg/s and 16 ms, and comes to rest later. It never
-    /// overshoots. On a real arm, commanded and actual joints were seen to differ by up to 0.023 deg; its lag is not known.
+    /// So an arm in motion is behind by its speed times the lag, 1.6 deg at 100 deg/s and 16 ms, and comes to rest
+    /// later. It never overshoots. On a real arm, commanded and actual joints were seen to differ by up to 0.023 deg;
+    /// its lag is not known.
     ///
-    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a lag the arm is
-    /// where it is commanded to be, so that a test can compare places in each cycle.
+    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a
+    /// lag the arm is where it is commanded to be, so that a test can compare places in each cycle.
     lag: Duration = Duration::ZERO;
 
     /// Sets what the arm does in servo mode when set-points stop while it has speed: [`Underrun::Hold`] if not set.
@@ -96,8 +99,9 @@ options! {
 
     /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
     ///
-    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps real time: the
-    /// times of faults, replays, and clients with their timeouts and servo periods. With any other number the controller does not start.
+    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps
+    /// real time: the times of faults, replays, and clients with their timeouts and servo periods. With any other
+    /// number the controller does not start.
     ///
     /// A stepped clock is not affected.
     time_scale: f64 = 1.0;
@@ -116,7 +120,8 @@ options! {
 }
 
 impl Builder {
-    /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001 and 10000.
+    /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001
+    /// and 10000.
     #[must_use]
     pub fn ports(mut self, commands: u16, status: u16) -> Self {
         self.command_port = commands;
@@ -124,15 +129,16 @@ impl Builder {
         self
     }
 
-    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: those of the firmware if not set.
+    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: those of the
+    /// firmware if not set.
     #[must_use]
     pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
         self.habits = Some(habits.into());
         self
     }
 
-    /// Sets what makes the drives stop the arm with an error event: nothing if not set, since the thresholds of real drives are not
-    /// published.
+    /// Sets what makes the drives stop the arm with an error event: nothing if not set, since the thresholds of real
+    /// drives are not published.
     ///
     /// ```
     /// use std::time::Duration;
@@ -149,14 +155,16 @@ impl Builder {
         self
     }
 
-    /// Has an input change by itself, at times that count from the start. An input that the controller does not have keeps it from starting.
+    /// Has an input change by itself, at times that count from the start. An input that the controller does not have
+    /// keeps it from starting.
     #[must_use]
     pub fn input(mut self, script: impl Into<InputScript>) -> Self {
         self.inputs.push(script.into());
         self
     }
 
-    /// Has something happen to the arm or to an input at a time of the controller since its start, in the first controller cycle that is not before it.
+    /// Has something happen to the arm or to an input at a time of the controller since its start, in the first
+    /// controller cycle that is not before it.
     ///
     /// An input that the controller does not have keeps it from starting.
     ///
@@ -178,7 +186,8 @@ impl Builder {
         self
     }
 
-    /// Lets time go on by [`Controller::advance`](crate::Controller::advance) alone, so that a test decides when the arm moves.
+    /// Lets time go on by [`Controller::advance`](crate::Controller::advance) alone, so that a test decides when the
+    /// arm moves.
     ///
     /// Status packets are sent as time goes on, and each reader gets one on connecting.
     #[must_use]
@@ -187,11 +196,11 @@ impl Builder {
         self
     }
 
-    /// Takes the time from a simulated clock: that of connections, faults and status packets, and the controller's own. The clock of
-    /// the system if not set.
+    /// Takes the time from a simulated clock: that of connections, faults and status packets, and the controller's own.
+    /// The clock of the system if not set.
     ///
-    /// A client of jaka-sync with the same clock takes part in it, and so does each thread that waits by a method of the controller. Time goes on
-    /// as soon as all wait, so that hours pass in seconds. See [`SimulatedClock`].
+    /// A client of jaka-sync with the same clock takes part in it, and so does each thread that waits by a method of
+    /// the controller. Time goes on as soon as all wait, so that hours pass in seconds. See [`SimulatedClock`].
     #[must_use]
     pub fn clock(mut self, clock: &SimulatedClock) -> Self {
         self.time = Time::simulated(clock);
@@ -207,15 +216,17 @@ impl Builder {
         self
     }
 
-    /// Adds the programs of a folder and its subfolders: files of requests, one a line, as they go over the wire. A program's
-    /// name is that of its file, with the subfolder's before it, such as `track/part.jks`. They are read at the start.
+    /// Adds the programs of a folder and its subfolders: files of requests, one a line, as they go over the wire. A
+    /// program's name is that of its file, with the subfolder's before it, such as `track/part.jks`. They are read at
+    /// the start.
     #[must_use]
     pub fn programs_from(mut self, folder: impl Into<PathBuf>) -> Self {
         self.folders.push(folder.into());
         self
     }
 
-    /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the start.
+    /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the
+    /// start.
     ///
     /// Commands of a pack are checked and answered by what it says: with its example, or else with zeros. To answer
     /// something else, see [`Controller::set_reply`](crate::Controller::set_reply). A command that the simulated
@@ -224,9 +235,9 @@ impl Builder {
     ///
     /// Keys that a pack names otherwise than the built-in spec, other words for false and true, units that convert, and
     /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in those
-    /// of [`State::version`](crate::State::version). A command of which a pack gives a key another type or another meaning
-    /// is refused with a message that names the key, since the state has no value for it; such a key of status packets is an
-    /// error at the start. A reply whose value the pack does not allow is refused.
+    /// of [`State::version`](crate::State::version). A command of which a pack gives a key another type or another
+    /// meaning is refused with a message that names the key, since the state has no value for it; such a key of status
+    /// packets is an error at the start. A reply whose value the pack does not allow is refused.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());
@@ -270,8 +281,8 @@ impl Builder {
     /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
     ///
     /// Status packets of the recording are sent at their times; after the last one of a connection, it is repeated each
-    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. Where the client deviates from the
-    /// recording is listed by [`Controller::deviations`](crate::Controller::deviations).
+    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. Where the client deviates from
+    /// the recording is listed by [`Controller::deviations`](crate::Controller::deviations).
     ///
     /// ```
     /// use std::io::{Read, Write};

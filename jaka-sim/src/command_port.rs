@@ -88,8 +88,8 @@ fn take_over(shared: &Shared) {
     }
 }
 
-/// Closes the connections of the status port, as the end of the session closes this one. New ones are accepted: those of a
-/// controller that has been started again.
+/// Closes the connections of the status port, as the end of the session closes this one. New ones are accepted: those
+/// of a controller that has been started again.
 fn shut_down(shared: &Shared) {
     // If the system has no socket left to wait with, only what has been accepted so far is closed.
     shared.status_listener.wait_until_accepted();
@@ -145,8 +145,8 @@ fn ignore(requests: &mut RequestReader, connection: &CommandConnection) -> NextS
 
 /// Answers one request.
 ///
-/// The state has changed before the request is in the log, and the writer is locked until the reply is written or waits: a thread
-/// that has waited for the request sees its effects, and can release its reply.
+/// The state has changed before the request is in the log, and the writer is locked until the reply is written or
+/// waits: a thread that has waited for the request sees its effects, and can release its reply.
 fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared, reply: &mut Writer) -> NextStep {
     let mut writer = connection.writer();
     reply.clear();

@@ -39,7 +39,8 @@ pub(crate) struct CommandEntry {
     pub(crate) not_followed: Option<String>,
     /// The code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
-    /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes it.
+    /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes
+    /// it.
     pub(crate) sample: String,
     /// The same by the built-in spec, if it has the command.
     pub(crate) typed_sample: String,
@@ -196,14 +197,15 @@ impl CommandEntry {
     }
 }
 
-/// Fails where a pack gives a key of status packets another type or another meaning than the built-in spec has: the state
-/// has no value for it, and zeros in its place would be false.
+/// Fails where a pack gives a key of status packets another type or another meaning than the built-in spec has: the
+/// state has no value for it, and zeros in its place would be false.
 fn check_status_followed(built_in: &Spec, spec: &Spec) -> Result<(), String> {
     let lost = Translation::new(built_in, spec).lost(Message::Status);
     lost.first().map_or(Ok(()), |key| Err(format!("{}, in status packets", not_followed(key))))
 }
 
-/// Message of the refusal of a command of which a pack gives a key another type or another meaning; none if it is followed.
+/// Message of the refusal of a command of which a pack gives a key another type or another meaning; none if it is
+/// followed.
 fn command_not_followed(built_in: &Spec, spec: &Spec, command: &str) -> Option<String> {
     built_in.command(command)?;
     let missing = Translation::new(spec, built_in).missing(Message::Request(command));

@@ -61,11 +61,12 @@ pub struct State {
     pub tcp_speed: f64,
     /// Whether the robot is in position. Follows from the motion.
     pub in_position: bool,
-    /// Whether the arm is at rest: it does not move, and nothing waits to move it. Follows from the motion, at once where
-    /// `in_position` takes its time.
+    /// Whether the arm is at rest: it does not move, and nothing waits to move it. Follows from the motion, at once
+    /// where `in_position` takes its time.
     pub at_rest: bool,
-    /// Positions of the six joints as commanded, in degrees: ahead of `joint_position` by [`Builder::lag`](crate::Builder::lag) and
-    /// [`Habit::Lead`](crate::Habit::Lead), and equal without. Follows from the motion.
+    /// Positions of the six joints as commanded, in degrees: ahead of `joint_position` by
+    /// [`Builder::lag`](crate::Builder::lag) and [`Habit::Lead`](crate::Habit::Lead), and equal without. Follows from
+    /// the motion.
     pub joint_commanded_position: JointPosition,
     /// Pose as commanded, which belongs to `joint_commanded_position`.
     pub tcp_commanded_pose: Pose,
@@ -125,8 +126,8 @@ pub struct State {
     pub torque_sensor: TorqueSensor,
     /// Control that yields to forces.
     pub admittance: AdmittanceControl,
-    /// Fields of replies that settings have set, by `cmdName` of the query and then by name in Rust: of the queries for which
-    /// the spec, or a pack, says `remembers`.
+    /// Fields of replies that settings have set, by `cmdName` of the query and then by name in Rust: of the queries for
+    /// which the spec, or a pack, says `remembers`.
     pub remembered: BTreeMap<String, Map<String, Value>>,
 }
 

@@ -14,7 +14,8 @@ use crate::json_text::respace;
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, ReplyStyle, State};
 
-/// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most of what a controller does.
+/// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most
+/// of what a controller does.
 #[derive(Debug, Default)]
 pub(crate) struct Part {
     shown: Option<Shown>,
@@ -30,7 +31,8 @@ enum Shown {
     State(String),
 }
 
-/// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the user's value.
+/// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the
+/// user's value.
 pub(crate) fn packet(
     state: &State,
     firmware: Firmware,

@@ -230,9 +230,10 @@ impl Client {
     }
 
     /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware
-    /// does not have, according to the spec, is refused before it is sent, and values have the forms of this firmware, where
-    /// firmware differs: a command whose form depends on it is refused before ([`ErrorKind::FirmwareUnknown`]). All handles
-    /// of the connection share what is known; for status packets, see [`Monitor::set_firmware`](crate::Monitor::set_firmware).
+    /// does not have, according to the spec, is refused before it is sent, and values have the forms of this firmware,
+    /// where firmware differs: a command whose form depends on it is refused before ([`ErrorKind::FirmwareUnknown`]).
+    /// All handles of the connection share what is known; for status packets, see
+    /// [`Monitor::set_firmware`](crate::Monitor::set_firmware).
     ///
     /// By default, firmware is not checked. Raw calls and stop handles are never checked.
     ///

@@ -135,8 +135,8 @@ impl Config {
         self.max_frame
     }
 
-    /// Sets whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised. Enforced
-    /// by default.
+    /// Sets whether advisory ranges are enforced: those that newer firmware has widened, and those that are only
+    /// advised. Enforced by default.
     pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
         self.advisory_ranges = ranges;
         self
@@ -170,7 +170,8 @@ impl Config {
         self.reconnect
     }
 
-    /// Records all connections that are made with this configuration. Nothing is recorded by default, which costs nothing.
+    /// Records all connections that are made with this configuration. Nothing is recorded by default, which costs
+    /// nothing.
     pub fn recorder(mut self, recorder: Recorder) -> Self {
         self.recorder = Some(recorder);
         self
@@ -192,8 +193,8 @@ impl Config {
         self.status_sampling
     }
 
-    /// Has all that is connected take its time from a simulated clock, for tests: see [`SimulatedClock`](crate::SimulatedClock). The system's clock by default.
-    /// Needs the feature `simulated-clock`.
+    /// Has all that is connected take its time from a simulated clock, for tests: see
+    /// [`SimulatedClock`](crate::SimulatedClock). The system's clock by default. Needs the feature `simulated-clock`.
     ///
     /// Making connections takes real time, and no simulated time.
     #[cfg(feature = "simulated-clock")]

@@ -48,12 +48,13 @@ use crate::{Config, Disconnect, Error};
 /// One command connection.
 ///
 /// # Order of locks
-/// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread waiting. The
-///    [`Gate`] runs under it: it may take 2, and must not use the connection.
-/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state of an arm, never
-///    two at once. A thread that holds one of these must not take 1.
-/// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which are the state of
-///    a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue (`recorder/queue.rs`); and `firmware`.
+/// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread
+///    waiting. The [`Gate`] runs under it: it may take 2, and must not use the connection.
+/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state
+///    of an arm, never two at once. A thread that holds one of these must not take 1.
+/// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which
+///    are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue
+///    (`recorder/queue.rs`); and `firmware`.
 ///
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
 /// a thread takes out of the state and puts back.

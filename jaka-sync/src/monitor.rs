@@ -170,9 +170,9 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().latest.clone()
     }
 
-    /// Sets the firmware by which packets are read from now on, where a value has one form or another by firmware and the
-    /// packet does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not
-    /// fit.
+    /// Sets the firmware by which packets are read from now on, where a value has one form or another by firmware and
+    /// the packet does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value
+    /// does not fit.
     pub fn set_firmware(&self, firmware: Option<FirmwareVersion>) {
         self.board.lock().firmware = firmware;
     }

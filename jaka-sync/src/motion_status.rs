@@ -53,7 +53,7 @@ use crate::Snapshot;
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     /// The packet in terms of the built-in type.
     ///
-    /// What is left out counts as a key that did not come. While packets leave out a field that is required, or an
+    /// A field that is left out counts as a key that did not come. While packets leave out a required field, or an
     /// `error_code` that is not declared [absent](Self::absent), no motion is sent. What does not fit
     /// ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot
     /// be read, and motions are kept back until `jaka_robot::Robot::acknowledge`.

@@ -1,13 +1,13 @@
 //! Commands from a TOML file in the user's crate.
 
-/// Makes a module of a command pack: a TOML file of yours that adds commands to the built-in spec, or changes what is there.
+/// Makes a module of a command pack: a TOML file of yours that adds commands to the built-in spec, or changes what is
+/// there.
 ///
-/// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of `newer.toml`
-/// comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait `NewerCommands`, whose
-/// methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that implements
-/// [`Call`](crate::Call).
-/// An edit of the file rebuilds your crate, and what is wrong in it is a compiler error at the macro's path that names file, line
-/// and column.
+/// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of
+/// `newer.toml` comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait
+/// `NewerCommands`, whose methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that
+/// implements [`Call`](crate::Call). An edit of the file rebuilds your crate, and what is wrong in it is a compiler
+/// error at the macro's path that names file, line and column.
 ///
 /// ```toml
 /// # newer.toml
@@ -56,9 +56,9 @@
 /// From the first look at a controller with newer firmware to a finished pack: the guide in
 /// [`newer_firmware`](crate::newer_firmware).
 ///
-/// Where a later version of this crate has an entry of your pack in its own spec, the module keeps the entry's names, and they stand for
-/// this crate's items. `jaka spec check` tells which entries these are. If this crate has something else under the name, so that your
-/// program would notice, that is a compiler error.
+/// Where a later version of this crate has an entry of your pack in its own spec, the module keeps the entry's names,
+/// and they stand for this crate's items. `jaka spec check` tells which entries these are. If this crate has something
+/// else under the name, so that your program would notice, that is a compiler error.
 #[macro_export]
 macro_rules! pack {
     ($($input:tt)+) => {

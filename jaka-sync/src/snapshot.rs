@@ -45,8 +45,8 @@ impl Snapshot {
         self.unfit.iter().find(|error| error.field().is_empty())
     }
 
-    /// Why the packet does not show whether the arm is stopped: that cannot be read, or is not there at all; or a field
-    /// is not there that a pack maps, or that a program's own [type](crate::MotionStatus) must tell.
+    /// Reason for which the packet does not show whether the arm is stopped: that cannot be read, or is not there at
+    /// all; or a field is not there that a pack maps, or that a program's own [type](crate::MotionStatus) must tell.
     pub fn unreadable(&self) -> Option<DecodeError> {
         let unfit = || self.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
         self.panicked().or_else(unfit).or(self.untold.as_ref()).cloned().or_else(|| {

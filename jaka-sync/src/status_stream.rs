@@ -19,8 +19,8 @@ use crate::{Config, Disconnect, Error, ErrorKind};
 /// [`newest_packet`](Self::newest_packet) where the present matters, [`next_packet`](Self::next_packet) where every
 /// packet does. Several readers can be connected at once.
 ///
-/// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) lists it. Bytes that do not belong to a complete packet are
-/// skipped up to the next packet.
+/// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) lists it. Bytes that do not belong to a
+/// complete packet are skipped up to the next packet.
 ///
 /// ```no_run
 /// use jaka_sync::StatusStream;
@@ -82,7 +82,8 @@ impl StatusStream {
         self.next_packet_as()
     }
 
-    /// The same, read as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice of keys of your own.
+    /// The same, read as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice
+    /// of keys of your own.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -91,7 +92,8 @@ impl StatusStream {
         self.read_packet(S::decode)
     }
 
-    /// The same, read into the value of an earlier packet, whose memory is reused: packets of the same shape allocate nothing.
+    /// The same, read into the value of an earlier packet, whose memory is reused: packets of the same shape allocate
+    /// nothing.
     ///
     /// After an error, the value is meaningless.
     ///
@@ -128,8 +130,8 @@ impl StatusStream {
         self.read_packet(|reader| status.decode_into(reader))
     }
 
-    /// Sets the firmware by which packets are read, where a value has one form or another by firmware and the packet does
-    /// not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not fit.
+    /// Sets the firmware by which packets are read, where a value has one form or another by firmware and the packet
+    /// does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not fit.
     pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
         self.firmware = firmware;
     }
@@ -139,8 +141,8 @@ impl StatusStream {
         (!self.packets.text.is_empty()).then_some(&*self.packets.text)
     }
 
-    /// The fields of the packet read last that do not fit the spec, each once, with what was expected and what was found: they are absent
-    /// in what was read of it. Usually none.
+    /// The fields of the packet read last that do not fit the spec, each once, with what was expected and what was
+    /// found: they are absent in what was read of it. Usually none.
     ///
     /// [`DecodeError::is_in`] asks for a field by its name.
     pub fn unfit(&self) -> &[DecodeError] {

@@ -25,7 +25,8 @@ pub struct Pack {
     pub spec: Spec,
     /// Entries of the pack that change nothing, since the spec has by now what they say.
     pub notes: Vec<Error>,
-    /// Why no module can be made of the pack: its file's name, which that of the module would be. It can be used at run time all the same.
+    /// Why no module can be made of the pack: its file's name, which that of the module would be. It can be used at run
+    /// time all the same.
     pub module_errors: Vec<Error>,
     /// What is new.
     topic: Topic,

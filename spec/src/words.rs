@@ -24,8 +24,8 @@ pub fn range(range: Range) -> Option<String> {
     }
 }
 
-/// `more than 0, at most 265`, or ``-360 to 360, where `mode` is 0 (Absolute)``: what is advised of a field, which stands among `fields`;
-/// nothing where that is nothing. `name` says how other fields are called.
+/// `more than 0, at most 265`, or ``-360 to 360, where `mode` is 0 (Absolute)``: what is advised of a field, which
+/// stands among `fields`; nothing where that is nothing. `name` says how other fields are called.
 pub fn advised(spec: &Spec, fields: &[Field], field: &Field, name: impl Fn(&Field) -> String) -> Option<String> {
     let sibling = |rust: &String| fields.iter().find(|other| other.name == *rust);
     let called = |rust: &String| sibling(rust).map_or_else(|| rust.clone(), &name);
@@ -92,7 +92,8 @@ pub fn type_form(form: &TypeForm) -> String {
     format!("firmware {}: {what}", versions(&form.versions).unwrap_or_default())
 }
 
-/// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an assumption.
+/// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an
+/// assumption.
 pub fn known_to(command: &Command) -> Option<String> {
     let known = if command.evidence.is_some() { "Taken to be known" } else { "Known" };
     versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
@@ -148,8 +149,8 @@ pub fn changes(changes: &[Change]) -> Option<String> {
     (!words.is_empty()).then(|| list(&words, "and"))
 }
 
-/// `all joints; target joint_position (absolute where mode is 0); speed speed`: a motion by the names that `name` gives its
-/// fields.
+/// `all joints; target joint_position (absolute where mode is 0); speed speed`: a motion by the names that `name` gives
+/// its fields.
 pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
     let path = match motion.path {
         Some(PathKind::Joints) => "all joints",

@@ -108,8 +108,8 @@ fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
     })
 }
 
-/// The command that is meant, it seems. One that moves the arm or switches power is only suggested where nothing but signs and case differ: what is
-/// suggested gets typed, and another motion is not what was meant.
+/// The command that is meant, it seems. One that moves the arm or switches power is only suggested where nothing but
+/// signs and case differ: what is suggested gets typed, and another motion is not what was meant.
 fn near<'s>(spec: &'s Spec, name: &str) -> Option<&'s Command> {
     let plain = |name: &str| name.replace(['-', '_'], "").to_lowercase();
     let is_same = |command: &&Command| [&command.wire, &command.name].iter().any(|known| plain(known) == plain(name));

@@ -29,7 +29,8 @@ pub enum Failure {
 
 /// How a thread reads replies: as the type that it waits for, in the one pass that also attributes each reply.
 pub trait ReadReply {
-    /// Reads a reply as the one that is waited for, whosever it is. `None` for a bare Python tuple, which has no envelope.
+    /// Reads a reply as the one that is waited for, whosever it is. `None` for a bare Python tuple, which has no
+    /// envelope.
     ///
     /// # Errors
     /// The text is neither an object by its quotes and brackets nor a Python tuple.
@@ -129,7 +130,8 @@ impl<'r> Waiter<'r> {
         self.outcome.is_some()
     }
 
-    /// Reads a reply, as its own if it waits for one. [`Exchange::receive`](super::Exchange::receive) then tells whose it is.
+    /// Reads a reply, as its own if it waits for one. [`Exchange::receive`](super::Exchange::receive) then tells whose
+    /// it is.
     ///
     /// # Errors
     /// The text is neither an object by its quotes and brackets nor a Python tuple.

@@ -88,8 +88,8 @@ impl DecodeError {
         self
     }
 
-    /// The field concerned, such as `torque_sensor.settings`; empty for the message as a whole. [`is_in`](Self::is_in) asks
-    /// for the outermost field.
+    /// The field concerned, such as `torque_sensor.settings`; empty for the message as a whole. [`is_in`](Self::is_in)
+    /// asks for the outermost field.
     pub fn field(&self) -> &str {
         &self.0.path
     }

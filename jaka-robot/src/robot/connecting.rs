@@ -132,7 +132,8 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
     ///   without this field passes: then only the controller refuses.
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
-    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is enabled all the same.
+    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is
+    ///   enabled all the same.
     /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
     ///   packet says.
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.

@@ -13,8 +13,8 @@ pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
 }
 
-/// Gives a reply the keys and forms that the pack describes, which the handlers do not know. False where the state has a
-/// value that the pack does not allow: then nothing is left of the reply.
+/// Gives a reply the keys and forms that the pack describes, which the handlers do not know. False where the state has
+/// a value that the pack does not allow: then nothing is left of the reply.
 pub(super) fn complete(spec_index: &SpecIndex, command: &Command, out: &mut Writer) -> bool {
     let Some(written) = accepted(out.as_str()) else { return true };
     let (spec, mut reply) = (&spec_index.spec, written.clone());

@@ -42,9 +42,9 @@ impl ReplyStyle {
 
     /// The style of a firmware.
     ///
-    /// [`Firmware::Document`] writes replies as the document's examples have them, without blanks. [`Firmware::V1_5_14`] puts
-    /// blanks between the parts, writes numbers with a fraction, and tells the controller's event; [`Firmware::Newer`] does
-    /// that too, and writes truth values as its packets do.
+    /// [`Firmware::Document`] writes replies as the document's examples have them, without blanks.
+    /// [`Firmware::V1_5_14`] puts blanks between the parts, writes numbers with a fraction, and tells the controller's
+    /// event; [`Firmware::Newer`] does that too, and writes truth values as its packets do.
     pub const fn of(firmware: Firmware) -> Self {
         firmware.shape().reply_style
     }
@@ -108,7 +108,8 @@ pub enum CodeStyle {
     Text,
     /// As a number: `0`.
     Number,
-    /// As a string of hexadecimal digits: `"0x0"`. Negative codes, of which no such form is known, as [`Text`](Self::Text).
+    /// As a string of hexadecimal digits: `"0x0"`. Negative codes, of which no such form is known, as
+    /// [`Text`](Self::Text).
     Hexadecimal,
 }
 
@@ -119,8 +120,8 @@ pub enum TruthStyle {
     /// Each in the form that the document prints for it, such as `"True"`, `"robot_enabled"`, `1` or `true`.
     #[default]
     Document,
-    /// Each in the form in which status packets have it: `enabled` as `true`, `powered_on` as `1`. Words that packets do
-    /// not have become `true` and `false`, other forms stay.
+    /// Each in the form in which status packets have it: `enabled` as `true`, `powered_on` as `1`. Words that packets
+    /// do not have become `true` and `false`, other forms stay.
     Packet,
     /// `true` and `false`.
     Literals,
@@ -143,8 +144,8 @@ pub enum NumberStyle {
     Fractions,
     /// As strings: `"3"`, `"0.5"`.
     Texts,
-    /// As controllers write them: what may have a fraction has one, and counts have none: `3.0` for a mass, `3` for a level.
-    /// Joint positions and poses have at most so many decimals: `-263.405107`.
+    /// As controllers write them: what may have a fraction has one, and counts have none: `3.0` for a mass, `3` for a
+    /// level. Joint positions and poses have at most so many decimals: `-263.405107`.
     Decimals(u8),
 }
 

@@ -43,8 +43,9 @@ pub struct TorqueSensor {
     pub mode: i64,
     /// Whether the sensor works. No command sets it, since sources contradict each other on the mode that is on.
     pub working: bool,
-    /// The contact force that it measures while it works, as packets show it: along the axes of the tool frame in use, N and Nm, of which
-    /// the document says nothing. Follows from a [`Contact`](crate::Contact), and stays as it is set without one.
+    /// The contact force that it measures while it works, as packets show it: along the axes of the tool frame in use,
+    /// N and Nm, of which the document says nothing. Follows from a [`Contact`](crate::Contact), and stays as it is set
+    /// without one.
     pub contact_force: [f64; 6],
     /// How the sensor is reached.
     pub communication: TorqueSensorCommunication,

@@ -1,7 +1,7 @@
 //! Whether the spec has by now what a pack has, so that a program that uses the pack can use the spec's instead.
 //!
-//! It can where its code compiles as before and means the same: where all names, types and units of the pack are there, and no argument
-//! more. What else the spec says, such as another range, counts.
+//! It can where its code compiles as before and means the same: where all names, types and units of the pack are there,
+//! and no argument more. What else the spec says, such as another range, counts.
 
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, TypeDef, TypeId, TypeKind, Variant};
 

@@ -17,8 +17,8 @@ pub struct Module {
     pub codes: Vec<ErrorCode>,
     /// The events of which the module tells.
     pub events: Vec<Event>,
-    /// The `cmdName`s of the commands whose methods bear the module's name: those that the pack changes, also where the spec has the
-    /// change by now.
+    /// The `cmdName`s of the commands whose methods bear the module's name: those that the pack changes, also where the
+    /// spec has the change by now.
     pub changed: BTreeSet<String>,
     /// The `cmdName`s of the commands that the spec has by now as the pack has them, each with its name in the pack.
     pub covered_commands: BTreeMap<String, String>,
@@ -27,8 +27,8 @@ pub struct Module {
 }
 
 impl Module {
-    /// The name of the method of a command. That of a changed command bears the module's name, since the client has a method
-    /// of the plain name.
+    /// The name of the method of a command. That of a changed command bears the module's name, since the client has a
+    /// method of the plain name.
     pub fn method(&self, command: &Command) -> String {
         let name = self.covered_commands.get(&command.wire).unwrap_or(&command.name);
         if self.changed.contains(&command.wire) { format!("{name}_{}", self.topic.name) } else { name.clone() }

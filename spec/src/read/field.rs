@@ -13,7 +13,8 @@ use crate::scalar::Scalar;
 use crate::unique::Unique;
 use crate::version::Versions;
 
-/// Fields of a struct, from `[[… .key]]`. One written as an object has keys, none of which is one of `taken`; one written as an array has no `taken`.
+/// Fields of a struct, from `[[… .key]]`. One written as an object has keys, none of which is one of `taken`; one
+/// written as an array has no `taken`.
 pub(crate) fn fields<'s>(
     item: &Item<'_, 's>,
     (key, what): (&'static str, &str),
@@ -105,8 +106,8 @@ fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bo
     true
 }
 
-/// The field as an `[[override]]` changes it: what the table does not say stays as it is. `taken` are keys that it may not have; an
-/// element of an array has none.
+/// The field as an `[[override]]` changes it: what the table does not say stays as it is. `taken` are keys that it may
+/// not have; an element of an array has none.
 pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str], index: &mut Index<'s>) -> Field {
     let wire = if item.has("wire") { key(item, taken).value } else { base.wire.clone() };
     if base.wire.is_empty() && !wire.is_empty() {

@@ -58,11 +58,11 @@ impl fmt::Display for Change {
 
 /// Compares two specs: all changes, those with the greatest impact first, then by place.
 ///
-/// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands for
-/// them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
+/// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands
+/// for them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
 ///
-/// The impact follows from the code that the macros of `jaka-proto-derive` write, and `tests/semver` compares it with the
-/// compiler's verdict on random edits:
+/// The impact follows from the code that the macros of `jaka-proto-derive` write, and `tests/semver` compares it with
+/// the compiler's verdict on random edits:
 ///
 /// | change | impact | because |
 /// |---|---|---|
@@ -122,7 +122,8 @@ pub fn impact(changes: &[Change]) -> Option<Impact> {
     changes.iter().map(|change| change.impact).max()
 }
 
-/// How many changes there are and the greatest impact, such as `3 additions, 1 change, minor`; `no differences` if there are none.
+/// How many changes there are and the greatest impact, such as `3 additions, 1 change, minor`; `no differences` if
+/// there are none.
 pub fn summary(changes: &[Change]) -> String {
     let Some(impact) = impact(changes) else { return "no differences".to_owned() };
     let count = |what: &str| changes.iter().filter(|change| change.what == what).count();

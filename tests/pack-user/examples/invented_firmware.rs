@@ -1,8 +1,8 @@
 //! Programs with a robot of an invented firmware, which differ from others in TOML alone.
 //!
 //! With the two ports of the controller on loopback: commands of a pack, a motion that is waited for, a stop, and a
-//! setting. With `upstream` and the ports of two controllers, of the invented firmware and of an older one: the same code
-//! for both, by a spec in which values have the forms of both.
+//! setting. With `upstream` and the ports of two controllers, of the invented firmware and of an older one: the same
+//! code for both, by a spec in which values have the forms of both.
 
 use std::error::Error;
 use std::time::Duration;

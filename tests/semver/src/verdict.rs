@@ -49,8 +49,8 @@ impl Verdict {
     }
 }
 
-/// Disagreement on additions, if there is one, by the compiler's verdict on programs of the newer spec with the crate of
-/// the older one.
+/// Disagreement on additions, if there is one, by the compiler's verdict on programs of the newer spec with the crate
+/// of the older one.
 pub(crate) fn addition_problem(
     old: &Spec,
     new: &Spec,

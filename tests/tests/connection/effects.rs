@@ -1,8 +1,10 @@
-//! Each command of the spec does something: a query gives back a setting, port 10000 shows a motion, a wrong state is refused.
+//! Each command of the spec does something: a query gives back a setting, port 10000 shows a motion, a wrong state is
+//! refused.
 //!
-//! A module for each topic of the document lists its commands with the test of each. These lists are written by hand, so that no
-//! command of the document loses its test unnoticed; the document is complete, so they do not grow. Settings that a query
-//! gives back are taken from the spec, and so are commands beyond the document, whose examples are sent. Time goes on when a test says so.
+//! A module for each topic of the document lists its commands with the test of each. These lists are written by hand,
+//! so that no command of the document loses its test unnoticed; the document is complete, so they do not grow. Settings
+//! that a query gives back are taken from the spec, and so are commands beyond the document, whose examples are sent.
+//! Time goes on when a test says so.
 
 #[macro_use]
 mod arm;

@@ -258,7 +258,7 @@ fn fields_of_requests() {
     );
 }
 
-/// What fields are to constructors, setters and methods: found by `tests/semver`.
+/// Changes that alter constructors, setters and methods: found by `tests/semver`.
 #[test]
 fn functions_that_take_fields() {
     let line = "[[command.request]]\nwire = \"line\"\nname = \"relative_to_tool\"\ntype = \"float\"\noptional = true\ndoc = \"A line.\"\n\n[[command.example]]";

@@ -18,7 +18,8 @@ use crate::packs::Protocol;
 use crate::target::Target;
 use crate::{motion, output, seat};
 
-/// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go on.
+/// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go
+/// on.
 ///
 /// # Errors
 /// The first failure.

@@ -75,8 +75,8 @@ impl Outline {
     }
 }
 
-/// The options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`, each with the value that the word
-/// gives it. One that takes a value is the last.
+/// The options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`, each with the value that the
+/// word gives it. One that takes a value is the last.
 fn options<'c, 'w>(known: &'c Command, word: &'w str) -> Vec<(&'c Arg, Option<&'w str>)> {
     let mut found = Vec::new();
     if let Some(long) = word.strip_prefix("--") {

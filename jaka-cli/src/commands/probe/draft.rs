@@ -169,8 +169,8 @@ impl<'f> Draft<'f> {
         }
     }
 
-    /// Form of the field's type in the controller's firmware: an array whose elements came as an object by their names, or
-    /// an object that came as an array.
+    /// Form of the field's type in the controller's firmware: an array whose elements came as an object by their names,
+    /// or an object that came as an array.
     fn form(&self, finding: &Finding, departure: &Departure, location: &Location<'f>) -> Option<String> {
         let field = location.fields.iter().find(|field| key(field) == location.key)?;
         let (Type::Named(id), Ok(version)) = (&field.ty, self.version.parse::<FirmwareVersion>()) else { return None };

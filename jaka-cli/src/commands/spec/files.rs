@@ -12,7 +12,8 @@ use crate::packs;
 /// What stands for the built-in spec on a command line.
 const BUILTIN_NAME: &str = "builtin";
 
-/// The TOML files of a folder, each with its path and text: those that the built-in spec has in its order, then the others by name.
+/// The TOML files of a folder, each with its path and text: those that the built-in spec has in its order, then the
+/// others by name.
 ///
 /// A `Cargo.toml` is not part of the spec: the folder of its crate has one.
 pub(super) fn read(folder: &Path) -> Result<Vec<(String, String)>, Failure> {

@@ -158,7 +158,8 @@ impl Packets {
         }
     }
 
-    /// No packet has come for a moment: what is due because of that, if something is. Fails where that lasts for too long.
+    /// No packet has come for a moment: what is due because of that, if something is. Fails where that lasts for too
+    /// long.
     fn nothing_came(&mut self, error: Error) -> Result<Option<Overdue>, Failure> {
         let ErrorKind::StatusTimeout { address, .. } = error.kind() else { return Err(error.into()) };
         let lasts = now().saturating_duration_since(self.silence.since);
@@ -174,7 +175,8 @@ impl Packets {
         Ok(is_due.then(|| Overdue { time: unix_time(), since, lasts, is_news: is_news() }))
     }
 
-    /// Whether the packet that has just come is due. Those before are read and dropped, so that none is old and the controller is not held up.
+    /// Whether the packet that has just come is due. Those before are read and dropped, so that none is old and the
+    /// controller is not held up.
     fn is_due(&mut self) -> bool {
         (self.prints_all() || !self.stream.follows_silence()) && self.tick()
     }
@@ -188,7 +190,8 @@ impl Packets {
         let (Some(period), now) = (self.period, now()) else { return false };
         let is_due = self.due.is_none_or(|due| now >= due);
         if is_due {
-            // The times are multiples of the period, unless one was missed. A period that is too long to count never ends.
+            // The times are multiples of the period, unless one was missed. A period that is too long to count never
+            // ends.
             let next = self.due.unwrap_or(now).checked_add(period);
             self.due = next.map(|next| next.max(now));
         }

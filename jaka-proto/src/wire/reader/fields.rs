@@ -143,7 +143,8 @@ impl Reader<'_> {
         is_usual
     }
 
-    /// Reads a key that may be written with escapes, with a bare control character, or with white space before its colon.
+    /// Reads a key that may be written with escapes, with a bare control character, or with white space before its
+    /// colon.
     #[inline(never)]
     fn unusual_key(&mut self, keys: &Keys) -> Result<usize, DecodeError> {
         if keys.captures {

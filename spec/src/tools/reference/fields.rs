@@ -7,8 +7,8 @@ use super::type_phrase;
 use crate::words::{self, first_sentence};
 use crate::{Choice, Field, Spec};
 
-/// A table of the fields, and below it what does not fit into its rows. `first` is the place of the first element, where
-/// the fields are elements of an array.
+/// A table of the fields, and below it what does not fit into its rows. `first` is the place of the first element,
+/// where the fields are elements of an array.
 pub(super) fn render(out: &mut String, spec: &Spec, fields: &[Field], first: usize) {
     let mut table = Table::new(&["key", "#", "name", "type", "unit", "range", "optional", "meaning"]);
     for (index, field) in fields.iter().enumerate() {
