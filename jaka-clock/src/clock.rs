@@ -1,303 +1,143 @@
-//! The clock.
+//! Time of the system, or of a simulated clock.
 
-mod hold_up;
-mod participant;
-mod presence;
-
-use std::fmt;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use self::hold_up::HoldUps;
-pub use self::participant::Participant;
-use crate::seat::Seat;
-use crate::state::{MovesTime, Reason, State};
+#[cfg(feature = "simulated")]
+use crate::SimulatedClock;
 
-/// A clock whose time goes on when all that take part in it wait. Its clones are the same clock.
+/// Source of the time, and of waits for it: the system by default, or a simulated clock.
 ///
-/// What waits for a time, for bytes or for another thread goes through it: the connections and threads of jaka-sync and
-/// jaka-sim that were given it, and [`sleep`](Self::sleep). Time stands still while one that takes part is at work;
-/// when all wait, it goes on to the first time for which one waits. If several wait for the same time, they go on one
-/// after the other. Time goes on only while a thread of the program waits, and not for a monitor or a simulator alone.
-///
-/// A thread takes part from its first wait in the time of the clock until it ends. What it does in between takes no
-/// time. Three things must be told to the clock:
-/// - a thread that is started while others take part: [`participant`](Self::participant);
-/// - a wait for something else, such as the end of another thread: [`outside`](Self::outside). Otherwise time stands still for ever;
-/// - what goes through the hands of others, such as a proxy between client and controller, arrives when the system says
-///   so: on a connection whose other end does not take part, time stands still for 100 ms of real time whenever a wait
-///   for bytes begins, or for so long as [`with_grace`](Self::with_grace) says. What is later comes at a time that
-///   depends on the machine. A program or test takes part with its own connections by [`connect`](Self::connect) and
-///   [`bind`](Self::bind).
-///
-/// Instants of the clock can be compared with each other alone.
-#[derive(Clone)]
-pub struct SimulatedClock(Arc<Inner>);
-
-struct Inner {
-    /// The instant of no time.
-    origin: Instant,
-    /// Real time for which this stands still for an end that does not take part.
-    grace: Duration,
-    state: Mutex<State>,
-    hold_ups: HoldUps,
+/// Its clones have the same source.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Clock {
+    #[cfg(feature = "simulated")]
+    simulated: Option<SimulatedClock>,
 }
 
-/// Real time for which a clock stands still for an end that does not take part, unless the user says otherwise.
-const GRACE: Duration = Duration::from_millis(100);
-
-impl SimulatedClock {
-    /// A clock of its own, which begins now.
-    pub fn new() -> Self {
-        Self::with_grace(GRACE)
+impl Clock {
+    /// Clock of a simulated time. Needs the feature `simulated`.
+    #[cfg(feature = "simulated")]
+    pub fn simulated(clock: &SimulatedClock) -> Self {
+        Self { simulated: Some(clock.clone()) }
     }
 
-    /// A clock that stands still for so long, in real time, when a wait for a connection begins whose other end does
-    /// not take part. With a minute, what another program answers always comes at the time at which it was asked; but a
-    /// wait for one that is silent takes a minute.
-    pub fn with_grace(grace: Duration) -> Self {
-        Self(Arc::new(Inner { origin: Instant::now(), grace, state: Mutex::default(), hold_ups: HoldUps::default() }))
+    /// Simulated clock of which this has the time; none where that is the system's. Needs the feature `simulated`.
+    #[cfg(feature = "simulated")]
+    pub fn as_simulated(&self) -> Option<&SimulatedClock> {
+        self.simulated.as_ref()
     }
 
-    pub(crate) fn grace(&self) -> Duration {
-        self.0.grace
-    }
-
-    /// What the time is.
+    /// Present time.
     pub fn now(&self) -> Instant {
-        let now = self.0.origin + self.elapsed();
-        self.0.hold_ups.has_read();
-        now
+        #[cfg(feature = "simulated")]
+        if let Some(clock) = &self.simulated {
+            return clock.now();
+        }
+        Instant::now()
     }
 
-    /// Holds a thread of this name up, as a scheduler does: once it has slept and read the clock the next time, it
-    /// calls `act` before it goes on, which may sleep.
-    pub fn hold_up(&self, thread: &str, act: impl FnOnce() + Send + 'static) {
-        self.0.hold_ups.add(thread, act);
+    /// Time that has passed since then; zero where that is yet to come.
+    pub fn elapsed(&self, since: Instant) -> Duration {
+        self.now().saturating_duration_since(since)
     }
 
-    /// The time since the clock was made.
-    pub fn elapsed(&self) -> Duration {
-        self.lock().now
+    /// Time that has passed since an instant of the system; of a simulated clock, since that clock was made.
+    pub fn elapsed_since_start(&self, started: Instant) -> Duration {
+        #[cfg(feature = "simulated")]
+        if let Some(clock) = &self.simulated {
+            return clock.elapsed();
+        }
+        started.elapsed()
     }
 
-    /// Waits so long, in this clock's time.
+    /// Time until then; zero where that has passed.
+    pub fn left(&self, until: Instant) -> Duration {
+        until.saturating_duration_since(self.now())
+    }
+
+    /// Begins to measure a time.
+    pub fn stopwatch(&self) -> Stopwatch {
+        Stopwatch { began: self.now(), clock: self.clone() }
+    }
+
+    /// Sleeps for so long.
     pub fn sleep(&self, time: Duration) {
-        if !time.is_zero() {
-            let until = self.deadline(Some(time));
-            self.wait(self.lock(), Reason::Time, until, || ());
-            hold_up::has_slept();
+        #[cfg(feature = "simulated")]
+        if let Some(clock) = &self.simulated {
+            return clock.sleep(time);
+        }
+        std::thread::sleep(time);
+    }
+
+    /// Sleeps until then, and spins for the last part of that time, `busy_wait`, if the time is the system's.
+    pub fn sleep_until(&self, due: Instant, busy_wait: Duration) {
+        #[cfg(feature = "simulated")]
+        if let Some(clock) = &self.simulated {
+            return clock.sleep_until(due);
+        }
+        let asleep = self.left(due).saturating_sub(busy_wait);
+        if !asleep.is_zero() {
+            std::thread::sleep(asleep);
+        }
+        while self.now() < due {
+            std::hint::spin_loop();
         }
     }
 
-    /// Waits until then; not at all where that has passed.
-    pub fn sleep_until(&self, due: Instant) {
-        self.sleep(due.saturating_duration_since(self.now()));
-    }
-
-    /// A place for a thread that will be started: time stands still from now on until that thread waits.
-    ///
-    /// ```
-    /// use std::thread;
-    /// use std::time::Duration;
-    /// use jaka_clock::SimulatedClock;
-    ///
-    /// let clock = SimulatedClock::new();
-    /// let (participant, theirs) = (clock.participant(), clock.clone());
-    /// let other = thread::spawn(move || participant.run(|| theirs.sleep(Duration::from_secs(60))));
-    /// clock.outside(|| other.join()).expect("it does not panic");
-    /// assert_eq!(clock.elapsed(), Duration::from_secs(60));
-    /// ```
-    pub fn participant(&self) -> Participant {
-        Participant::new(self, MovesTime::Yes)
-    }
-
-    /// The same for a thread that serves others, such as a simulator's: time does not go on for its waits alone.
-    pub fn servant(&self) -> Participant {
-        Participant::new(self, MovesTime::No)
-    }
-
-    /// Keeps time from going on until it is dropped.
-    pub fn work(&self) -> Work {
-        self.lock().begin_work();
-        Work::new(self)
-    }
-
-    /// Does something that waits in another way than by this clock, such as a `join`: time may go on meanwhile.
-    pub fn outside<T>(&self, act: impl FnOnce() -> T) -> T {
-        let Some(moves_time) = presence::membership(self) else { return act() };
-        presence::leave(self);
-        let _back = Back { clock: self, moves_time };
-        act()
-    }
-
-    /// Gives the mutex up, and waits until the signal is given, or so long if a time is given; then locks the mutex
-    /// again.
-    ///
-    /// `signal` is the address of something that lives as long as this waits for it.
-    pub fn wait_for<'m, T>(
-        &self,
-        signal: usize,
-        mutex: &'m Mutex<T>,
-        guard: MutexGuard<'m, T>,
-        time: Option<Duration>,
-    ) -> MutexGuard<'m, T> {
-        let until = self.deadline(time);
-        // It begins to wait before others can change what it waits for.
-        self.wait(self.lock(), Reason::Signal(signal), until, || drop(guard));
-        mutex.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Gives a signal to all that wait for it.
-    pub fn notify_all(&self, signal: usize) {
-        self.lock().signal(Reason::Signal(signal));
-    }
-
-    /// A wait that may last so long begins: when it ends by the clock's own time; none where that is no limit. The
-    /// thread takes part from now on.
-    pub(crate) fn deadline(&self, time: Option<Duration>) -> Option<Duration> {
-        self.take_part();
-        self.elapsed().checked_add(time?)
-    }
-
-    /// Waits. `state` is the state by which it must; `begun` is called once others see that it waits.
-    pub(crate) fn wait(
-        &self,
-        state: MutexGuard<'_, State>,
-        reason: Reason,
-        until: Option<Duration>,
-        begun: impl FnOnce(),
-    ) {
-        let seat = presence::seat();
-        let (number, is_member) = self.begin(state, reason, until, &seat);
-        begun();
-        seat.wait(|waited| self.warn(waited, number));
-        self.end(is_member);
-    }
-
-    /// Waits for what only the system knows: until `attempt` brings something, which it may look for a short while;
-    /// none where the wait ends otherwise.
-    pub(crate) fn poll<T>(
-        &self,
-        reason: Reason,
-        until: Option<Duration>,
-        mut attempt: impl FnMut() -> Option<T>,
-    ) -> Option<T> {
-        let seat = presence::seat();
-        let (number, is_member) = self.begin(self.lock(), reason, until, &seat);
-        let mut found = None;
-        while found.is_none() && !seat.is_woken() {
-            found = attempt();
-        }
-        self.lock().resume(number);
-        self.end(is_member);
-        found
-    }
-
-    /// This thread waits from now on: the wait's number, and whether the thread takes part.
-    fn begin(
-        &self,
-        mut state: MutexGuard<'_, State>,
-        reason: Reason,
-        until: Option<Duration>,
-        seat: &Arc<Seat>,
-    ) -> (u64, bool) {
-        let membership = presence::membership(self);
-        if membership.is_none() {
-            // It is at its end.
-            state.begin_work();
-        }
-        seat.sit_down();
-        (state.wait(reason, until, seat, membership.unwrap_or(MovesTime::Yes)), membership.is_some())
-    }
-
-    /// Has this thread take part, unless it does or is at its end.
-    pub(crate) fn take_part(&self) {
-        if presence::membership(self).is_none() {
-            presence::enter(self.work(), MovesTime::Yes);
+    /// Returns the work of a thread that will be started: a simulated time stands still from now on until that thread
+    /// waits, and goes on for its waits.
+    pub fn participating<T, F: FnOnce() -> T>(&self, work: F) -> impl FnOnce() -> T + use<T, F> {
+        #[cfg(feature = "simulated")]
+        let participant = self.simulated.as_ref().map(SimulatedClock::participant);
+        move || {
+            #[cfg(feature = "simulated")]
+            if let Some(participant) = participant {
+                return participant.run(work);
+            }
+            work()
         }
     }
 
-    /// A thread at its end takes part no longer.
-    fn end(&self, is_member: bool) {
-        if !is_member {
-            self.lock().end_work();
+    /// Returns the work of a thread that will be started and serves others: a simulated time stands still from now on
+    /// until that thread waits, and does not go on for its waits alone.
+    pub fn serving<T, F: FnOnce() -> T>(&self, work: F) -> impl FnOnce() -> T + use<T, F> {
+        #[cfg(feature = "simulated")]
+        let servant = self.simulated.as_ref().map(SimulatedClock::servant);
+        move || {
+            #[cfg(feature = "simulated")]
+            if let Some(servant) = servant {
+                return servant.run(work);
+            }
+            work()
         }
     }
 
-    fn warn(&self, waited: Duration, number: u64) {
-        let is_kept_from = self.lock().is_kept_from(number);
-        if is_kept_from {
-            log::warn!(
-                target: "jaka_clock",
-                "the simulated clock has stood still for {waited:.0?}: a thread that takes part does something else; see `SimulatedClock::outside`",
-            );
+    /// Waits in another way than by this clock, such as by a `join`: a simulated time may go on meanwhile.
+    pub fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
+        #[cfg(feature = "simulated")]
+        if let Some(clock) = &self.simulated {
+            return clock.outside(wait);
         }
-    }
-
-    /// Every change is made whole before the lock is left.
-    pub(crate) fn lock(&self) -> MutexGuard<'_, State> {
-        self.0.state.lock().unwrap_or_else(PoisonError::into_inner)
+        wait()
     }
 }
 
-/// Keeps the time of a clock from going on until it is dropped, from [`SimulatedClock::work`]: handed to a thread that
-/// was [outside](SimulatedClock::outside), it loses no time.
-#[derive(Debug)]
-#[must_use = "dropped, it keeps nothing"]
-pub struct Work {
-    clock: SimulatedClock,
+/// Measure of the time since a moment.
+#[derive(Debug, Clone)]
+pub struct Stopwatch {
+    clock: Clock,
+    /// Moment at which it was started.
+    pub began: Instant,
 }
 
-impl Work {
-    /// Of work that has begun.
-    pub(crate) fn new(clock: &SimulatedClock) -> Self {
-        Self { clock: clock.clone() }
+impl Stopwatch {
+    /// Time that has passed.
+    pub fn passed(&self) -> Duration {
+        self.clock.elapsed(self.began)
     }
-}
 
-impl Drop for Work {
-    fn drop(&mut self) {
-        self.clock.lock().end_work();
-    }
-}
-
-/// Takes part again when it is dropped.
-struct Back<'c> {
-    clock: &'c SimulatedClock,
-    moves_time: MovesTime,
-}
-
-impl Drop for Back<'_> {
-    fn drop(&mut self) {
-        // It may have waited by the clock meanwhile.
-        if presence::membership(self.clock).is_none() {
-            presence::enter(self.clock.work(), self.moves_time);
-        }
-    }
-}
-
-impl Default for SimulatedClock {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-/// The same clock.
-impl PartialEq for SimulatedClock {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
-impl Eq for SimulatedClock {}
-
-/// The time; with `{:#?}` also who is at work, and who waits for what.
-impl fmt::Debug for SimulatedClock {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if f.alternate() {
-            return f.debug_tuple("SimulatedClock").field(&*self.lock()).finish();
-        }
-        f.debug_struct("SimulatedClock").field("elapsed", &self.elapsed()).finish_non_exhaustive()
+    /// Rest of a time that began at the start.
+    pub fn left_of(&self, time: Duration) -> Duration {
+        time.saturating_sub(self.passed())
     }
 }

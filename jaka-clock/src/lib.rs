@@ -1,11 +1,13 @@
 #![doc = include_str!("../docs/overview.md")]
 
-mod channel;
 mod clock;
-mod seat;
-mod state;
-mod stream;
+mod signal;
+#[cfg(feature = "simulated")]
+mod simulated;
+mod socket;
 
-pub use channel::Channel;
-pub use clock::{Participant, SimulatedClock, Work};
-pub use stream::{Listener, Stream};
+pub use clock::{Clock, Stopwatch};
+pub use signal::{Signal, lock};
+#[cfg(feature = "simulated")]
+pub use simulated::{Listener, Participant, SimulatedClock, Stream, Work};
+pub use socket::Socket;

@@ -6,7 +6,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-use jaka_clock::{Listener, SimulatedClock, Stream};
+use jaka_clock::{Clock, Listener, SimulatedClock, Socket, Stream};
 
 const HOUR: Duration = Duration::from_secs(3600);
 
@@ -95,21 +95,22 @@ fn what_does_not_wait_finds_all_that_was_written() {
     let clock = SimulatedClock::new();
     let listener = TcpListener::bind(anywhere()).expect("loopback has free ports");
     let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
-    let near = clock.connected(&stream).expect("it is connected");
+    let time = Clock::simulated(&clock);
+    let near = Socket::connected(stream, &time).expect("it is connected");
     let (far_stream, peer) = listener.accept().expect("the client waits");
-    let (far, _work) = clock.accepted(&far_stream, peer).expect("it is connected");
-    near.set_nonblocking(true);
+    let (far, _work) = Socket::accepted(far_stream, peer, &time).expect("it is connected");
+    near.set_nonblocking(true).expect("it is open");
     let mut space = [0; 8];
     for _ in 0..1000 {
-        assert_eq!(near.peek(&stream).map_err(|error| error.kind()), Err(ErrorKind::WouldBlock));
-        let nothing = near.read(&stream, &mut space, Some(HOUR));
+        assert_eq!(near.peek().map_err(|error| error.kind()), Err(ErrorKind::WouldBlock));
+        let nothing = near.read(&mut space, Some(HOUR));
         assert_eq!(nothing.map_err(|error| error.kind()), Err(ErrorKind::WouldBlock));
-        far.write_all(&far_stream, b"x", Some(HOUR)).expect("there is room");
-        assert_eq!(near.peek(&stream).expect("it was written"), 1);
-        assert_eq!(near.read(&stream, &mut space, Some(HOUR)).expect("it was written"), 1);
+        far.write_all(b"x", Some(HOUR)).expect("there is room");
+        assert_eq!(near.peek().expect("it was written"), 1);
+        assert_eq!(near.read(&mut space, Some(HOUR)).expect("it was written"), 1);
     }
-    far.shutdown(&far_stream, Shutdown::Both).expect("it is open");
-    assert_eq!(near.peek(&stream).expect("it has ended"), 0);
+    far.shutdown(Shutdown::Both).expect("it is open");
+    assert_eq!(near.peek().expect("it has ended"), 0);
     assert_eq!(clock.elapsed(), Duration::ZERO);
 }
 
@@ -239,13 +240,13 @@ fn a_connection_that_was_accepted_and_ended_before_its_program_goes_on_keeps_no_
     clock.listen(address);
     let near = TcpStream::connect(address).expect("it listens");
     let (far, peer) = listener.accept().expect("the client waits");
-    drop(clock.accepted(&far, peer).expect("it is connected"));
-    drop(far);
+    let time = Clock::simulated(&clock);
+    drop(Socket::accepted(far, peer, &time).expect("it is connected"));
     let (done, result) = mpsc::channel();
     let theirs = clock.clone();
     thread::spawn(move || {
-        let channel = theirs.connected(&near).expect("it is connected");
-        let read = channel.read(&near, &mut [0], Some(HOUR)).expect("it has ended");
+        let near = Socket::connected(near, &time).expect("it is connected");
+        let read = near.read(&mut [0], Some(HOUR)).expect("it has ended");
         theirs.sleep(HOUR);
         done.send((read, theirs.elapsed()))
     });

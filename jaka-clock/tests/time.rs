@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use jaka_clock::SimulatedClock;
+use jaka_clock::{Clock, Signal, SimulatedClock};
 
 const HOUR: Duration = Duration::from_secs(3600);
 
@@ -66,21 +66,19 @@ fn time_stands_still_while_a_participant_is_at_work() {
 #[test]
 fn a_signal_ends_a_wait_at_the_time_at_which_it_is_given() {
     let clock = SimulatedClock::new();
-    let (clock, is_done) = (&clock, &Mutex::new(false));
+    let signal = Signal::new(&Clock::simulated(&clock));
+    let (clock, is_done, signal) = (&clock, &Mutex::new(false), &signal);
     let waits = move || {
-        let mut done = is_done.lock().expect("nobody panics");
-        while !*done {
-            done = clock.wait_for(7, is_done, done, Some(HOUR));
-        }
-        assert_eq!(clock.elapsed(), secs(5));
+        let done = signal.wait_until(is_done, HOUR, |is_done| *is_done);
+        assert_eq!((*done, clock.elapsed()), (true, secs(5)));
         // Nobody signals: the time ends it.
-        drop(clock.wait_for(7, is_done, done, Some(HOUR)));
+        drop(signal.wait(is_done, done, HOUR));
         assert_eq!(clock.elapsed(), secs(5) + HOUR);
     };
     let signals = move || {
         clock.sleep(secs(5));
         *is_done.lock().expect("nobody panics") = true;
-        clock.notify_all(7);
+        signal.notify_all();
         // The one who waited is at work from then on, whether it runs already or not.
         thread::sleep(Duration::from_millis(50));
         assert_eq!(clock.elapsed(), secs(5));

@@ -17,8 +17,9 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::{ClientParts as _, Clock, Link, Reservation, Reserved, told};
+use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
 
 pub(crate) use self::guards::{PacketObserver, Progress};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};

@@ -20,16 +20,11 @@ mod servo_thread;
 #[cfg(feature = "stream")]
 mod stream;
 
-/// Locks and signals of shuttle in place of std's, for tests of interleavings: a file of jaka-sync, and the clock that
-/// it names.
+/// Locks and signals of shuttle in place of std's, for tests of interleavings: a file of jaka-sync.
 #[cfg(all(test, shuttle))]
 #[path = "../../jaka-sync/src/sync.rs"]
 #[allow(dead_code, unreachable_pub, reason = "jaka-sync uses and shows all of it")]
 mod sync;
-#[cfg(all(test, shuttle))]
-mod clock {
-    pub(crate) use jaka_sync::layer::Clock;
-}
 
 /// Kinematics and limits.
 pub use jaka_motion;

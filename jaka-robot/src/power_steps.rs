@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Stopwatch;
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
-use jaka_sync::layer::{ClientParts as _, Stopwatch, describe};
+use jaka_sync::layer::{ClientParts as _, describe};
 
 use crate::arm::{Arm, ArmState, unknown};
 use crate::{Error, ErrorKind, Explanation, StatusProblem};

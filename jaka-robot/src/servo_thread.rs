@@ -4,7 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 use std::{mem, thread};
 
-use jaka_sync::layer::{Clock, Watched};
+use jaka_clock::Clock;
+use jaka_sync::layer::Watched;
 
 use crate::servo_session::{LentArm, SessionEnd};
 use crate::{Cause, Error, ErrorKind};
@@ -28,7 +29,6 @@ impl<T: Send + 'static> ServoThread<T> {
         work: impl FnOnce(&mut LentArm, &Begun<B>) -> Option<T> + Send + 'static,
     ) -> Result<(Self, B), Error> {
         let clock = lent.arm.clock().clone();
-        let place = clock.participant();
         let ((begun, given), (end, ended)) = (one_shot(&clock), one_shot(&clock));
         let act = move || {
             let done = work(&mut lent, &given);
@@ -38,7 +38,7 @@ impl<T: Send + 'static> ServoThread<T> {
                 ended.send(done);
             }
         };
-        let spawned = thread::Builder::new().name(name.to_owned()).spawn(move || place.run(act));
+        let spawned = thread::Builder::new().name(name.to_owned()).spawn(clock.participating(act));
         spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
         let begun = begun.receive().ok_or_else(panicked)??;
         Ok((Self { end, was_awaited: false }, begun))

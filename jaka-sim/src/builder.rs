@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use jaka_clock::SimulatedClock;
+use jaka_clock::{Clock, SimulatedClock};
 use jaka_motion::Model;
 use jaka_proto::Request;
 use jaka_proto::recording::Recording;
@@ -15,7 +15,6 @@ use jaka_proto::recording::Recording;
 use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
-use crate::time::Time;
 use crate::{
     ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip,
     Underrun,
@@ -66,7 +65,7 @@ options! {
         inputs: Vec<InputScript> = Vec::new();
         faults_at: Vec<(Duration, ArmFault)> = Vec::new();
         stepped: bool = false;
-        time: Time = Time::default();
+        time: Clock = Clock::default();
         folders: Vec<PathBuf> = Vec::new();
         packs: Vec<PathBuf> = Vec::new();
         programs: HashMap<String, Program> = programs::built_in();
@@ -203,7 +202,7 @@ impl Builder {
     /// the controller. Time goes on as soon as all wait, so that hours pass in seconds. See [`SimulatedClock`].
     #[must_use]
     pub fn clock(mut self, clock: &SimulatedClock) -> Self {
-        self.time = Time::simulated(clock);
+        self.time = Clock::simulated(clock);
         self
     }
 

@@ -1,48 +1,55 @@
-//! The controller's time.
+//! Time of the controller, and its threads.
 
+use std::io;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use crate::time::Time;
+use jaka_clock::Clock;
 
 /// Length of a controller cycle (4.15).
 pub(crate) const CYCLE: Duration = Duration::from_millis(8);
 
-/// How a controller's time goes on.
+/// Passage of a controller's time.
 #[derive(Debug)]
-pub(crate) enum Clock {
-    /// With this time, since this moment, so many times as fast.
-    Running { time: Time, start: Instant, scale: f64 },
+pub(crate) enum ControllerClock {
+    /// With the time of this clock since a moment, so many times as fast.
+    Running { time: Clock, start: Instant, scale: f64 },
     /// Only by [`Controller::advance`](crate::Controller::advance).
     Stepped,
 }
 
-impl Clock {
-    /// One that goes with this time from now on.
-    pub(crate) fn of(time: &Time, scale: f64) -> Self {
+impl ControllerClock {
+    /// Clock that goes with this time from now on.
+    pub(crate) fn of(time: &Clock, scale: f64) -> Self {
         Self::Running { time: time.clone(), start: time.now(), scale }
     }
 
-    /// The controller's time, if it goes by itself.
+    /// Time of the controller, if it goes by itself.
     pub(crate) fn now(&self) -> Option<Duration> {
         match self {
-            Self::Running { time, start, scale } => Some(scaled(time.since(*start), *scale)),
+            Self::Running { time, start, scale } => Some(scaled(time.elapsed(*start), *scale)),
             Self::Stepped => None,
         }
     }
 
-    /// How long the next cycle is away, in the time that passes; for ever where it does not come by itself.
+    /// Time to the next cycle, in the time that passes; [`Duration::MAX`] where it does not come by itself.
     pub(crate) fn until_next_cycle(&self) -> Duration {
         let Self::Running { time, start, scale } = self else { return Duration::MAX };
-        let passed = scaled(time.since(*start), *scale).as_nanos() % CYCLE.as_nanos();
+        let passed = scaled(time.elapsed(*start), *scale).as_nanos() % CYCLE.as_nanos();
         let left = CYCLE.saturating_sub(Duration::from_nanos(u64::try_from(passed).unwrap_or_default()));
         scaled(left, scale.recip()).max(SHORTEST)
     }
 }
 
-/// The shortest wait for the next cycle, so that rounding does not make it none.
+/// Shortest wait for the next cycle, so that rounding does not make it none.
 const SHORTEST: Duration = Duration::from_micros(100);
 
-/// A time that is so many times as long, [`Duration::MAX`] where it is longer.
+/// Time that is so many times as long, at most [`Duration::MAX`].
 pub(crate) fn scaled(time: Duration, factor: f64) -> Duration {
     Duration::try_from_secs_f64(time.as_secs_f64() * factor).unwrap_or(Duration::MAX)
+}
+
+/// Starts a thread of the controller, which serves others.
+pub(crate) fn spawn(time: &Clock, name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
+    thread::Builder::new().name(format!("jaka-sim {name}")).spawn(time.serving(work))
 }

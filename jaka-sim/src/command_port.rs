@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_clock::Socket;
 use jaka_dynamic::{Forms, Message};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode, write_refusal};
@@ -17,12 +18,12 @@ use serde_json::{Map, Value};
 
 use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
+use crate::clock;
 use crate::connection::{CommandConnection, NextStep};
 use crate::json_text::respace;
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
-use crate::socket::Socket;
 use crate::spec_index::{CommandEntry, accepted};
 use crate::world::World;
 use crate::{Port, Takeover, firmware};
@@ -47,7 +48,7 @@ fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shar
     let connection = Arc::new(CommandConnection::new(socket, &shared.links)?);
     shared.active_client.replace(Some(Arc::clone(&connection)));
     let (theirs, host) = (Arc::clone(&connection), Arc::clone(shared));
-    let thread = shared.time().spawn("commands", move || serve_to_end(&theirs, &host));
+    let thread = clock::spawn(shared.time(), "commands", move || serve_to_end(&theirs, &host));
     *serving = Some(thread.inspect_err(|_| shared.active_client.clear(&connection))?);
     Ok(())
 }

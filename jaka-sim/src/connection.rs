@@ -8,15 +8,14 @@ use std::io;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use jaka_clock::{Signal, Socket, lock};
+
 pub(crate) use self::active::ActiveClient;
 pub(crate) use self::next_step::NextStep;
 use self::reply_writer::PendingReplies;
 pub(crate) use self::reply_writer::ReplyWriter;
 use crate::Port;
 use crate::link::{Links, Wire};
-use crate::lock::lock;
-use crate::socket::Socket;
-use crate::time::Signal;
 
 /// The connection of a command client.
 ///
@@ -53,6 +52,6 @@ impl CommandConnection {
 
     /// Waits for the time, and says whether the connection was closed by then.
     pub(crate) fn closes_within(&self, time: Duration) -> bool {
-        *self.changed.wait(&self.closed, time, |closed| *closed)
+        *self.changed.wait_until(&self.closed, time, |closed| *closed)
     }
 }

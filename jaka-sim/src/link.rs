@@ -15,13 +15,13 @@ use std::sync::{Mutex, MutexGuard, Weak};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_clock::{Clock, Signal, lock};
+
 pub(crate) use self::inbound::{Inbound, Received};
 use self::state::LinkStates;
 pub(crate) use self::wire::Wire;
 use crate::fault::{LinkEvent, LinkFault};
 use crate::link_selector::LinkSelector;
-use crate::lock::lock;
-use crate::time::{Signal, Time};
 
 /// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
 const MOST_SENDERS: usize = 512;
@@ -35,7 +35,7 @@ pub(crate) struct Links {
     used: AtomicBool,
     state: Mutex<LinkStates>,
     changed: Signal,
-    time: Time,
+    time: Clock,
     senders: Mutex<VecDeque<Sender>>,
 }
 
@@ -44,7 +44,7 @@ type Sender = (Weak<Wire>, JoinHandle<()>);
 
 impl Links {
     /// The links of a controller that starts now.
-    pub(crate) fn new(events: &[LinkEvent], time: &Time) -> Self {
+    pub(crate) fn new(events: &[LinkEvent], time: &Clock) -> Self {
         Self {
             used: AtomicBool::new(!events.is_empty()),
             state: Mutex::new(LinkStates::new(events, time.now())),
@@ -66,7 +66,7 @@ impl Links {
     }
 
     /// The time in which they wait.
-    pub(crate) fn time(&self) -> &Time {
+    pub(crate) fn time(&self) -> &Clock {
         &self.time
     }
 
@@ -79,11 +79,9 @@ impl Links {
         lock(&self.state)
     }
 
-    /// Waits for a change, or so long.
+    /// Waits for a change, or for so long, or less.
     fn wait<'l>(&'l self, state: MutexGuard<'l, LinkStates>, time: Option<Duration>) -> MutexGuard<'l, LinkStates> {
-        let mut waited = false;
-        let time = time.unwrap_or(Duration::MAX);
-        self.changed.wait_on(&self.state, state, time, |_| std::mem::replace(&mut waited, true))
+        self.changed.wait(&self.state, state, time.unwrap_or(Duration::MAX))
     }
 
     /// Has all threads that wait check their link again.

@@ -2,12 +2,10 @@
 
 use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream};
-use std::sync::{Condvar, Mutex};
+use std::sync::Mutex;
 use std::time::Duration;
 
-use crate::lock::{lock, wait};
-use crate::socket::Socket;
-use crate::time::Time;
+use jaka_clock::{Clock, Signal, Socket, lock};
 
 /// Limit for a connection on loopback, which takes a second and more where many wait to be accepted.
 pub(crate) const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
@@ -25,8 +23,9 @@ pub(crate) struct Listener {
     socket: TcpListener,
     address: SocketAddr,
     state: Mutex<ListenerState>,
-    changed: Condvar,
-    time: Time,
+    /// In real time.
+    changed: Signal,
+    time: Clock,
 }
 
 #[derive(Debug, Default)]
@@ -41,13 +40,13 @@ struct ListenerState {
 
 impl Listener {
     /// Listens at an address, on a free port if `port` is 0.
-    pub(crate) fn bind(address: IpAddr, port: u16, time: &Time) -> io::Result<Self> {
+    pub(crate) fn bind(address: IpAddr, port: u16, time: &Clock) -> io::Result<Self> {
         let socket = TcpListener::bind((address, port))?;
         let address = socket.local_addr()?;
         if let Some(clock) = time.as_simulated() {
             clock.listen(address);
         }
-        Ok(Self { socket, address, state: Mutex::default(), changed: Condvar::new(), time: time.clone() })
+        Ok(Self { socket, address, state: Mutex::default(), changed: Signal::default(), time: time.clone() })
     }
 
     pub(crate) fn address(&self) -> SocketAddr {
@@ -79,7 +78,10 @@ impl Listener {
                     self.changed.notify_all();
                 }
                 Ok(accepted) => return Some(accepted),
-                Err(_) => drop(wait(&self.changed, state, RETRY_DELAY, |state| state.closed)),
+                Err(_) => {
+                    drop(state);
+                    drop(self.changed.wait_until(&self.state, RETRY_DELAY, |state| state.closed));
+                }
             }
         }
     }
@@ -92,7 +94,9 @@ impl Listener {
         let wake_up = TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT);
         let Ok((address, _wake_up)) = wake_up.and_then(|stream| Ok((stream.local_addr()?, stream))) else { return };
         state.wake_ups.push(address);
-        drop(wait(&self.changed, state, Duration::MAX, |state| state.stopped || !state.wake_ups.contains(&address)));
+        drop(state);
+        let is_accepted = |state: &ListenerState| state.stopped || !state.wake_ups.contains(&address);
+        drop(self.changed.wait_until(&self.state, Duration::MAX, is_accepted));
     }
 
     /// Accepts nothing more, and wakes the accepting thread. An error says that the thread could not be woken.
@@ -120,7 +124,7 @@ mod tests {
 
     #[test]
     fn connections_before_a_wake_up_are_accepted_before_it() {
-        let listener = Listener::bind(IpAddr::from([127, 0, 0, 1]), 0, &Time::default()).expect("loopback has ports");
+        let listener = Listener::bind(IpAddr::from([127, 0, 0, 1]), 0, &Clock::default()).expect("loopback has ports");
         let accepted = Mutex::new(0);
         thread::scope(|scope| {
             scope.spawn(|| {

@@ -10,13 +10,14 @@ use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_clock::{Socket, lock};
+
 use self::reader::Message;
 pub(crate) use self::reader::Reader;
 pub(crate) use self::recorded_packets::RecordedPackets;
 use crate::StatusFault;
+use crate::clock;
 use crate::link::Links;
-use crate::lock::lock;
-use crate::socket::Socket;
 
 /// How many readers there can be, so that no number of connections uses up threads and memory.
 const MAX_READERS: usize = 256;
@@ -103,7 +104,7 @@ impl Readers {
         let oldest = if list.readers.len() < MAX_READERS { None } else { list.readers.pop_front() };
         let reader = Arc::new(Reader::new(socket, links, list.fault.clone())?);
         let (theirs, of_all) = (Arc::clone(&reader), Arc::clone(&self.list));
-        let thread = links.time().spawn("status", move || {
+        let thread = clock::spawn(links.time(), "status", move || {
             run(&theirs);
             lock(&of_all).readers.retain(|(reader, _)| !Arc::ptr_eq(reader, &theirs));
         })?;

@@ -10,6 +10,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use jaka_clock::{Clock, Signal, lock};
 use jaka_proto::recording::{Answer, Port, Recording};
 
 use self::canonical::canonical;
@@ -17,8 +18,6 @@ pub(crate) use self::canonical::is_same;
 use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, Step};
-use crate::lock::lock;
-use crate::time::{Signal, Time};
 
 /// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +77,7 @@ struct Progress {
 }
 
 impl ReplaySession {
-    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming, time: &Time) -> Self {
+    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming, time: &Clock) -> Self {
         let ReplaySource { recording, mode } = plan;
         let mut progress = Progress::default();
         if *mode == Replay::Matching {
@@ -182,7 +181,7 @@ impl ReplaySession {
     /// Waits until there are this many deviations in all; false where there are not in time.
     pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         let enough = |progress: &Progress| progress.deviations.len() >= count;
-        enough(&self.deviated.wait(&self.progress, timeout, enough))
+        enough(&self.deviated.wait_until(&self.progress, timeout, enough))
     }
 }
 

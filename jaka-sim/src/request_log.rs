@@ -4,8 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use crate::lock::lock;
-use crate::time::{Signal, Time};
+use jaka_clock::{Clock, Signal, lock};
 
 /// How many texts are kept, and how many bytes of them.
 const KEPT: usize = 10_000;
@@ -26,7 +25,7 @@ struct Logged {
 }
 
 impl RequestLog {
-    pub(crate) fn new(time: &Time) -> Self {
+    pub(crate) fn new(time: &Clock) -> Self {
         Self { logged: Mutex::default(), grown: Signal::new(time) }
     }
 
@@ -46,7 +45,7 @@ impl RequestLog {
 
     /// Waits until `count` requests were received in all; false if they were not in time.
     pub(crate) fn wait_for(&self, count: usize, timeout: Duration) -> bool {
-        self.grown.wait(&self.logged, timeout, |logged| logged.count >= count).count >= count
+        self.grown.wait_until(&self.logged, timeout, |logged| logged.count >= count).count >= count
     }
 }
 

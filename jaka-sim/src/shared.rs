@@ -5,20 +5,19 @@ use std::io;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Duration;
 
+use jaka_clock::{Clock, lock};
 use jaka_dynamic::Forms;
 use serde_json::{Map, Value};
 
-use crate::clock::{CYCLE, Clock};
+use crate::clock::{CYCLE, ControllerClock};
 use crate::connection::ActiveClient;
 use crate::link::Links;
 use crate::listener::Listener;
-use crate::lock::lock;
 use crate::readers::Readers;
 use crate::replay::ReplaySession;
 use crate::request_log::RequestLog;
 use crate::spec_index::SpecIndex;
 use crate::status_packet::Part;
-use crate::time::Time;
 use crate::trigger::Triggers;
 use crate::world::World;
 use crate::{Builder, FaultPlan, State, status_packet};
@@ -41,7 +40,7 @@ pub(crate) struct Shared {
     /// The replay, in place of the simulated arm.
     pub(crate) replay: Option<ReplaySession>,
     world: Mutex<World>,
-    clock: Clock,
+    clock: ControllerClock,
     steps: Mutex<Steps>,
     faults: Mutex<FaultPlan>,
     replies: Mutex<HashMap<String, Map<String, Value>>>,
@@ -78,7 +77,11 @@ impl Shared {
             replies: Mutex::default(),
             status_values: Mutex::default(),
             packet_parts: Mutex::default(),
-            clock: if options.stepped { Clock::Stepped } else { Clock::of(time, options.time_scale) },
+            clock: if options.stepped {
+                ControllerClock::Stepped
+            } else {
+                ControllerClock::of(time, options.time_scale)
+            },
             faults: Mutex::new(options.faults.clone()),
             steps: Mutex::default(),
             options,
@@ -86,7 +89,7 @@ impl Shared {
     }
 
     /// The time in which threads and connections wait.
-    pub(crate) fn time(&self) -> &Time {
+    pub(crate) fn time(&self) -> &Clock {
         &self.options.time
     }
 
@@ -137,7 +140,7 @@ impl Shared {
 
     /// Lets a stepped clock go on, and sends the status packets that fall due on the way.
     pub(crate) fn step(&self, time: Duration) {
-        if !matches!(self.clock, Clock::Stepped) {
+        if !matches!(self.clock, ControllerClock::Stepped) {
             return;
         }
         let mut steps = lock(&self.steps);

@@ -3,11 +3,12 @@
 use std::io;
 use std::sync::Arc;
 
+use jaka_clock::Socket;
+
 use crate::Port;
 use crate::link::Wire;
 use crate::readers::{Reader, RecordedPackets};
 use crate::shared::Shared;
-use crate::socket::Socket;
 
 /// Accepts readers until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {

@@ -7,9 +7,9 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use jaka_clock::{Clock, Signal, lock};
+
 use crate::State;
-use crate::lock::lock;
-use crate::time::{Signal, Time};
 
 /// What has become of a condition of [`Controller::when`](crate::Controller::when). Dropping it changes nothing.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ struct Progress {
 }
 
 impl Trigger {
-    pub(crate) fn new(time: &Time) -> Self {
+    pub(crate) fn new(time: &Clock) -> Self {
         Self(Arc::new(Inner { progress: Mutex::default(), changed: Signal::new(time) }))
     }
 
@@ -44,7 +44,7 @@ impl Trigger {
     /// # Panics
     /// The condition or the action has panicked: with the same payload, once.
     pub fn wait(&self, timeout: Duration) -> bool {
-        let mut progress = self.0.changed.wait(&self.0.progress, timeout, |progress| progress.is_over);
+        let mut progress = self.0.changed.wait_until(&self.0.progress, timeout, |progress| progress.is_over);
         if let Some(payload) = progress.panic.take() {
             drop(progress);
             panic::resume_unwind(payload);
@@ -55,13 +55,13 @@ impl Trigger {
     /// Waits for the condition, or so long; true if it is still waited for.
     pub(crate) fn waits(&self, time: Duration) -> bool {
         let is_settled = |progress: &Progress| progress.fired_at.is_some() || progress.is_over;
-        !is_settled(&self.0.changed.wait(&self.0.progress, time, is_settled))
+        !is_settled(&self.0.changed.wait_until(&self.0.progress, time, is_settled))
     }
 
     /// Waits until the action has returned, if the condition holds.
     pub(crate) fn wait_for_action(&self) {
         let is_done = |progress: &Progress| progress.fired_at.is_none() || progress.is_over;
-        drop(self.0.changed.wait(&self.0.progress, Duration::MAX, is_done));
+        drop(self.0.changed.wait_until(&self.0.progress, Duration::MAX, is_done));
     }
 
     /// Waits for the condition no longer.

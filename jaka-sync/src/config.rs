@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 
-use crate::clock::Clock;
 use crate::{Reconnect, Recorder, StatusSampling};
 
 /// Configuration of connections: timeouts, keepalive, frame size and checks.

@@ -4,13 +4,12 @@ use std::io;
 use std::net::{SocketAddr, TcpStream};
 use std::time::Duration;
 
+use jaka_clock::{Clock, Socket};
 use jaka_proto::recording::Port;
 use socket2::{SockRef, TcpKeepalive};
 
 use crate::address::{resolve, with_port};
-use crate::clock::Clock;
 use crate::recorder::Tap;
-use crate::socket::Socket;
 use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 
 /// What systems take as the times of a keepalive.
@@ -37,7 +36,7 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Soc
 fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<Socket> {
     let stream = first_that_answers(&resolve(address, port)?, config.connect_timeout)?;
     set_options(&stream, config)?;
-    Socket::new(stream, &config.clock)
+    Socket::connected(stream, &config.clock)
 }
 
 /// Tries one after the other. They share the time: one that is silent leaves its share to each of the others.

@@ -12,20 +12,20 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{Command, CommandInfo};
 
 #[cfg(doc)]
 use crate::Config;
 pub use crate::address::names_a_port;
-pub use crate::clock::{Clock, Place, Stopwatch};
 pub use crate::disconnect::is_text_line;
 pub use crate::exchanges::show as show_exchanges;
 pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
 pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::{needed, told};
 pub use crate::stop::WrittenStop;
-pub use crate::sync::{Wakeup, Watched, lock};
+pub use crate::sync::{Wakeup, Watched};
 use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};
 
 /// Failure that an [`Error`] tells of, as a closed choice: each kind is one of these.

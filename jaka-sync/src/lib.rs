@@ -3,7 +3,6 @@
 mod address;
 mod call;
 mod client;
-mod clock;
 mod config;
 mod connection;
 mod disconnect;
@@ -23,7 +22,6 @@ mod reconnect;
 mod recorder;
 mod remedy;
 mod snapshot;
-mod socket;
 mod status_problem;
 mod status_stream;
 mod status_subset;

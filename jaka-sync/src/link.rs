@@ -24,6 +24,7 @@ use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use jaka_clock::{Clock, Socket, lock};
 use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
 use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::Writer;
@@ -39,10 +40,8 @@ pub use self::posted::Answers;
 pub(crate) use self::posted::MOST_OUTSTANDING;
 pub use self::reservation::Reserved;
 use self::state::{Mode, State};
-use crate::clock::Clock;
 use crate::recorder::Tap;
-use crate::socket::Socket;
-use crate::sync::{Watched, lock};
+use crate::sync::Watched;
 use crate::{Config, Disconnect, Error};
 
 /// One command connection.
@@ -122,7 +121,10 @@ impl Link {
 
     pub(crate) fn peer_addr(&self) -> io::Result<SocketAddr> {
         let state = self.state.lock();
-        state.stream.as_ref().map_or_else(|| Err(io::ErrorKind::NotConnected.into()), |stream| stream.peer_addr())
+        state
+            .stream
+            .as_ref()
+            .map_or_else(|| Err(io::ErrorKind::NotConnected.into()), |stream| stream.system().peer_addr())
     }
 
     /// What broke the connection, if something did.

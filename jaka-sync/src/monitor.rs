@@ -15,6 +15,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use jaka_clock::{Clock, Socket};
 use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
@@ -26,10 +27,8 @@ use self::statistics::Counters;
 pub use self::statistics::MonitorStatistics;
 pub use self::subscription::Subscription;
 use self::subscription::{Items, Queue};
-use crate::clock::Clock;
 use crate::packets::Packets;
 use crate::recorder::Tap;
-use crate::socket::Socket;
 use crate::sync::{MutexGuard, Watched};
 use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
@@ -140,8 +139,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
-        let place = config.clock.servant();
-        let thread = builder.spawn(move || place.run(|| worker.run(packets)));
+        let thread = builder.spawn(config.clock.serving(move || worker.run(packets)));
         let thread = thread.map_err(|source| {
             let (address, port) = (source_address, Port::Status);
             ErrorKind::Connect { address, port, source }

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jaka_clock::Socket;
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::recording::Port;
 
 use crate::disconnect::is_text_line;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
-use crate::socket::Socket;
 use crate::{Config, Disconnect, Error, connection, ports};
 
 /// The packets of a connection to the status port, over bytes that belong to none.

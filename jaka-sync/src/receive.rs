@@ -3,11 +3,11 @@
 use std::io::ErrorKind;
 use std::time::Duration;
 
+use jaka_clock::Socket;
 use jaka_proto::framing::Framer;
 
 use crate::Disconnect;
 use crate::recorder::Tap;
-use crate::socket::Socket;
 
 /// What a read brought.
 #[derive(Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl Timeout {
             return Ok(());
         }
         let timeout = (left / 8 * 7).max(SHORTEST);
-        stream.set_read_timeout(timeout)?;
+        stream.set_read_timeout(Some(timeout))?;
         self.0 = timeout;
         Ok(())
     }
@@ -78,7 +78,7 @@ pub(crate) fn check_end(stream: &Socket, framer: &Framer) -> Result<(), Disconne
 /// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a simulated clock, for `left`.
 pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Chunk, Disconnect> {
     let room = framer.spare().len();
-    match stream.read(framer.spare(), left) {
+    match stream.read(framer.spare(), Some(left)) {
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
         Ok(len) => {
             framer.filled(len);

@@ -14,6 +14,7 @@ use std::sync::atomic::AtomicU32;
 use std::thread::{self, JoinHandle};
 use std::time::{Instant, SystemTime};
 
+use jaka_clock::Clock;
 use jaka_proto::recording::Header;
 use jaka_proto::wire::Writer;
 
@@ -21,7 +22,6 @@ use self::queue::Queue;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
 pub use self::track::Track;
-use crate::clock::Clock;
 
 /// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
 const LIMIT: usize = 8 << 20;

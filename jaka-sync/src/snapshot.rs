@@ -2,10 +2,9 @@
 
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::DecodeError;
-
-use crate::clock::Clock;
 
 /// Status packet, and when it came.
 ///

@@ -4,11 +4,11 @@ use std::fmt::Display;
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
-use crate::clock::Clock;
 use crate::packets::{Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, Error, ErrorKind};

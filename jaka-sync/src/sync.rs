@@ -14,11 +14,12 @@ pub(crate) use std::sync::{Mutex, MutexGuard};
 #[cfg(all(test, shuttle))]
 pub(crate) use shuttle::sync::{Mutex, MutexGuard};
 
+use jaka_clock::Clock;
+#[cfg(not(all(test, shuttle)))]
+use jaka_clock::Signal;
+
 #[cfg(all(test, shuttle))]
 use self::shuttled::Signal;
-use crate::clock::Clock;
-#[cfg(not(all(test, shuttle)))]
-use crate::clock::Signal;
 
 /// State that threads share, and for whose changes they wait in the time of a clock.
 #[derive(Debug)]
@@ -31,12 +32,12 @@ pub struct Watched<T> {
 #[derive(Debug)]
 pub struct Wakeup {
     signal: Signal,
-    /// How many threads wait. It grows under the lock of the state.
+    /// Number of threads that wait. It grows under the lock of the state.
     sleepers: AtomicUsize,
 }
 
 impl Wakeup {
-    /// For waits in the time of this clock.
+    /// Wakeup for waits in the time of this clock.
     pub fn new(clock: &Clock) -> Self {
         Self { signal: Signal::new(clock), sleepers: AtomicUsize::new(0) }
     }
@@ -61,12 +62,12 @@ impl<T> Watched<T> {
         Self { state: Mutex::new(state), changed: Wakeup::new(clock) }
     }
 
-    /// A thread that panicked while it held the lock left the state as it was: every change is made whole.
+    /// Locks the state. A thread that panicked while it held the lock left it as it was: every change is made whole.
     pub fn lock(&self) -> MutexGuard<'_, T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The same unless another thread has it locked.
+    /// Locks the state unless another thread has it locked.
     pub fn try_lock(&self) -> Option<MutexGuard<'_, T>> {
         match self.state.try_lock() {
             Ok(state) => Some(state),
@@ -75,17 +76,17 @@ impl<T> Watched<T> {
         }
     }
 
-    /// The clock by which threads wait.
+    /// Clock by which threads wait.
     pub fn clock(&self) -> &Clock {
-        &self.changed.signal.clock
+        self.changed.signal.clock()
     }
 
-    /// Waits until it is told of a change, or so long, or less.
+    /// Waits for a change, or for so long, or less.
     pub fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
         self.wait_on(&self.changed, state, time)
     }
 
-    /// The same, for a wake-up of its own, which others do not wait for.
+    /// Waits for a wake-up of its own, for which others do not wait.
     pub fn wait_on<'w>(&'w self, wakeup: &Wakeup, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
         wakeup.sleepers.fetch_add(1, Ordering::Relaxed);
         let state = wakeup.signal.wait(&self.state, state, time);
@@ -93,7 +94,7 @@ impl<T> Watched<T> {
         state
     }
 
-    /// How many threads wait.
+    /// Number of threads that wait.
     #[cfg(test)]
     pub(crate) fn sleepers(&self) -> usize {
         self.changed.sleepers()
@@ -122,13 +123,6 @@ impl<T> Watched<T> {
     }
 }
 
-/// Locks what is only read and changed, each change made whole before the lock is left: after a panic it can be used
-/// on.
-#[allow(unused_qualifications, reason = "with shuttle the other locks of this file are its own")]
-pub fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
 #[cfg(all(test, shuttle))]
 mod shuttled {
     use std::sync::PoisonError;
@@ -136,18 +130,22 @@ mod shuttled {
 
     use shuttle::sync::{Condvar, Mutex, MutexGuard};
 
-    use crate::clock::Clock;
+    use jaka_clock::Clock;
 
     /// A signal whose interleavings a test goes through.
     #[derive(Debug)]
     pub(crate) struct Signal {
         condvar: Condvar,
-        pub(crate) clock: Clock,
+        clock: Clock,
     }
 
     impl Signal {
         pub(crate) fn new(clock: &Clock) -> Self {
             Self { condvar: Condvar::new(), clock: clock.clone() }
+        }
+
+        pub(crate) fn clock(&self) -> &Clock {
+            &self.clock
         }
 
         pub(crate) fn notify_all(&self) {

@@ -5,10 +5,11 @@ mod forwarded;
 mod set_points;
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::Mutex;
 use std::thread;
 use std::time::Duration;
 
+use jaka_sim::jaka_clock::{Clock, Signal, lock};
 use jaka_sim::{Controller, SimulatedClock};
 
 pub use self::command_wire::{CommandWire, TimedMessage};
@@ -29,21 +30,16 @@ pub fn clock_of(controller: &Controller) -> &SimulatedClock {
 /// # Panics
 /// One of them does, once the other is done.
 pub fn beside<T>(clock: &SimulatedClock, other: impl FnOnce() + Send, act: impl FnOnce() -> T) -> T {
-    let is_done = Mutex::new(false);
+    let (is_done, ended) = (Mutex::new(false), Signal::new(&Clock::simulated(clock)));
     thread::scope(|scope| {
-        let place = clock.participant();
         let other = || {
-            let _done = Done { clock, is_done: &is_done };
+            let _done = Done { is_done: &is_done, ended: &ended };
             other();
         };
-        let other = scope.spawn(|| place.run(other));
+        let other = scope.spawn(ended.clock().participating(other));
         // Time goes on for the other one also after a panic.
         let acted = catch_unwind(AssertUnwindSafe(act));
-        let mut is_other_done = lock(&is_done);
-        while !*is_other_done {
-            is_other_done = clock.wait_for(address(&is_done), &is_done, is_other_done, None);
-        }
-        drop(is_other_done);
+        drop(ended.wait_until(&is_done, Duration::MAX, |is_done| *is_done));
         let ended = other.join();
         let acted = acted.unwrap_or_else(|panic| resume_unwind(panic));
         ended.unwrap_or_else(|panic| resume_unwind(panic));
@@ -51,25 +47,17 @@ pub fn beside<T>(clock: &SimulatedClock, other: impl FnOnce() + Send, act: impl 
     })
 }
 
-/// Says, when it is dropped, that a thread is done.
+/// Signals the end of a thread when it is dropped.
 struct Done<'c> {
-    clock: &'c SimulatedClock,
     is_done: &'c Mutex<bool>,
+    ended: &'c Signal,
 }
 
 impl Drop for Done<'_> {
     fn drop(&mut self) {
         *lock(self.is_done) = true;
-        self.clock.notify_all(address(self.is_done));
+        self.ended.notify_all();
     }
-}
-
-fn lock(is_done: &Mutex<bool>) -> MutexGuard<'_, bool> {
-    is_done.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn address(is_done: &Mutex<bool>) -> usize {
-    std::ptr::from_ref(is_done).addr()
 }
 
 /// Waits until something is so, and looks each millisecond of the time.

@@ -12,18 +12,19 @@ mod calls;
 mod faults;
 mod held;
 mod host;
+mod orders;
 mod random;
 mod resources;
 mod servo;
 mod session;
 mod summary;
 mod tally;
-mod time;
 
 use std::alloc::System;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::{Arc, mpsc};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use jaka_proto::Envelope;
@@ -112,7 +113,7 @@ fn round(options: &Options, host: &Arc<Host>, peak: &Arc<Peak>, summary: &mut Su
         let place = Place { host, arm, ports, rate: Rate::default(), findings, peak };
         let program = Arm::new(place, Random::new(options.seed, [round, arm, 0]));
         let (done, operations) = (done.clone(), options.operations);
-        time.start(move || done.send((arm, program.run(operations))));
+        thread::spawn(time.participating(move || done.send((arm, program.run(operations)))));
     }
     // Where an arm panics, the last sender is gone before its result.
     drop(done);

@@ -8,8 +8,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::{Clock, StatusNews};
+use jaka_sync::layer::StatusNews;
 use shuttle::sync::Mutex;
 use shuttle::thread::{self, JoinHandle};
 

@@ -8,12 +8,13 @@ use std::mem;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
 use jaka_proto::exchange::TypedReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
 use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
-use jaka_sync::layer::{ClientParts as _, Clock, Handle, Link, Sent, unexpected};
+use jaka_sync::layer::{ClientParts as _, Handle, Link, Sent, unexpected};
 
 use crate::error::Attach as _;
 use crate::place::{Place, Quantity};

@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-use jaka_sync::layer::{Clock, MonitorParts as _, StatusNews};
+use jaka_clock::Clock;
+use jaka_sync::layer::{MonitorParts as _, StatusNews};
 #[cfg(not(all(test, shuttle)))]
 use jaka_sync::layer::{Wakeup, Watched};
 

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::Clock;
 
 use super::approach::Approach;
 use super::orders::Orders;

@@ -4,8 +4,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use jaka_clock::lock;
 use jaka_proto::wire::DecodeError;
-use jaka_sync::layer::lock;
 
 use super::Guard;
 use super::condition::Judging;

@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
+use jaka_clock::Stopwatch;
 use jaka_motion::{JointPace, TcpPace};
 use jaka_proto::messages::kinematics::KineInverse;
 use jaka_proto::messages::types::{JointPosition, Pose};
-use jaka_sync::layer::Stopwatch;
 
 use super::{LimitChecks, Limited, beyond_limit, not_checked};
 use crate::arm::Arm;

@@ -43,13 +43,12 @@ impl GuardedRun<'_> {
         let is_over = Watched::new(arm.clock(), false);
         let (result, stopped) = thread::scope(|scope| {
             let relieved = Relieved(&guarding);
-            let (thread, place) =
-                (thread::Builder::new().name("jaka guard".to_owned()), self.moving.arm.clock().participant());
+            let thread = thread::Builder::new().name("jaka guard".to_owned());
             let keep = || {
                 let _end = Ends(&is_over);
                 guarding.run()
             };
-            let spawned = thread.spawn_scoped(scope, move || place.run(keep));
+            let spawned = thread.spawn_scoped(scope, self.moving.arm.clock().participating(keep));
             let watching = spawned.map_err(|source| Error::from(ErrorKind::Thread { source }))?;
             let sent = self.moving.send(motion, left(), Some(&guarding.armed));
             let result = sent.map(|()| self.moving.wait_unless(left(), &|| guarding.has_failed()));

@@ -1,8 +1,9 @@
 //! Queries on the command port, until it is lost.
 
+use jaka_clock::Clock;
 use jaka_proto::messages::power::{GetVersion, GetVersionReply};
 use jaka_proto::{Command, FirmwareVersion};
-use jaka_sync::layer::{ClientParts as _, Clock};
+use jaka_sync::layer::ClientParts as _;
 use jaka_sync::{Client, Error};
 
 use super::finding::{CheckItem, Finding, Judgement, either};

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::Stopwatch;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::{Stopwatch, needed};
+use jaka_sync::layer::needed;
 use jaka_sync::{Error, MonitorStatistics, Severity, Snapshot, StatusProblem};
 
 use super::finding::{CheckItem, Finding, Judgement};

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_sync::layer::Clock;
+use jaka_clock::Clock;
 
 use super::ServoConfig;
 use super::enter::check_step_count;

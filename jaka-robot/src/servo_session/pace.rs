@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use jaka_sync::layer::Clock;
+use jaka_clock::Clock;
 
 /// Length of a controller cycle (4.15).
 pub(super) const CYCLE: Duration = Duration::from_millis(8);

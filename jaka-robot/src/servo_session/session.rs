@@ -5,11 +5,12 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use jaka_clock::Stopwatch;
 use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{Answers, ClientParts as _, Gate, Reserved, Stopwatch};
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Reserved};
 
 use super::ServoConfig;
 use super::course::Course;

@@ -3,9 +3,10 @@
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
 use jaka_motion::{Bound, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
-use jaka_sync::layer::{Clock, Watched};
+use jaka_sync::layer::Watched;
 
 use crate::Cause;
 use crate::servo_session::SessionEnd;

@@ -113,7 +113,7 @@ impl Player<'_> {
     fn wait_until(&self, recorded: Duration) -> bool {
         let (since, then) = self.since;
         let delay = self.session.delay(recorded.saturating_sub(then));
-        self.connection.closes_within(delay.saturating_sub(self.shared.time().since(since)))
+        self.connection.closes_within(delay.saturating_sub(self.shared.time().elapsed(since)))
     }
 }
 

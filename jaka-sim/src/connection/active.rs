@@ -5,10 +5,10 @@ use std::net::{SocketAddr, TcpStream};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use jaka_clock::{Clock, Signal, lock};
+
 use super::CommandConnection;
 use crate::listener::CONNECT_TIMEOUT;
-use crate::lock::lock;
-use crate::time::{Signal, Time};
 
 /// The connection of the active client, if one is connected.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(crate) struct ActiveClient {
 }
 
 impl ActiveClient {
-    pub(crate) fn new(time: &Time) -> Self {
+    pub(crate) fn new(time: &Clock) -> Self {
         Self { connection: Mutex::default(), changed: Signal::new(time), other: Mutex::default() }
     }
 
@@ -30,7 +30,7 @@ impl ActiveClient {
 
     /// Waits until no client is active; false if one still is after the timeout.
     pub(crate) fn wait_until_none(&self, timeout: Duration) -> bool {
-        self.changed.wait(&self.connection, timeout, Option::is_none).is_none()
+        self.changed.wait_until(&self.connection, timeout, Option::is_none).is_none()
     }
 
     /// Makes no client active, if this one still is.

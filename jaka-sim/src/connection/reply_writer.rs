@@ -5,11 +5,12 @@ use std::io;
 use std::sync::{Arc, MutexGuard};
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
+
 use super::NextStep;
 use crate::answer::Sequel;
 use crate::fault::Delivery;
 use crate::link::Wire;
-use crate::time::Time;
 use crate::world::Wait;
 
 /// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
@@ -47,7 +48,7 @@ enum Due {
 }
 
 impl Due {
-    fn after(delay: Duration, time: &Time) -> Self {
+    fn after(delay: Duration, time: &Clock) -> Self {
         time.now().checked_add(delay).map_or(Self::Never, Self::At)
     }
 }
@@ -64,7 +65,7 @@ impl<'l> ReplyWriter<'l> {
         Self { wire, pending }
     }
 
-    fn time(&self) -> &Time {
+    fn time(&self) -> &Clock {
         self.wire.links().time()
     }
 
@@ -110,7 +111,7 @@ impl<'l> ReplyWriter<'l> {
     /// How long to wait until the next check whether a late reply is due; `None` if no time makes one due.
     pub(crate) fn wait_for_due(&self) -> Option<Duration> {
         match self.pending.late.front()?.due {
-            Due::At(time) => Some(self.time().until(time)),
+            Due::At(time) => Some(self.time().left(time)),
             Due::After(_) => Some(WAIT_CHECK),
             Due::Never => None,
         }

@@ -51,17 +51,17 @@ impl Controller {
     ) -> io::Result<T> {
         let time = self.shared.time();
         // This thread takes part in a simulated time before the program's does.
-        time.participant().run(|| {
+        let run = time.participating(|| {
             let (running, ended) = mpsc::channel::<()>();
-            let place = time.participant();
             let thread = thread::Builder::new().name("program under test".to_owned());
-            let thread = thread.spawn(move || {
+            let thread = thread.spawn(time.participating(move || {
                 let _running = running;
-                place.run(program)
-            })?;
+                program()
+            }))?;
             meanwhile(self);
             time.outside(|| end(thread, &ended, limit))
-        })
+        });
+        run()
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::Controller;
 use crate::State;
+use crate::clock;
 use crate::shared::Shared;
 use crate::trigger::{Condition, Trigger};
 
@@ -42,7 +43,7 @@ impl Controller {
     ) -> io::Result<Trigger> {
         let trigger = Trigger::new(self.shared.time());
         let (shared, theirs) = (Arc::clone(&self.shared), trigger.clone());
-        let thread = self.shared.time().spawn("when", move || watch(&shared, &theirs, action))?;
+        let thread = clock::spawn(self.shared.time(), "when", move || watch(&shared, &theirs, action))?;
         self.shared.triggers.add(&trigger, thread);
         self.shared.world().watch(Condition::new(condition, &trigger));
         Ok(trigger)

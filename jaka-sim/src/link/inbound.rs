@@ -76,7 +76,7 @@ impl<'w> Inbound<'w> {
         let links = self.wire.links();
         let time = links.time();
         let deadline = patience.and_then(|patience| time.now().checked_add(patience));
-        let left = || deadline.map(|deadline| time.until(deadline));
+        let left = || deadline.map(|deadline| time.left(deadline));
         loop {
             let mut state = links.state();
             if self.wire.is_closed(&state) {
@@ -107,7 +107,7 @@ impl<'w> Inbound<'w> {
 
     fn next(&self, fault: LinkFault) -> ReceiveStep {
         let time = self.wire.links().time();
-        let first = self.waiting.front().map(|(came, _)| time.since(*came));
+        let first = self.waiting.front().map(|(came, _)| time.elapsed(*came));
         match fault.passage(first.unwrap_or_default()) {
             Passage::Held | Passage::Lost => ReceiveStep::Wait(None),
             _ if first.is_none() => ReceiveStep::Read(None),
@@ -183,18 +183,16 @@ mod tests {
     use std::sync::atomic::{AtomicBool, Ordering};
     use std::thread;
 
-    use jaka_clock::SimulatedClock;
+    use jaka_clock::{Clock, SimulatedClock, Socket};
 
     use super::*;
-    use crate::Port;
     use crate::link::Links;
-    use crate::socket::Socket;
-    use crate::time::Time;
+    use crate::{Port, clock};
 
     #[test]
     fn a_connection_that_closes_while_a_reader_is_about_to_wait_for_its_link_ends() {
-        let clock = SimulatedClock::new();
-        let time = Time::simulated(&clock);
+        let simulated = SimulatedClock::new();
+        let time = Clock::simulated(&simulated);
         let links = Arc::new(Links::new(&[LinkFault::Hold.into()], &time));
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has ports");
         // One attempt finds the defect if the reader comes as far as to the lock meanwhile.
@@ -211,13 +209,13 @@ mod tests {
                 let received = Inbound::new(&theirs).receive(&mut [0; 8], None);
                 ended.store(matches!(received, Ok(Received::End)), Ordering::SeqCst);
             };
-            let reader = time.spawn("test", read).expect("threads can be started");
+            let reader = clock::spawn(&time, "test", read).expect("threads can be started");
             thread::sleep(Duration::from_millis(5));
             wire.close_before_others_lock();
             drop(state);
 
             // Time goes on once the reader waits or has ended.
-            clock.sleep(Duration::from_secs(1));
+            simulated.sleep(Duration::from_secs(1));
             assert!(has_ended.load(Ordering::SeqCst), "the reader waits for the link of a connection that has closed");
             drop(reader.join());
         }

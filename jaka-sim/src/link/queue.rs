@@ -3,8 +3,9 @@
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
+
 use crate::fault::{LinkFault, Passage};
-use crate::time::Time;
 
 /// How many bytes may wait.
 const MOST: usize = 16 << 20;
@@ -12,7 +13,7 @@ const MOST: usize = 16 << 20;
 /// What waits to be sent, in order.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
-    time: Time,
+    time: Clock,
     /// What was sent when.
     writes: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
@@ -55,7 +56,7 @@ pub(super) enum SendStep {
 }
 
 impl Queue {
-    pub(super) fn new(time: &Time) -> Self {
+    pub(super) fn new(time: &Clock) -> Self {
         Self { time: time.clone(), ..Self::default() }
     }
 
@@ -114,7 +115,7 @@ impl Queue {
             _ => {}
         }
         let first = self.writes.front().map(|(sent, _)| *sent).or(self.end.map(|(sent, _)| sent));
-        let step = match fault.passage(first.map_or(Duration::ZERO, |sent| self.time.since(sent))) {
+        let step = match fault.passage(first.map_or(Duration::ZERO, |sent| self.time.elapsed(sent))) {
             Passage::Lost => {
                 self.clear();
                 SendStep::Wait(None)
@@ -195,7 +196,7 @@ mod tests {
     }
 
     fn queue_by(clock: &SimulatedClock) -> Queue {
-        let mut queue = Queue::new(&Time::simulated(clock));
+        let mut queue = Queue::new(&Clock::simulated(clock));
         assert!(queue.push(b"one") && queue.push(b"two"));
         queue
     }

@@ -6,14 +6,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Duration;
 
+use jaka_clock::{Socket, lock};
 use socket2::SockRef;
 
 use super::Links;
 use super::queue::{End, Queue, SendStep};
 use super::state::{LinkStates, shorter};
+use crate::clock;
 use crate::fault::LinkFault;
-use crate::lock::lock;
-use crate::socket::Socket;
 use crate::{Direction, Port};
 
 /// A connection, with whatever is wrong with its link.
@@ -32,9 +32,19 @@ pub(crate) struct Wire {
     queue: Mutex<Queue>,
 }
 
+/// Time that a write of a port may take, if that is limited. The connection of a status reader holds packets of many
+/// seconds.
+fn write_timeout(port: Port) -> Option<Duration> {
+    match port {
+        Port::Command => None,
+        Port::Status => Some(Duration::from_secs(1)),
+    }
+}
+
 impl Wire {
     pub(crate) fn new(socket: Socket, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
         socket.system().set_nodelay(true)?;
+        socket.set_write_timeout(write_timeout(port))?;
         let generations = if links.are_used() {
             let mut state = links.state();
             Direction::ALL.map(|direction| state.at(links.time().now(), port, direction).generation())
@@ -74,7 +84,7 @@ impl Wire {
         if !self.begins_to_write() && self.put_off(bytes)? {
             return Ok(());
         }
-        let written = self.socket.write_all(bytes);
+        let written = self.socket.write_all(bytes, write_timeout(self.port));
         self.is_writing.store(false, Ordering::SeqCst);
         written
     }
@@ -122,7 +132,7 @@ impl Wire {
     fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
         if !queue.has_sender {
             let this = Arc::clone(self);
-            let thread = self.links.time().spawn("link", move || this.send_all())?;
+            let thread = clock::spawn(self.links.time(), "link", move || this.send_all())?;
             queue.has_sender = true;
             drop(queue);
             self.links.add_sender((Arc::downgrade(self), thread));
@@ -139,7 +149,7 @@ impl Wire {
             match step {
                 SendStep::Send(bytes) => {
                     drop(state);
-                    if let Err(error) = self.socket.write_all(&bytes) {
+                    if let Err(error) = self.socket.write_all(&bytes, write_timeout(self.port)) {
                         log::trace!(target: "jaka_sim", "client lost on its link: {error}");
                         lock(&self.queue).lose();
                     }

@@ -5,17 +5,13 @@ use std::io;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use jaka_clock::{Clock, Signal, Socket, lock};
+
 use super::packet_writer::{PacketWriter, period};
 use super::recorded_packets::{RecordedPackets, RecordedStep};
 use crate::link::{Links, Wire};
-use crate::lock::lock;
 use crate::replay::ReplaySession;
-use crate::socket::Socket;
-use crate::time::{Signal, Time};
 use crate::{Port, StatusFault};
-
-/// How long a write may take. The connection holds packets of many seconds.
-const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// One reader, which is sent a packet each period and messages in between.
 #[derive(Debug)]
@@ -25,7 +21,7 @@ pub(crate) struct Reader {
     fault: StatusFault,
     outbox: Mutex<Outbox>,
     changed: Signal,
-    time: Time,
+    time: Clock,
 }
 
 #[derive(Debug, Default)]
@@ -57,8 +53,7 @@ enum Next {
 }
 
 impl Reader {
-    pub(super) fn new(mut socket: Socket, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
-        socket.set_write_timeout(WRITE_TIMEOUT)?;
+    pub(super) fn new(socket: Socket, links: &Arc<Links>, fault: StatusFault) -> io::Result<Self> {
         let wire = Wire::new(socket, Port::Status, links)?;
         let (changed, time) = (Signal::new(links.time()), links.time().clone());
         Ok(Self { wire, fault, outbox: Mutex::default(), changed, time })
@@ -119,7 +114,7 @@ impl Reader {
                 Next::Packet => {
                     writer.send_packet(&packet())?;
                     // One period after the last was due, unless that time has passed.
-                    last = due.filter(|due| Some(self.time.since(*due)) < period).unwrap_or_else(|| self.time.now());
+                    last = due.filter(|due| Some(self.time.elapsed(*due)) < period).unwrap_or_else(|| self.time.now());
                 }
                 Next::Message(message) => self.handle(message, &mut writer)?,
                 Next::End => return Ok(()),
@@ -128,9 +123,9 @@ impl Reader {
     }
 
     fn next(&self, due: Option<Instant>) -> Next {
-        let left = due.map_or(Duration::MAX, |due| self.time.until(due));
+        let left = due.map_or(Duration::MAX, |due| self.time.left(due));
         let ready = |outbox: &Outbox| outbox.closed || !outbox.messages.is_empty();
-        let mut outbox = self.changed.wait(&self.outbox, left, ready);
+        let mut outbox = self.changed.wait_until(&self.outbox, left, ready);
         if outbox.closed {
             return Next::End;
         }
@@ -151,7 +146,7 @@ impl Reader {
     /// Waits until what has this number is done, or never will be.
     pub(super) fn wait_for(&self, number: u64) {
         let done = |outbox: &Outbox| outbox.closed || outbox.done >= number;
-        drop(self.changed.wait(&self.outbox, Duration::MAX, done));
+        drop(self.changed.wait_until(&self.outbox, Duration::MAX, done));
     }
 
     /// Ends the connection, as its link lets it, and wakes the thread.

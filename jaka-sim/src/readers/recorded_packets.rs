@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jaka_clock::Clock;
+
 use super::packet_writer::LEAST_PERIOD;
 use crate::replay::{ReplaySession, Script, Step};
-use crate::time::Time;
 
 /// The packets of one connection of a recording, each with its time.
 #[derive(Debug)]
@@ -15,7 +16,7 @@ pub(crate) struct RecordedPackets {
     began: Instant,
     last: Option<Instant>,
     period: Duration,
-    time: Time,
+    time: Clock,
 }
 
 /// What comes next on a connection.
@@ -26,7 +27,7 @@ pub(super) enum RecordedStep {
 }
 
 impl RecordedPackets {
-    pub(crate) fn new(script: Arc<Script>, period: Duration, time: &Time) -> Self {
+    pub(crate) fn new(script: Arc<Script>, period: Duration, time: &Clock) -> Self {
         Self {
             script,
             position: 0,

@@ -3,17 +3,15 @@
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use jaka_clock::{Clock, lock};
 use jaka_proto::recording::{Event, Port, Recording};
-
-use crate::lock::lock;
-use crate::time::Time;
 
 /// The requests of all command connections, in the order of their recorded times.
 #[derive(Debug)]
 pub(super) struct Dependencies {
     recorded: Vec<Duration>,
     arrivals: Mutex<Arrivals>,
-    time: Time,
+    time: Clock,
 }
 
 #[derive(Debug)]
@@ -36,7 +34,7 @@ pub(super) enum Dependency {
 }
 
 impl Dependencies {
-    pub(super) fn new(recording: &Recording, time: &Time) -> Self {
+    pub(super) fn new(recording: &Recording, time: &Clock) -> Self {
         let sent = |event: &Event| matches!(event, Event::Sent(_));
         let requests = recording.entries.iter().filter(|entry| entry.port == Port::Command && sent(&entry.event));
         let mut recorded: Vec<_> = requests.map(|entry| entry.time).collect();
@@ -81,7 +79,7 @@ mod tests {
         let sent = |at, connection| Entry::new(millis(at), Port::Command, connection, Event::Sent(Message::new("{}")));
         let entries = vec![sent(10, 1), sent(20, 1), sent(20, 2)];
         let dependencies =
-            Dependencies::new(&Recording::new(Header::new(Duration::ZERO, ""), entries), &Time::default());
+            Dependencies::new(&Recording::new(Header::new(Duration::ZERO, ""), entries), &Clock::default());
         assert_eq!(dependencies.before(millis(10)), Dependency::None);
         assert_eq!(dependencies.before(millis(11)), Dependency::Awaited);
         dependencies.came(millis(20));

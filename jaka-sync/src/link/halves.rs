@@ -5,6 +5,7 @@ use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
+use jaka_clock::Socket;
 use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, RequestId, Waiter};
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::wire::{DecodeError, Writer};
@@ -13,7 +14,6 @@ use jaka_proto::{Envelope, read_envelope};
 use super::WIRE;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
-use crate::socket::Socket;
 use crate::{Disconnect, ports};
 
 /// About how much goes out in one write: after it a stop can go out.
@@ -75,7 +75,7 @@ impl WriteTimeout {
     }
 
     fn change(&mut self, stream: &Socket, timeout: Duration) -> io::Result<()> {
-        stream.set_write_timeout(timeout)?;
+        stream.set_write_timeout(Some(timeout))?;
         self.0 = timeout;
         Ok(())
     }

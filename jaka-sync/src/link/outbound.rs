@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io;
 
+use jaka_clock::Socket;
 use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
 
@@ -12,7 +13,6 @@ use super::outgoing::{Gate, Outgoing, Right, SendError};
 use super::state::{Mode, State};
 use super::turn::Passing;
 use super::{Link, WIRE};
-use crate::socket::Socket;
 use crate::{Disconnect, Error};
 
 /// Abandons a request when it is dropped.
@@ -125,7 +125,7 @@ impl Link {
                 break;
             }
             outbound.timeout.set(stream, left)?;
-            match stream.write(&bytes[written..], left) {
+            match stream.write(&bytes[written..], Some(left)) {
                 Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
                 Ok(len) => written += len,
                 Err(error) => match error.kind() {

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::convert::Infallible;
 use std::time::Duration;
 
+use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
 
 use super::failure::not_sent_in_time;
-use crate::clock::{Clock, Stopwatch};
 use crate::{Error, ErrorKind};
 
 /// Who goes first where several wait for their turn to send.

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use jaka_clock::Socket;
 use jaka_proto::Request;
 use jaka_proto::exchange::Exchange;
 
 use super::halves::{Inbound, Outbound};
 use super::outgoing::{Handle, Reservation};
 use crate::Disconnect;
-use crate::socket::Socket;
 
 #[derive(Debug)]
 pub(super) struct State {

@@ -4,11 +4,11 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::time::Duration;
 
+use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::observer::{Observers, StatusNews};
 use super::{Board, State};
-use crate::clock::{Clock, Stopwatch};
 use crate::packets::{Between, Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, ErrorKind, Snapshot};

@@ -7,10 +7,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
+use jaka_clock::lock;
 use jaka_proto::recording::{Entry, Event};
 
 use super::RecorderReport;
-use crate::sync::lock;
 
 /// How long entries are gathered before they are written, so that the writer is not woken for each of them.
 const GATHERING: Duration = Duration::from_millis(5);

@@ -5,13 +5,11 @@ use std::error::Error as StdError;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use jaka_clock::{Clock, Socket, lock};
 use jaka_proto::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
 use super::track::Track;
 use super::{Recorder, StatusSampling};
-use crate::clock::Clock;
-use crate::socket::Socket;
-use crate::sync::lock;
 use crate::{Disconnect, Error};
 
 /// Number of messages that an error keeps.
@@ -64,7 +62,7 @@ impl Tap {
     pub(crate) fn connected(&self, stream: &Socket) {
         let Some(connection) = &self.connection else { return };
         lock(&connection.state).is_open = true;
-        let address = stream.peer_addr().map(|address| address.to_string()).unwrap_or_default();
+        let address = stream.system().peer_addr().map(|address| address.to_string()).unwrap_or_default();
         connection.track.record(Event::Connected { address });
     }
 

@@ -4,12 +4,11 @@ use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use jaka_clock::{Clock, lock};
 use jaka_proto::recording::{Entry, Event, Message, Port};
 
 use super::Recorder;
 use super::sampling::{Sampler, StatusSampling};
-use crate::clock::Clock;
-use crate::sync::lock;
 
 /// One connection in a recording, for programs that make connections of their own, such as a proxy.
 ///

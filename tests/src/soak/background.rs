@@ -3,17 +3,18 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::JoinHandle;
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use jaka_robot::jaka_sync::{self, ErrorKind as Failure};
 use jaka_robot::status::RobotStatus;
 use jaka_robot::{Config, Error, ErrorKind, Monitor, StatusStream};
+use jaka_sim::jaka_clock::Clock;
 
 use super::account::{Fate, Stops};
 use super::host::{FIRST_RATE, Ports};
+use super::orders::Orders;
 use super::tally::Tally;
-use super::time::{Orders, Time};
 
 /// How long a reader of the status port waits before it reconnects.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -57,16 +58,16 @@ pub(super) fn count<T>(tally: &mut Tally, result: &Result<T, Error>) {
 /// A thread that stops the arm whenever it is told to.
 #[derive(Debug)]
 pub(super) struct Hand {
-    time: Time,
+    time: Clock,
     orders: Orders,
     thread: JoinHandle<(Stops, Tally)>,
 }
 
 impl Hand {
-    pub(super) fn new(time: &Time, stop: impl Fn() -> Result<(), Error> + Send + 'static) -> Self {
+    pub(super) fn new(time: &Clock, stop: impl Fn() -> Result<(), Error> + Send + 'static) -> Self {
         let orders = Orders::new(time);
         let theirs = orders.clone();
-        let thread = time.start(move || {
+        let thread = thread::spawn(time.participating(move || {
             let (mut stops, mut tally) = (Stops::default(), Tally::default());
             while theirs.take() {
                 let stopped = stop();
@@ -76,7 +77,7 @@ impl Hand {
                 stops.seen += usize::from(fate == Fate::Seen);
             }
             (stops, tally)
-        });
+        }));
         Self { time: time.clone(), orders, thread }
     }
 
@@ -152,7 +153,7 @@ pub(super) fn observe(monitor: &Monitor, rate: &Rate, findings: &Findings) {
 /// A thread that reads status packets by a stream, and reconnects when it breaks.
 #[derive(Debug)]
 pub(super) struct Reader {
-    time: Time,
+    time: Clock,
     ends: Arc<AtomicBool>,
     thread: JoinHandle<Tally>,
 }
@@ -162,7 +163,7 @@ impl Reader {
         let ends = Arc::new(AtomicBool::new(false));
         let (told, mut order) = (Arc::clone(&ends), Order::new(rate, findings));
         let (ports, time) = (ports.clone(), ports.time.clone());
-        let thread = time.start(move || {
+        let thread = thread::spawn(time.participating(move || {
             let mut tally = Tally::default();
             while !told.load(Ordering::SeqCst) {
                 if let Err(error) = read(&config, &ports, &told, &mut order, &mut tally) {
@@ -171,7 +172,7 @@ impl Reader {
                 }
             }
             tally
-        });
+        }));
         Self { time, ends, thread }
     }
 

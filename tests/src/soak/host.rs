@@ -6,11 +6,11 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
+use jaka_sim::jaka_clock::Clock;
 use jaka_sim::{Controller, Delays, SimulatedClock};
 use serde_json::json;
 
 use super::faults;
-use super::time::Time;
 use crate::standstill::Standstill;
 
 /// How often status packets go out.
@@ -36,7 +36,7 @@ enum Place {
 pub(super) struct Ports {
     pub(super) commands: SocketAddr,
     pub(super) status: SocketAddr,
-    pub(super) time: Time,
+    pub(super) time: Clock,
 }
 
 impl Host {
@@ -79,8 +79,8 @@ impl Host {
         let addresses: Vec<SocketAddr> = answer.split(' ').map(|address| address.parse().expect("it is one")).collect();
         let place = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let time = |arm: usize| match &*place {
-            Place::Here(controllers) => Time(controllers.all[arm].clock().cloned()),
-            Place::Elsewhere { .. } => Time(None),
+            Place::Here(controllers) => controllers.all[arm].clock().map_or_else(Clock::default, Clock::simulated),
+            Place::Elsewhere { .. } => Clock::default(),
         };
         let pairs = addresses.chunks(2).enumerate();
         pairs.map(|(arm, pair)| Ports { commands: pair[0], status: pair[1], time: time(arm) }).collect()

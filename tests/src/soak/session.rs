@@ -41,7 +41,7 @@ pub(super) fn config(ports: &Ports) -> Config {
     let reconnect =
         Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(5), longest: Duration::from_millis(100) };
     let config = Config::new().reply_timeout(REPLY).max_frame(MAX_FRAME).connect_timeout(CONNECT).reconnect(reconnect);
-    ports.time.configure(config)
+    ports.time.as_simulated().into_iter().fold(config, Config::clock)
 }
 
 impl Session {

@@ -1,11 +1,12 @@
 //! Threads that call, in the time of a simulated clock.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use jaka_sim::SimulatedClock;
+use jaka_sim::jaka_clock::{Clock, Signal, lock};
 use jaka_sync::program::{PauseProgram, StopProgram};
 use jaka_sync::{Client, Error, ErrorKind, Pipeline, StopHandle};
 
@@ -33,8 +34,8 @@ pub(crate) enum Order {
 /// State that the threads share.
 #[derive(Debug)]
 struct Shared {
-    clock: SimulatedClock,
     state: Mutex<State>,
+    changed: Signal,
 }
 
 #[derive(Debug, Default)]
@@ -45,35 +46,19 @@ struct State {
 }
 
 impl Shared {
-    fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn signal(&self) -> usize {
-        &raw const self.state as usize
-    }
-
     /// Waits for the next order; none once there will be none.
     fn next(&self, actor: Actor) -> Option<Order> {
-        let mut state = self.lock();
-        loop {
-            if let Some(order) = state.orders[actor].pop_front() {
-                return Some(order);
-            }
-            if state.are_closed {
-                return None;
-            }
-            state = self.clock.wait_for(self.signal(), &self.state, state, None);
-        }
+        let is_ready = |state: &State| !state.orders[actor].is_empty() || state.are_closed;
+        self.changed.wait_until(&self.state, Duration::MAX, is_ready).orders[actor].pop_front()
     }
 
     fn end(&self, actor: Actor, end: End) {
-        self.lock().ended.push((actor, end));
+        lock(&self.state).ended.push((actor, end));
     }
 
     fn change(&self, act: impl FnOnce(&mut State)) {
-        act(&mut self.lock());
-        self.clock.notify_all(self.signal());
+        act(&mut lock(&self.state));
+        self.changed.notify_all();
     }
 }
 
@@ -86,7 +71,7 @@ pub(crate) struct Workers {
 
 impl Workers {
     pub(crate) fn new(clock: &SimulatedClock, client: Client) -> Self {
-        let shared = Arc::new(Shared { clock: clock.clone(), state: Mutex::default() });
+        let shared = Arc::new(Shared { state: Mutex::default(), changed: Signal::new(&Clock::simulated(clock)) });
         let stops = [1, 2].map(|actor| {
             let (shared, stop) = (Arc::clone(&shared), client.stop_handle());
             start(clock, move || stop_whenever_told(&shared, actor, &stop))
@@ -102,7 +87,7 @@ impl Workers {
 
     /// Takes the ends of calls since this was last asked.
     pub(crate) fn take_ended(&self) -> Vec<(Actor, End)> {
-        std::mem::take(&mut self.shared.lock().ended)
+        std::mem::take(&mut lock(&self.shared.state).ended)
     }
 
     /// Waits for the ends of the threads.
@@ -112,7 +97,7 @@ impl Workers {
     pub(crate) fn join(mut self) {
         self.close();
         for thread in self.threads.drain(..) {
-            self.shared.clock.outside(|| thread.join()).expect("no call panics");
+            self.shared.changed.clock().outside(|| thread.join()).expect("no call panics");
         }
     }
 

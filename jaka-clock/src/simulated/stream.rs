@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::time::Duration;
 
-use crate::{Channel, SimulatedClock};
+use super::{Channel, SimulatedClock};
 
 /// Connection of a program that takes part in the time of a clock, from [`SimulatedClock::connect`] or
 /// [`Listener::accept`].

@@ -1,7 +1,7 @@
-//! One end of a connection, whose reads and writes wait in the time of a clock.
+//! End of a connection, whose reads and writes wait in the time of a clock.
 //!
-//! Between two ends that take part, the clock counts the bytes on their way: what a read brings, what a write takes,
-//! and when, depends on nothing else. The system carries the bytes, however long that takes it in real time. Of an end
+//! Between two ends that take part, the clock counts the bytes on their way: the bytes of a read or a write, and their
+//! time, depend on nothing else. The system carries the bytes, however long that takes it in real time. Of an end
 //! that does not take part only the system knows.
 
 use std::io::{self, ErrorKind, Read, Write};
@@ -9,17 +9,16 @@ use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::state::{Found, Reason, Room, State, Way};
-use crate::{SimulatedClock, Work};
+use super::state::{Found, Reason, Room, State, Way};
+use super::{SimulatedClock, Work};
 
-/// One end of a connection that takes part in the time of a clock: it knows which bytes are on their way, if the other end takes part, too.
+/// End of a connection that takes part in the time of a clock. It knows which bytes are on their way if the other end
+/// takes part, too.
 ///
-/// Up to 1 MiB is on its way to an end that takes part and does not read; then a write waits.
-///
-/// The socket stays its owner's, and blocks. All its reads, writes and ends go through here. It is dropped after the socket.
-/// [`Stream`](crate::Stream) is both in one.
+/// Up to 1 MiB is on its way to an end that takes part and does not read; then a write waits. The stream blocks. All its
+/// reads, writes and ends go through here. It is dropped before the channel.
 #[derive(Debug)]
-pub struct Channel {
+pub(crate) struct Channel {
     clock: SimulatedClock,
     local: SocketAddr,
     peer: SocketAddr,
@@ -37,8 +36,8 @@ const LONGEST_SLICE: Duration = Duration::from_millis(10);
 const TRANSPORT: Duration = Duration::from_secs(5);
 
 impl SimulatedClock {
-    /// Announces that connections to this address are accepted by a thread of this process, which then calls
-    /// [`accepted`](Self::accepted).
+    /// Announces that a thread of this process accepts connections to this address, and makes sockets of them by
+    /// [`Socket::accepted`](crate::Socket::accepted).
     pub fn listen(&self, address: SocketAddr) {
         self.lock().listeners.insert(address);
     }
@@ -48,22 +47,16 @@ impl SimulatedClock {
         self.lock().stop_listening(address);
     }
 
-    /// The end of the program that has made a connection. Call it before anything else.
-    ///
-    /// # Errors
-    /// The socket's options cannot be set, or its addresses are not known.
-    pub fn connected(&self, stream: &TcpStream) -> io::Result<Channel> {
+    /// End of a connection for the program that has made it just now.
+    pub(crate) fn connected(&self, stream: &TcpStream) -> io::Result<Channel> {
         let (local, peer) = (stream.local_addr()?, stream.peer_addr()?);
         self.take_part();
         self.lock().connected(local, peer);
         Channel::new(self, stream, local, peer)
     }
 
-    /// The end of the program that has accepted a connection from `peer`, and that it is at work with it. Call it before anything else.
-    ///
-    /// # Errors
-    /// The socket's options cannot be set, or its address is not known.
-    pub fn accepted(&self, stream: &TcpStream, peer: SocketAddr) -> io::Result<(Channel, Work)> {
+    /// End of a connection for the program that has accepted it from `peer` just now, and the program's work with it.
+    pub(crate) fn accepted(&self, stream: &TcpStream, peer: SocketAddr) -> io::Result<(Channel, Work)> {
         let local = stream.local_addr()?;
         self.lock().accepted(local, peer);
         let work = Work::new(self);
@@ -72,7 +65,6 @@ impl SimulatedClock {
 }
 
 impl Channel {
-    /// Of an end that takes part already.
     fn new(clock: &SimulatedClock, stream: &TcpStream, local: SocketAddr, peer: SocketAddr) -> io::Result<Self> {
         let channel = Self { clock: clock.clone(), local, peer, is_nonblocking: AtomicBool::new(false) };
         stream.set_read_timeout(Some(SLICE))?;
@@ -80,16 +72,19 @@ impl Channel {
         Ok(channel)
     }
 
-    /// Has reads and writes wait, or not.
-    pub fn set_nonblocking(&self, is_nonblocking: bool) {
+    /// Sets whether reads and writes return at once in place of waiting.
+    pub(crate) fn set_nonblocking(&self, is_nonblocking: bool) {
         self.is_nonblocking.store(is_nonblocking, Ordering::SeqCst);
     }
 
-    /// Reads once, and waits for bytes for at most so long, if a time is given.
-    ///
-    /// # Errors
-    /// [`ErrorKind::WouldBlock`] if nothing has come in time; what the socket reports.
-    pub fn read(&self, mut stream: &TcpStream, space: &mut [u8], patience: Option<Duration>) -> io::Result<usize> {
+    /// Reads once, and waits for bytes for at most so long, if a time is given. It fails with [`ErrorKind::WouldBlock`]
+    /// then.
+    pub(crate) fn read(
+        &self,
+        mut stream: &TcpStream,
+        space: &mut [u8],
+        patience: Option<Duration>,
+    ) -> io::Result<usize> {
         let until = self.clock.deadline(patience);
         let way = self.inbound();
         let count = loop {
@@ -123,10 +118,7 @@ impl Channel {
     }
 
     /// Number of bytes that a read would bring at least, without reading or waiting: 0 at the end.
-    ///
-    /// # Errors
-    /// [`ErrorKind::WouldBlock`] if a read would wait; what the socket reports.
-    pub fn peek(&self, stream: &TcpStream) -> io::Result<usize> {
+    pub(crate) fn peek(&self, stream: &TcpStream) -> io::Result<usize> {
         let found = self.clock.lock().found(self.inbound());
         match found {
             Found::Nothing => Err(ErrorKind::WouldBlock.into()),
@@ -136,11 +128,9 @@ impl Channel {
         }
     }
 
-    /// Writes once, and waits for room for at most so long, if a time is given.
-    ///
-    /// # Errors
-    /// [`ErrorKind::WouldBlock`] if there was no room in time; what the socket reports.
-    pub fn write(&self, mut stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<usize> {
+    /// Writes once, and waits for room for at most so long, if a time is given. It fails with
+    /// [`ErrorKind::WouldBlock`] then.
+    pub(crate) fn write(&self, mut stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<usize> {
         let until = self.clock.deadline(patience);
         let way = self.outbound();
         let count = loop {
@@ -179,10 +169,7 @@ impl Channel {
     }
 
     /// Writes all.
-    ///
-    /// # Errors
-    /// [`ErrorKind::WouldBlock`] if there was no room for so long, if a time is given; what the socket reports.
-    pub fn write_all(&self, stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<()> {
+    pub(crate) fn write_all(&self, stream: &TcpStream, bytes: &[u8], patience: Option<Duration>) -> io::Result<()> {
         let mut rest = bytes;
         while !rest.is_empty() {
             match self.write(stream, rest, patience)? {
@@ -193,11 +180,8 @@ impl Channel {
         Ok(())
     }
 
-    /// Ends the connection in a direction or both, and wakes who waits for it.
-    ///
-    /// # Errors
-    /// What the socket reports: it has ended already.
-    pub fn shutdown(&self, stream: &TcpStream, how: Shutdown) -> io::Result<()> {
+    /// Ends the connection in a direction or both, and wakes the threads that wait for it.
+    pub(crate) fn shutdown(&self, stream: &TcpStream, how: Shutdown) -> io::Result<()> {
         let done = stream.shutdown(how);
         let mut state = self.clock.lock();
         if how != Shutdown::Write {
@@ -221,7 +205,7 @@ impl Channel {
         self.is_nonblocking.load(Ordering::SeqCst)
     }
 
-    /// Fails where a wait until then is over, or none is wanted.
+    /// Fails if a wait until then is over, or none is wanted.
     fn fail_if_over(&self, state: &State, until: Option<Duration>) -> io::Result<()> {
         let is_over = self.is_nonblocking() || until.is_some_and(|until| until <= state.now);
         if is_over { Err(ErrorKind::WouldBlock.into()) } else { Ok(()) }
@@ -237,8 +221,8 @@ impl Channel {
         })
     }
 
-    /// Asks the system for what only it knows, at first while time stands still; none where the time is over, or the
-    /// clock knows it now.
+    /// Asks the system for bytes or room of which only it knows, at first while time stands still; none if the time is
+    /// over, or the clock knows of them now.
     fn ask_system<T>(
         &self,
         reason: Reason,
@@ -276,7 +260,7 @@ fn write_into_room(mut stream: &TcpStream, bytes: &[u8]) -> io::Result<usize> {
     Ok(written)
 }
 
-/// The outcome of a call of the system that is about to have one.
+/// Outcome of a call of the system that is about to have one.
 fn transported<T>(mut call: impl FnMut() -> io::Result<T>) -> Option<io::Result<T>> {
     for_long(TRANSPORT, || Some(call()).filter(|outcome| !outcome.as_ref().is_err_and(is_time_up)))
 }
@@ -295,7 +279,7 @@ fn for_long<T>(time: Duration, mut attempt: impl FnMut() -> Option<T>) -> Option
     }
 }
 
-/// True where a call only waited. Systems differ in what they call it, and interrupt a call when the process is
+/// True if a call only waited. Systems differ in what they call it, and interrupt a call when the process is
 /// stopped.
 fn is_time_up(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)

@@ -1,18 +1,18 @@
-//! What the time is, who is at work, and who waits for what.
+//! State of a clock: the time, the number of threads at work, and the waits.
 
 use std::collections::{HashMap, HashSet};
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::seat::Seat;
+use super::parker::Parker;
 
-/// The bytes from one address to another.
-pub(crate) type Way = (SocketAddr, SocketAddr);
+/// Direction of bytes: from one address to another.
+pub(super) type Way = (SocketAddr, SocketAddr);
 
-/// What a wait is for, other than a time.
+/// Reason of a wait, other than a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Reason {
+pub(super) enum Reason {
     /// Nothing.
     Time,
     /// A signal, by its address.
@@ -23,39 +23,39 @@ pub(crate) enum Reason {
     Writable(Way),
 }
 
-/// What the time is, and what keeps it from going on.
+/// State of a clock: the time, and the work that keeps it from going on.
 #[derive(Debug, Default)]
-pub(crate) struct State {
+pub(super) struct State {
     /// Since the clock was made.
-    pub(crate) now: Duration,
-    /// How many threads and promises are at work. Time stands still while there are some.
+    pub(super) now: Duration,
+    /// Number of threads and promises at work. Time stands still while there are some.
     at_work: usize,
     /// In the order in which they began to wait.
     waiters: Vec<Waiter>,
     last: u64,
     pipes: HashMap<Way, Pipe>,
     /// Addresses at which a participant accepts connections.
-    pub(crate) listeners: HashSet<SocketAddr>,
+    pub(super) listeners: HashSet<SocketAddr>,
     /// Connections that were made, and that the other end has not accepted yet.
     coming: HashSet<Way>,
-    /// Connections that were accepted, and whose programs have not said that they were made: these may be held up, or
-    /// take no part.
+    /// Connections that were accepted, and whose programs have not announced them: these may be held up, or take no
+    /// part.
     accepted: HashSet<Way>,
 }
 
-/// A thread that waits.
+/// Wait of a thread.
 #[derive(Debug)]
 struct Waiter {
     number: u64,
     reason: Reason,
     until: Option<Duration>,
-    seat: Arc<Seat>,
+    parker: Arc<Parker>,
     moves_time: MovesTime,
 }
 
 /// Whether time goes on for a thread that waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum MovesTime {
+pub(super) enum MovesTime {
     Yes,
     /// Only if it does for another: what serves others has no end of its own.
     No,
@@ -63,10 +63,10 @@ pub(crate) enum MovesTime {
 
 /// Bytes on their way from one end of a connection to the other.
 #[derive(Debug, Default)]
-pub(crate) struct Pipe {
+pub(super) struct Pipe {
     /// Number of bytes that were written and not read. Below zero where a read overtakes the writer, which says so
     /// after its write.
-    pub(crate) unread: i64,
+    pub(super) unread: i64,
     /// No bytes come after those that are unread.
     is_closed: bool,
     has_reader: bool,
@@ -75,7 +75,7 @@ pub(crate) struct Pipe {
 
 /// Bytes that a reader finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Found {
+pub(super) enum Found {
     /// So many were written and not read.
     Bytes(usize),
     Nothing,
@@ -87,7 +87,7 @@ pub(crate) enum Found {
 
 /// Room that a writer finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Room {
+pub(super) enum Room {
     /// For so many bytes.
     Bytes(usize),
     Nothing,
@@ -97,48 +97,48 @@ pub(crate) enum Room {
 
 /// Number of bytes that can be on their way to a participant. Less than the room that systems have for a connection on
 /// loopback, so that what a write takes depends on the reader alone.
-pub(crate) const WINDOW: i64 = 1 << 20;
+pub(super) const WINDOW: i64 = 1 << 20;
 
 impl State {
-    pub(crate) fn begin_work(&mut self) {
+    pub(super) fn begin_work(&mut self) {
         self.at_work += 1;
     }
 
-    pub(crate) fn end_work(&mut self) {
+    pub(super) fn end_work(&mut self) {
         self.at_work = self.at_work.saturating_sub(1);
         self.go_on();
     }
 
     /// True if this wait is one for which time should go on, and does not since somebody is at work.
-    pub(crate) fn is_kept_from(&self, number: u64) -> bool {
+    pub(super) fn is_kept_from(&self, number: u64) -> bool {
         let moves_time = |waiter: &Waiter| waiter.number == number && waiter.moves_time == MovesTime::Yes;
         self.at_work > 0 && self.waiters.iter().any(moves_time)
     }
 
-    /// A participant begins to wait: its number.
-    pub(crate) fn wait(
+    /// Begins a wait of a participant. Returns its number.
+    pub(super) fn wait(
         &mut self,
         reason: Reason,
         until: Option<Duration>,
-        seat: &Arc<Seat>,
+        parker: &Arc<Parker>,
         moves_time: MovesTime,
     ) -> u64 {
         self.last += 1;
-        self.waiters.push(Waiter { number: self.last, reason, until, seat: Arc::clone(seat), moves_time });
+        self.waiters.push(Waiter { number: self.last, reason, until, parker: Arc::clone(parker), moves_time });
         let number = self.last;
         self.end_work();
         number
     }
 
     /// Ends a wait that was begun, if nothing has ended it.
-    pub(crate) fn resume(&mut self, number: u64) {
+    pub(super) fn resume(&mut self, number: u64) {
         if let Some(place) = self.waiters.iter().position(|waiter| waiter.number == number) {
             self.wake(place);
         }
     }
 
-    /// Ends all waits for this. Those who waited are at work from now on.
-    pub(crate) fn signal(&mut self, reason: Reason) {
+    /// Ends all waits for this. Their threads are at work from now on.
+    pub(super) fn signal(&mut self, reason: Reason) {
         while let Some(place) = self.waiters.iter().position(|waiter| waiter.reason == reason) {
             self.wake(place);
         }
@@ -146,11 +146,11 @@ impl State {
 
     fn wake(&mut self, place: usize) {
         self.at_work += 1;
-        self.waiters.remove(place).seat.wake();
+        self.waiters.remove(place).parker.wake();
     }
 
-    /// Where nobody is at work, goes on to the first time for which somebody waits. Of several, the one that began to wait first goes on
-    /// alone: the next one follows when it waits again.
+    /// Goes on to the first time for which a thread waits, if none is at work. Of several, the one that began to wait
+    /// first goes on alone: the next one follows when it waits again.
     fn go_on(&mut self) {
         if self.at_work > 0 || self.waiters.iter().all(|waiter| waiter.moves_time == MovesTime::No) {
             return;
@@ -163,18 +163,18 @@ impl State {
         }
     }
 
-    pub(crate) fn pipe(&mut self, way: Way) -> &mut Pipe {
+    pub(super) fn pipe(&mut self, way: Way) -> &mut Pipe {
         self.pipes.entry(way).or_default()
     }
 
-    /// An end of a connection takes part.
+    /// Records that an end of a connection takes part.
     fn open(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.pipe((local, peer)).has_writer = true;
         self.pipe((peer, local)).has_reader = true;
     }
 
-    /// An end of a connection that took part is gone.
-    pub(crate) fn drop_end(&mut self, local: SocketAddr, peer: SocketAddr) {
+    /// Records that an end of a connection that took part is gone.
+    pub(super) fn drop_end(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.pipe((local, peer)).has_writer = false;
         self.pipe((peer, local)).has_reader = false;
         for way in [(local, peer), (peer, local)] {
@@ -185,24 +185,24 @@ impl State {
         }
     }
 
-    /// No more bytes come this way.
-    pub(crate) fn close(&mut self, way: Way) {
+    /// Records that no more bytes come in this direction.
+    pub(super) fn close(&mut self, way: Way) {
         self.pipe(way).is_closed = true;
         self.signal(Reason::Readable(way));
         self.signal(Reason::Writable(way));
     }
 
-    pub(crate) fn wrote(&mut self, way: Way, count: usize) {
+    pub(super) fn wrote(&mut self, way: Way, count: usize) {
         self.pipe(way).unread += signed(count);
         self.signal(Reason::Readable(way));
     }
 
-    pub(crate) fn read(&mut self, way: Way, count: usize) {
+    pub(super) fn read(&mut self, way: Way, count: usize) {
         self.pipe(way).unread -= signed(count);
         self.signal(Reason::Writable(way));
     }
 
-    pub(crate) fn found(&mut self, way: Way) -> Found {
+    pub(super) fn found(&mut self, way: Way) -> Found {
         let pipe = self.pipe(way);
         match pipe {
             Pipe { unread: 1.., .. } => Found::Bytes(usize::try_from(pipe.unread).unwrap_or(usize::MAX)),
@@ -212,7 +212,7 @@ impl State {
         }
     }
 
-    pub(crate) fn room(&mut self, way: Way) -> Room {
+    pub(super) fn room(&mut self, way: Way) -> Room {
         let pipe = self.pipe(way);
         if pipe.is_closed || !pipe.has_reader {
             return Room::Stranger;
@@ -223,8 +223,8 @@ impl State {
         }
     }
 
-    /// Nobody accepts connections there any more.
-    pub(crate) fn stop_listening(&mut self, address: SocketAddr) {
+    /// Records that no participant accepts connections there any more.
+    pub(super) fn stop_listening(&mut self, address: SocketAddr) {
         self.listeners.remove(&address);
         self.accepted.retain(|(_, server)| !is_at(address, *server));
         let lost: Vec<_> = self.coming.iter().copied().filter(|(_, server)| is_at(address, *server)).collect();
@@ -236,9 +236,9 @@ impl State {
         }
     }
 
-    /// An end of a connection that was made takes part. Where a participant accepts it, its other end takes part, too,
-    /// and time stands still until it is accepted.
-    pub(crate) fn connected(&mut self, local: SocketAddr, peer: SocketAddr) {
+    /// Records that an end of a connection that was made takes part. Where a participant accepts it, its other end takes
+    /// part, too, and time stands still until it is accepted.
+    pub(super) fn connected(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.open(local, peer);
         // Its other end may be gone again by now.
         let is_accepted = self.accepted.remove(&(local, peer));
@@ -249,8 +249,8 @@ impl State {
         }
     }
 
-    /// An end of a connection that was accepted takes part. Its acceptor is at work from now on.
-    pub(crate) fn accepted(&mut self, local: SocketAddr, peer: SocketAddr) {
+    /// Records that an end of a connection that was accepted takes part. Its acceptor is at work from now on.
+    pub(super) fn accepted(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.open(local, peer);
         if !self.coming.remove(&(peer, local)) {
             self.accepted.insert((peer, local));
@@ -259,7 +259,7 @@ impl State {
     }
 }
 
-/// Whether an address is one of a listener, which may listen at all addresses of the machine.
+/// True if an address is one of a listener, which may listen at all addresses of the machine.
 fn is_at(listener: SocketAddr, address: SocketAddr) -> bool {
     listener.port() == address.port() && (listener.ip() == address.ip() || listener.ip().is_unspecified())
 }

@@ -1,41 +1,41 @@
-//! The place where a thread waits.
+//! Parker of a thread.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, Thread};
 use std::time::{Duration, Instant};
 
-/// The place where a thread waits, one wait at a time.
+/// Parker of a thread, for one wait at a time.
 #[derive(Debug)]
-pub(crate) struct Seat {
+pub(super) struct Parker {
     thread: Thread,
     is_woken: AtomicBool,
 }
 
-/// How long a wait lasts before it asks whether something is wrong.
+/// Real time after which a wait asks whether something is wrong.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-impl Seat {
-    /// This thread's.
-    pub(crate) fn new() -> Self {
+impl Parker {
+    /// Parker of this thread.
+    pub(super) fn new() -> Self {
         Self { thread: thread::current(), is_woken: AtomicBool::new(false) }
     }
 
-    /// A wait begins.
-    pub(crate) fn sit_down(&self) {
+    /// Begins a wait.
+    pub(super) fn begin_wait(&self) {
         self.is_woken.store(false, Ordering::SeqCst);
     }
 
-    pub(crate) fn wake(&self) {
+    pub(super) fn wake(&self) {
         self.is_woken.store(true, Ordering::SeqCst);
         self.thread.unpark();
     }
 
-    pub(crate) fn is_woken(&self) -> bool {
+    pub(super) fn is_woken(&self) -> bool {
         self.is_woken.load(Ordering::SeqCst)
     }
 
-    /// Waits until it is woken. Where that takes long in real time, asks what is wrong.
-    pub(crate) fn wait(&self, mut ask: impl FnMut(Duration)) {
+    /// Waits until it is woken. Calls `ask` with the time waited, again and again, if that takes long in real time.
+    pub(super) fn wait(&self, mut ask: impl FnMut(Duration)) {
         let mut since = Instant::now();
         let mut waited = Duration::ZERO;
         while !self.is_woken() {

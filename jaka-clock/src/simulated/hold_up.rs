@@ -9,7 +9,7 @@ thread_local! {
     static HAS_SLEPT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What threads do between two of their instructions, by their names.
+/// Acts of threads between two of their instructions, by the names of the threads.
 #[derive(Default)]
 pub(super) struct HoldUps(Mutex<Vec<HoldUp>>);
 
@@ -23,7 +23,7 @@ impl HoldUps {
         self.lock().push(HoldUp { thread: thread.to_owned(), act: Box::new(act) });
     }
 
-    /// This thread has read the clock. The first time after a sleep, the first hold-up that is meant for it takes
+    /// Records that this thread has read the clock. The first time after a sleep, the first hold-up that is meant for it takes
     /// place.
     pub(super) fn has_read(&self) {
         if !HAS_SLEPT.replace(false) {
@@ -44,7 +44,7 @@ impl HoldUps {
     }
 }
 
-/// This thread has slept.
+/// Records that this thread has slept.
 pub(super) fn has_slept() {
     HAS_SLEPT.set(true);
 }
