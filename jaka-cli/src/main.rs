@@ -41,6 +41,7 @@ mod target;
 mod tests;
 mod units;
 mod utc;
+mod words;
 
 use std::env::args_os;
 use std::process::ExitCode;

@@ -94,8 +94,8 @@ fn explained(failure: Failure, hint: &str) -> Failure {
 }
 
 /// The protocol with the packs that a line names, or else the environment or the config file.
-pub(crate) fn protocol_of(words: &[String]) -> Result<Protocol, Failure> {
-    Outline::of(words.iter().map(OsString::from).collect()).protocol()
+pub(crate) fn protocol_of(words: &[OsString]) -> Result<Protocol, Failure> {
+    Outline::of(words.to_vec()).protocol()
 }
 
 fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {

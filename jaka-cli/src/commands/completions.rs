@@ -2,6 +2,8 @@
 
 mod completion;
 
+use std::ffi::OsString;
+
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible;
 
@@ -47,7 +49,7 @@ pub(crate) struct CompleteWords {
     current: String,
     /// The words before it
     #[arg(last = true)]
-    before: Vec<String>,
+    before: Vec<OsString>,
 }
 
 impl CompleteWords {

@@ -1,106 +1,54 @@
-//! What must be known of a command line before it can be parsed: its command, and its packs.
+//! Command and packs of a line, which must be known before it can be parsed.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-
-use clap::{Arg, Command};
 
 use super::parser;
 use crate::failure::Failure;
 use crate::packs::{Protocol, SpecArgs};
 use crate::target::Lookup;
+use crate::words::Words;
 
-/// The command, the packs and the rest of a line.
-#[derive(Debug, Default)]
+/// Command, packs and rest of a line.
+#[derive(Debug)]
 pub(super) struct Outline {
-    /// The command, as it was typed.
+    /// Command, as it was typed.
     pub(super) command: Option<String>,
-    /// The values of `--pack`.
+    /// Values of `--pack`.
     pub(super) packs: Vec<PathBuf>,
-    /// The value of `--config`.
+    /// Value of `--config`.
     pub(super) config: Option<PathBuf>,
-    /// The value of `--robot`.
+    /// Value of `--robot`.
     pub(super) robot: Option<PathBuf>,
     /// True if `--raw` is given.
     pub(super) raw: bool,
     /// True if `--quiet` is given.
     pub(super) quiet: bool,
-    /// The line without the command.
+    /// Line without the command.
     pub(super) rest: Vec<OsString>,
 }
 
 impl Outline {
-    /// Goes through the words of a line. Errors are left to the parser.
-    pub(super) fn of(words: Vec<OsString>) -> Self {
+    /// Outline of the words of a line. Errors are left to the parser.
+    pub(super) fn of(mut words: Vec<OsString>) -> Self {
         let known = parser::bare();
-        let mut outline = Self::default();
-        let mut words = words.into_iter().peekable();
-        while let Some(word) = words.next() {
-            let text = word.to_string_lossy();
-            if !text.starts_with('-') {
-                if outline.command.is_none() {
-                    outline.command = Some(text.into_owned());
-                } else {
-                    outline.rest.push(word);
-                }
-                continue;
-            }
-            let mut next = None;
-            for (option, own_value) in options(&known, &text) {
-                next = words.next_if(|next| own_value.is_none() && takes(option, next));
-                let value = own_value.map(OsString::from).or_else(|| next.clone());
-                outline.note(option.get_id().as_str(), value.map(PathBuf::from));
-            }
-            outline.rest.push(word);
-            outline.rest.extend(next);
+        let line = Words::of(&known, &words);
+        let path = |id| line.value(id).map(PathBuf::from);
+        let (packs, config, robot) = (line.values("packs").map(PathBuf::from).collect(), path("config"), path("robot"));
+        let (raw, quiet) = (line.has("raw"), line.has("quiet"));
+        let command = line.positionals.into_iter().next();
+        let (place, command) = command.map(|command| (command.place, command.word.into_owned())).unzip();
+        if let Some(place) = place {
+            words.remove(place);
         }
-        outline
+        Self { command, packs, config, robot, raw, quiet, rest: words }
     }
 
-    /// The protocol with these packs, or else with those of the environment or the config file.
+    /// Protocol with these packs, or else with those of the environment or the config file.
     pub(super) fn protocol(&self) -> Result<Protocol, Failure> {
         let robot = self.robot.as_deref().and_then(Path::to_str);
         SpecArgs::of(self.packs.clone()).load(Lookup { config: self.config.as_deref(), robot })
     }
-
-    fn note(&mut self, option: &str, value: Option<PathBuf>) {
-        match option {
-            "packs" => self.packs.extend(value),
-            "config" => self.config = value,
-            "robot" => self.robot = value,
-            "raw" => self.raw = true,
-            "quiet" => self.quiet = true,
-            _ => {}
-        }
-    }
-}
-
-/// The options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`, each with the value that the
-/// word gives it. One that takes a value is the last.
-fn options<'c, 'w>(known: &'c Command, word: &'w str) -> Vec<(&'c Arg, Option<&'w str>)> {
-    let mut found = Vec::new();
-    if let Some(long) = word.strip_prefix("--") {
-        let (name, value) = long.split_once('=').map_or((long, None), |(name, value)| (name, Some(value)));
-        found.extend(known.get_arguments().find(|arg| arg.get_long() == Some(name)).map(|arg| (arg, value)));
-        return found;
-    }
-    let mut shorts = word.strip_prefix('-').unwrap_or(word).chars();
-    while let Some(short) = shorts.next() {
-        let Some(arg) = known.get_arguments().find(|arg| arg.get_short() == Some(short)) else { break };
-        let value = shorts.as_str();
-        if arg.get_action().takes_values() {
-            found.push((arg, (!value.is_empty()).then(|| value.strip_prefix('=').unwrap_or(value))));
-            break;
-        }
-        found.push((arg, None));
-    }
-    found
-}
-
-/// True if the next word is the option's value; `-` is one, for standard input.
-fn takes(option: &Arg, next: &OsString) -> bool {
-    let is_option = next.len() > 1 && next.to_string_lossy().starts_with('-');
-    option.get_action().takes_values() && !option.is_require_equals_set() && !is_option
 }
 
 #[cfg(test)]

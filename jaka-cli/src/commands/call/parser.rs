@@ -59,7 +59,8 @@ pub(crate) fn page() -> clap::Command {
 pub(crate) fn all(spec: &Spec) -> clap::Command {
     let commands = spec.commands().map(|command| {
         let parser = described(spec, command, &arguments(spec, command));
-        parser.name(command.wire.clone())
+        let in_rust = Some(command.name.clone()).filter(|name| *name != command.wire);
+        parser.name(command.wire.clone()).aliases(in_rust)
     });
     page().disable_help_subcommand(true).subcommands(commands)
 }

@@ -1,14 +1,15 @@
 //! What a word of a command line can become, from the same description as the parser's.
 
-mod line;
 mod values;
+
+use std::ffi::OsString;
 
 use clap::{Arg, ArgAction, Command, CommandFactory, ValueHint};
 use jaka_spec::words::first_sentence;
 
-use self::line::{Line, Place};
 use crate::builtin;
 use crate::commands::{all_of_call, protocol_of};
+use crate::words::{LastWord, Words};
 use crate::{Cli, output};
 
 /// What the word at the cursor can become.
@@ -33,30 +34,29 @@ impl Candidate {
 }
 
 /// What the word at the cursor can become, after the words before it, without that of the program.
-pub(crate) fn complete(before: &[String], current: &str) -> Completion {
+pub(crate) fn complete(before: &[OsString], current: &str) -> Completion {
     // A shell shows what is printed on its line.
     output::be_quiet();
     // Without packs if they cannot be read.
     if let Ok(protocol) = protocol_of(before) {
         protocol.read_status();
     }
-    let spec = builtin::of_status();
-    let mut tree = Cli::command().mut_subcommand("call", |_| all_of_call(spec));
+    let mut tree = Cli::command().mut_subcommand("call", |_| all_of_call(builtin::of_status()));
     tree.build();
-    let line = Line::of(&tree, spec, before);
-    match line.place(current) {
-        Place::Value(arg) => values(&line, arg, "", current),
-        Place::ValueInWord(arg, name, value) => values(&line, arg, &format!("{name}="), value),
-        Place::Option => Completion::Words(begun(options(&line), current)),
-        Place::Word => words(&line, current),
+    let line = Words::of(&tree, before);
+    match line.last_word(current) {
+        LastWord::Value(arg) => values(&line, arg, "", current),
+        LastWord::NamedValue { arg, name, value } => values(&line, arg, &format!("{name}="), value),
+        LastWord::Option => Completion::Words(begun(options(&line), current)),
+        LastWord::Unnamed => words(&line, current),
     }
 }
 
 /// Subcommands, or what stands at this place without a name; options where there are neither.
-fn words(line: &Line<'_>, current: &str) -> Completion {
+fn words(line: &Words<'_>, current: &str) -> Completion {
     let subcommands = line.command.get_subcommands().filter(|command| !command.is_hide_set());
     let subcommands: Vec<_> = subcommands.filter(|_| line.positionals.is_empty()).map(candidate_of).collect();
-    match line.positional() {
+    match line.command.get_positionals().nth(line.positionals.len()) {
         _ if !subcommands.is_empty() => Completion::Words(begun(subcommands, current)),
         Some(arg) => values(line, arg, "", current),
         None => Completion::Words(begun(options(line), current)),
@@ -68,7 +68,7 @@ fn candidate_of(command: &Command) -> Candidate {
 }
 
 /// The values of an argument, each with this before it. What only has a path as its value is completed by the shell.
-fn values(line: &Line<'_>, arg: &Arg, prefix: &str, current: &str) -> Completion {
+fn values(line: &Words<'_>, arg: &Arg, prefix: &str, current: &str) -> Completion {
     let known = values::of(line, arg, current);
     let is_path = matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath | ValueHint::DirPath);
     if known.is_empty() && is_path {
@@ -79,10 +79,10 @@ fn values(line: &Line<'_>, arg: &Arg, prefix: &str, current: &str) -> Completion
 }
 
 /// The options that can still be given, those of the command's own fields first.
-fn options(line: &Line<'_>) -> Vec<Candidate> {
+fn options(line: &Words<'_>) -> Vec<Candidate> {
     let is_free = |arg: &&Arg| {
         let again = matches!(arg.get_action(), ArgAction::Append | ArgAction::Count);
-        !arg.is_hide_set() && (again || !line.given.contains(&arg.get_id()))
+        !arg.is_hide_set() && (again || !line.has(arg.get_id().as_str()))
     };
     let named = line.command.get_arguments().filter(is_free);
     named.filter_map(|arg| Some(Candidate::new(format!("--{}", arg.get_long()?), summary(arg.get_help())))).collect()
@@ -103,9 +103,9 @@ mod tests {
     use super::*;
 
     fn completed(line: &str) -> Completion {
-        let words: Vec<_> = line.split(' ').map(str::to_owned).collect();
+        let words: Vec<_> = line.split(' ').map(OsString::from).collect();
         let (current, before) = words.split_last().expect("there is a word, if an empty one");
-        complete(before, current)
+        complete(before, current.to_str().expect("it was text"))
     }
 
     fn words(line: &str) -> Vec<String> {

@@ -10,17 +10,17 @@ use jaka_spec::words::first_sentence;
 use jaka_sync::recording::Recording;
 
 use super::Candidate;
-use super::line::Line;
 use crate::fields::Field;
-use crate::{recorded, target};
+use crate::words::Words;
+use crate::{builtin, recorded, target};
 
 /// How much of a recording is read for the fields of its packets, in bytes.
 const GLANCE: u64 = 1 << 20;
 
 /// The values of this argument; some depend on the rest of the line, or on how the word begins.
-pub(super) fn of(line: &Line<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
+pub(super) fn of(line: &Words<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
     match arg.get_id().as_str() {
-        "robot" => target::robots(value(line, "config").map(Path::new))
+        "robot" => target::robots(line.value("config").map(Path::new))
             .into_iter()
             .map(|(name, address)| Candidate::new(name, address))
             .collect(),
@@ -30,8 +30,7 @@ pub(super) fn of(line: &Line<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
         "firmware" => Firmware::ALL.iter().map(|firmware| Candidate::new(firmware.name(), "")).collect(),
         "fields" => after_others(current, ",", &fields(line)),
         "until" => after_others(current, "!&|()<>= ", &fields(line)),
-        "list" => line
-            .spec
+        "list" => builtin::of_status()
             .topics
             .iter()
             .filter(|topic| !topic.commands.is_empty())
@@ -39,7 +38,8 @@ pub(super) fn of(line: &Line<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
             .collect(),
         "axis" => axes(),
         "command" => {
-            line.spec.commands().map(|command| Candidate::new(&command.wire, first_sentence(&command.doc).0)).collect()
+            let commands = builtin::of_status().commands();
+            commands.map(|command| Candidate::new(&command.wire, first_sentence(&command.doc).0)).collect()
         }
         _ => possible(arg),
     }
@@ -62,11 +62,6 @@ fn short(model: &str) -> String {
     model.replace(' ', "").to_lowercase()
 }
 
-/// The value of an option that is given.
-fn value<'c>(line: &Line<'c>, id: &str) -> Option<&'c str> {
-    line.options.iter().rev().find(|(option, _)| option.get_id().as_str() == id)?.1
-}
-
 /// Candidates for the part of a word after the last of these signs.
 fn after_others(current: &str, signs: &str, all: &[Candidate]) -> Vec<Candidate> {
     let (before, _) = current.split_at(current.rfind(|c| signs.contains(c)).map_or(0, |at| at + 1));
@@ -74,9 +69,9 @@ fn after_others(current: &str, signs: &str, all: &[Candidate]) -> Vec<Candidate>
 }
 
 /// The fields of status packets; of a recording that the line names, those that its first packets have.
-fn fields(line: &Line<'_>) -> Vec<Candidate> {
+fn fields(line: &Words<'_>) -> Vec<Candidate> {
     let all = Field::all();
-    let recorded = line.positionals.first().and_then(|file| first_packets(Path::new(file))).unwrap_or_default();
+    let recorded = line.positionals.first().and_then(|file| first_packets(Path::new(&*file.word))).unwrap_or_default();
     let has = |field: &&Field| recorded.is_empty() || recorded.iter().any(|packet| field.value(packet).is_some());
     let unit = |field: &Field| field.unit.clone().unwrap_or_default();
     all.iter().filter(has).map(|field| Candidate::new(&field.name, unit(field))).collect()
