@@ -1,7 +1,7 @@
 //! The commands, one file each.
 //!
-//! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, a variant of
-//! [`Command`] and its line in [`Command::run`]. One that talks to a robot has a field
+//! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, and a row of
+//! the table of commands. One that talks to a robot has a field
 //! `#[command(flatten)] robot: RobotArgs`, the last so that its options have a heading of their own, and begins with
 //! `self.robot.target(&packs)?`, with the packs of a `SpecArgs` or with none.
 
@@ -33,9 +33,27 @@ use crate::failure::Failure;
 
 pub(crate) use self::call::{all as all_of_call, protocol_of};
 
-/// What `jaka` is asked to do.
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
+/// Makes the enum of the commands, and its `run`.
+macro_rules! commands {
+    ($($(#[$attribute:meta])* $name:ident($arguments:ty),)*) => {
+        /// Command of a line.
+        #[derive(Debug, Subcommand)]
+        pub(crate) enum Command {
+            $($(#[$attribute])* $name($arguments),)*
+        }
+
+        impl Command {
+            /// Runs the command.
+            pub(crate) fn run(self) -> Result<(), Failure> {
+                match self {
+                    $(Self::$name(command) => command.run(),)*
+                }
+            }
+        }
+    };
+}
+
+commands! {
     Status(status::Status),
     Monitor(monitor::Monitor),
     Call(call::Call),
@@ -59,34 +77,4 @@ pub(crate) enum Command {
     #[command(hide = true)]
     CompleteWords(completions::CompleteWords),
     Man(man::Man),
-}
-
-impl Command {
-    /// Runs the command.
-    pub(crate) fn run(self) -> Result<(), Failure> {
-        match self {
-            Self::Status(command) => command.run(),
-            Self::Monitor(command) => command.run(),
-            Self::Call(command) => command.run(),
-            Self::Up(command) => command.run(),
-            Self::Down(command) => command.run(),
-            Self::Stop(command) => command.run(),
-            Self::Clear(command) => command.run(),
-            Self::Move(command) => command.run(),
-            Self::Jog(command) => command.run(),
-            Self::Follow(command) => command.run(),
-            Self::Check(command) => command.run(),
-            Self::Probe(command) => command.run(),
-            Self::Jitter(command) => command.run(),
-            Self::Sim(command) => command.run(),
-            Self::Record(command) => command.run(),
-            Self::Replay(command) => command.run(),
-            Self::Report(command) => command.run(),
-            Self::Export(command) => command.run(),
-            Self::Spec(command) => command.run(),
-            Self::Completions(command) => command.run(),
-            Self::CompleteWords(command) => command.run(),
-            Self::Man(command) => command.run(),
-        }
-    }
 }
