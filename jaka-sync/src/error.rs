@@ -1,17 +1,17 @@
 //! Errors of connections.
 
 use std::error::Error as StdError;
-use std::fmt;
-use std::io;
 use std::sync::Arc;
 use std::time::Duration;
+use std::{fmt, io};
 
 use jaka_proto::check::{InvalidArgument, NotSent};
-use jaka_proto::recording::{Entry, Port};
+use jaka_proto::recording::{Entry, Event, Message, Port};
+use jaka_proto::text::visible;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{NotInFirmware, Refusal};
 
-use crate::{Disconnect, Remedy, StatusProblem, exchanges};
+use crate::{Disconnect, Remedy, StatusProblem};
 
 /// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
 ///
@@ -282,7 +282,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
         self.remedy().append(f)?;
-        if f.alternate() { exchanges::show(self.exchanges(), f) } else { Ok(()) }
+        if f.alternate() { show_exchanges(self.exchanges(), f) } else { Ok(()) }
     }
 }
 
@@ -349,6 +349,34 @@ fn disconnected(address: &str, command: Option<&str>, sent: bool, cause: &Discon
 fn not_in_state(after: Duration, packets: u64, says: Option<&str>) -> String {
     let says = says.map_or_else(String::new, |says| format!("; the last one says: {says}"));
     format!("the robot was not in the expected state within {after:?} ({packets} status packets came){says}")
+}
+
+/// Number of characters of a message that are shown.
+const SHOWN: usize = 300;
+
+/// Writes the last messages of a connection, a line each; nothing if there are none.
+pub fn show_exchanges(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if !entries.is_empty() {
+        f.write_str("\nthe last messages of the connection, by seconds since the recording began:")?;
+    }
+    entries.iter().try_for_each(|entry| {
+        let (arrow, message) = match &entry.event {
+            Event::Sent(message) => ("->", message),
+            Event::Received(message) => ("<-", message),
+            _ => return Ok(()),
+        };
+        write!(f, "\n{:12.6} {arrow} ", entry.time.as_secs_f64())?;
+        show_message(message, f)
+    })
+}
+
+fn show_message(message: &Message, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let text = message.to_string();
+    let text = visible(&text);
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => write!(f, "{}… ({} bytes)", &text[..end], message.bytes().len()),
+        None => f.write_str(&text),
+    }
 }
 
 #[cfg(test)]

@@ -18,9 +18,9 @@ use jaka_proto::{Command, CommandInfo};
 
 #[cfg(doc)]
 use crate::Config;
-pub use crate::address::names_a_port;
+pub use crate::connection::names_a_port;
 pub use crate::disconnect::is_text_line;
-pub use crate::exchanges::show as show_exchanges;
+pub use crate::error::show_exchanges;
 pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
 pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::{needed, told};

@@ -1,24 +1,18 @@
 #![doc = include_str!("../docs/overview.md")]
 
-mod address;
-mod call;
 mod client;
 mod config;
 mod connection;
 mod disconnect;
 mod error;
-mod exchanges;
 pub mod layer;
 mod link;
-mod methods;
 mod monitor;
 mod motion_status;
 mod pack;
 mod packets;
 mod pipeline;
-mod ports;
 mod receive;
-mod reconnect;
 mod recorder;
 mod remedy;
 mod snapshot;
@@ -28,9 +22,8 @@ mod status_subset;
 mod stop;
 mod sync;
 
-pub use call::Call;
 pub use client::Client;
-pub use config::Config;
+pub use config::{Config, Reconnect};
 pub use disconnect::Disconnect;
 pub use error::{Error, ErrorKind};
 /// A simulated clock, for tests. Needs the feature `simulated-clock`.
@@ -54,14 +47,21 @@ pub use jaka_proto::{
 pub use methods::*;
 pub use monitor::{Monitor, MonitorStatistics, Subscription};
 pub use motion_status::MotionStatus;
+pub use pack::Call;
 pub use pipeline::Pipeline;
-pub use reconnect::Reconnect;
 pub use recorder::{Recorder, RecorderReport, StatusSampling, Track};
 pub use remedy::Remedy;
 pub use snapshot::Snapshot;
 pub use status_problem::StatusProblem;
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
+
+/// Modules of the messages, and a method for each command, generated from the spec.
+mod methods {
+    use crate::{Client, Error};
+
+    jaka_proto_derive::client_methods!();
+}
 
 /// The port on which a controller takes commands.
 pub const COMMAND_PORT: u16 = 10001;

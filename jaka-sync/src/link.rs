@@ -4,18 +4,12 @@
 //! the order of the wire. The first thread that waits for a reply reads the socket for all; others sleep meanwhile. No
 //! thread holds the state's lock while the socket may keep it waiting.
 
-mod failure;
 mod halves;
 mod inbound;
 mod outbound;
 mod outgoing;
 mod posted;
-mod question;
-mod reservation;
-mod reset;
 mod state;
-mod turn;
-mod wait;
 
 use std::error::Error as StdError;
 use std::io;
@@ -25,24 +19,23 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_clock::{Clock, Socket, lock};
-use jaka_proto::exchange::{ReadReply, RequestId, Waiter};
+use jaka_proto::exchange::{Failure, ReadReply, RequestId, Waiter};
 use jaka_proto::recording::{Entry, MotionStep};
-use jaka_proto::wire::Writer;
+use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{CommandInfo, FirmwareVersion};
+use socket2::SockRef;
 
-use self::failure::Progress;
-pub use self::failure::unexpected;
 use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
 pub use self::outgoing::{Gate, Handle, Reservation, SendError, Written};
 pub(crate) use self::outgoing::{OPEN, Outgoing, Right};
 pub use self::posted::Answers;
 pub(crate) use self::posted::MOST_OUTSTANDING;
-pub use self::reservation::Reserved;
-use self::state::{Mode, State};
+pub use self::state::Reserved;
+use self::state::{LinkState, Mode};
 use crate::recorder::Tap;
 use crate::sync::Watched;
-use crate::{Config, Disconnect, Error};
+use crate::{Config, Disconnect, Error, ErrorKind};
 
 /// One command connection.
 ///
@@ -52,7 +45,7 @@ use crate::{Config, Disconnect, Error};
 /// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state
 ///    of an arm, never two at once. A thread that holds one of these must not take 1.
 /// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which
-///    are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder/track.rs`) and then the queue
+///    are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the queue
 ///    (`recorder/queue.rs`); and `firmware`.
 ///
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
@@ -66,7 +59,7 @@ pub struct Link {
     reply_timeout: Duration,
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection
     /// broke.
-    state: Watched<State>,
+    state: Watched<LinkState>,
     /// How many stops are on their way out. While there are some, no other command begins to go out.
     stops: AtomicUsize,
     /// Firmware of the controller, if it is known.
@@ -75,6 +68,9 @@ pub struct Link {
 
 /// Target of log records of the wire.
 const WIRE: &str = "jaka_sync::wire";
+
+/// Time in which a thread that was woken leaves the socket: far longer than it needs.
+const LEAVING: Duration = Duration::from_secs(1);
 
 /// A command on its way: what is needed to wait for its reply.
 #[derive(Debug, Clone, Copy)]
@@ -94,7 +90,7 @@ impl Sent<'_> {
 
 impl Link {
     pub(crate) fn new(stream: impl Into<Socket>, tap: Tap, config: &Config) -> Self {
-        let state = State::new(stream.into(), Inbound::new(config.max_frame));
+        let state = LinkState::new(stream.into(), Inbound::new(config.max_frame));
         Self {
             tap,
             clock: config.clock.clone(),
@@ -164,7 +160,7 @@ impl Link {
     }
 
     /// Fails where the connection is broken.
-    fn check(&self, state: &State, command: &str, progress: Progress) -> Result<(), Error> {
+    fn check(&self, state: &LinkState, command: &str, progress: Progress) -> Result<(), Error> {
         let broken = state.broken.clone();
         broken.map_or(Ok(()), |cause| Err(self.attach(self.disconnected(command, progress, cause))))
     }
@@ -244,7 +240,7 @@ impl Link {
     }
 
     /// Has the socket block or not. It must block where somebody reads it.
-    fn switch(state: &mut State, mode: Mode) -> io::Result<()> {
+    fn switch(state: &mut LinkState, mode: Mode) -> io::Result<()> {
         if let Some(stream) = state.stream.as_ref().filter(|_| state.mode != mode) {
             stream.set_nonblocking(mode == Mode::Nonblocking)?;
             state.mode = mode;
@@ -253,7 +249,7 @@ impl Link {
     }
 
     /// Breaks the connection for good. The first cause stays.
-    fn break_off(&self, state: &mut State, cause: Disconnect) -> Arc<Disconnect> {
+    fn break_off(&self, state: &mut LinkState, cause: Disconnect) -> Arc<Disconnect> {
         if let Some(stream) = &state.stream {
             // An error here means that the socket is closed already.
             let _ = stream.shutdown(Shutdown::Both);
@@ -282,12 +278,82 @@ impl Link {
         let cause = Disconnect::Ended { by: by.name.to_owned() };
         self.break_off(&mut self.state.lock(), cause);
     }
+
+    /// Error for a command whose connection is broken.
+    fn disconnected(&self, command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
+        let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
+        ErrorKind::Disconnected { address: self.address(), command, sent, cause }.into()
+    }
+
+    /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
+    ///
+    /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a `shutdown` delivers
+    /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
+    /// and this waits for that. What the network or the controller holds cannot be recalled.
+    pub fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
+        let mut state = self.state.lock();
+        let broken = state.broken.get_or_insert_with(|| {
+            self.tap.broken(&cause);
+            Arc::new(cause)
+        });
+        let broken = Arc::clone(broken);
+        self.state.wake();
+        let Some(stream) = state.stream.take() else { return broken };
+        // An error here means that the socket is closed already.
+        let _ = SockRef::from(stream.system()).set_linger(Some(Duration::ZERO));
+        // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone; what that delivers
+        // until this thread has left is what would be delivered without a reset.
+        let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });
+        let others = Arc::downgrade(&stream);
+        drop(stream);
+        let since = self.clock.stopwatch();
+        while others.strong_count() > 0 && since.passed() < LEAVING {
+            state = self.state.wait(state, LEAVING);
+        }
+        broken
+    }
 }
 
 impl Drop for Link {
     fn drop(&mut self) {
         self.tap.left();
     }
+}
+
+/// Position of a command when its connection was broken: on the wire, or not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Progress {
+    Sent,
+    NotSent,
+}
+
+/// Error for a command that failed on a connection that can be used on.
+fn failed(command: &str, failure: Failure) -> Error {
+    let name = command.to_owned();
+    match failure {
+        Failure::Refused(mut refusal) => {
+            refusal.command = name;
+            ErrorKind::Refused { refusal }.into()
+        }
+        Failure::Unexpected(source) => unexpected(command, source),
+        Failure::TimedOut { after } => timed_out(command, after),
+        Failure::Lost => ErrorKind::ReplyLost { command: name }.into(),
+    }
+}
+
+/// Error for a reply that does not fit the spec.
+pub fn unexpected(command: &str, source: DecodeError) -> Error {
+    ErrorKind::UnexpectedReply { command: command.to_owned(), source }.into()
+}
+
+/// Error for a command whose reply has not come in time.
+fn timed_out(command: &str, after: Duration) -> Error {
+    ErrorKind::Timeout { command: command.to_owned(), after }.into()
+}
+
+/// Error for a command that could not be sent in time.
+fn not_sent_in_time(command: &str, after: Duration) -> Error {
+    ErrorKind::NotSentInTime { command: command.to_owned(), after }.into()
 }
 
 #[cfg(test)]

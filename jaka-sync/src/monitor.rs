@@ -64,10 +64,10 @@ pub struct Monitor<S = RobotStatus> {
 /// What the thread and the monitor share.
 ///
 /// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
-type Board<S> = Watched<State<S>>;
+type Board<S> = Watched<BoardState<S>>;
 
 #[derive(Debug)]
-struct State<S> {
+struct BoardState<S> {
     latest: Option<Arc<Snapshot<S>>>,
     counters: Counters,
     queues: Vec<Arc<Queue<S>>>,
@@ -88,7 +88,7 @@ struct State<S> {
     firmware: Option<FirmwareVersion>,
 }
 
-impl<S> State<S> {
+impl<S> BoardState<S> {
     fn new(stream: Option<Arc<Socket>>, tap: Tap, firmware: Option<FirmwareVersion>) -> Self {
         Self {
             latest: None,
@@ -109,7 +109,7 @@ impl<S> State<S> {
 
 impl<S> Board<S> {
     /// Has the threads that wait check again.
-    fn tell(&self, mut state: MutexGuard<'_, State<S>>) {
+    fn tell(&self, mut state: MutexGuard<'_, BoardState<S>>) {
         state.wakes += 1;
         drop(state);
         self.wake();
@@ -135,7 +135,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let address = address.to_string();
         let packets = Packets::connect(&address, config)?;
         let source_address = packets.tap.address();
-        let state = State::new(Some(Arc::clone(&packets.stream)), packets.tap.clone(), config.firmware);
+        let state = BoardState::new(Some(Arc::clone(&packets.stream)), packets.tap.clone(), config.firmware);
         let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
@@ -347,7 +347,7 @@ pub fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     Some(parts.into_iter().flatten().chain(unfit).collect::<Vec<_>>().join(", "))
 }
 
-fn ended<S>(state: &State<S>) -> Result<(), Error> {
+fn ended<S>(state: &BoardState<S>) -> Result<(), Error> {
     let disconnected =
         |cause| ErrorKind::Disconnected { address: state.tap.address(), command: None, sent: false, cause };
     state.ended.clone().map_or(Ok(()), |cause| Err(state.tap.attach(disconnected(cause).into())))

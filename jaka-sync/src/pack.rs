@@ -1,5 +1,7 @@
 //! Commands from a TOML file in the user's crate.
 
+use crate::{Client, Command, Error};
+
 /// Makes a module of a command pack: a TOML file of yours that adds commands to the built-in spec, or changes what is
 /// there.
 ///
@@ -64,4 +66,36 @@ macro_rules! pack {
     ($($input:tt)+) => {
         $crate::__private::pack! { ($crate) $($input)+ }
     };
+}
+
+/// What can send commands: a [`Client`], a `jaka_robot::Robot`, or a type of your own that forwards them.
+///
+/// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
+///
+/// ```
+/// use jaka_sync::power::GetVersion;
+/// use jaka_sync::{Call, Error};
+///
+/// fn version(robot: &mut impl Call) -> Result<String, Error> {
+///     Ok(robot.call(&GetVersion::new())?.version)
+/// }
+/// ```
+pub trait Call {
+    /// Sends a command and waits for its reply.
+    ///
+    /// # Errors
+    /// As [`Client::call`].
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error>;
+}
+
+impl Call for Client {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        Client::call(self, command)
+    }
+}
+
+impl<T: Call + ?Sized> Call for &mut T {
+    fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, Error> {
+        (**self).call(command)
+    }
 }

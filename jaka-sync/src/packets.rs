@@ -10,7 +10,7 @@ use jaka_proto::recording::Port;
 use crate::disconnect::is_text_line;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
-use crate::{Config, Disconnect, Error, connection, ports};
+use crate::{Config, Disconnect, Error, connection};
 
 /// The packets of a connection to the status port, over bytes that belong to none.
 #[derive(Debug)]
@@ -87,7 +87,7 @@ impl Packets {
                 Ok(Some(frame)) => {
                     self.tap.packet(frame);
                     let text = framing::text(frame);
-                    if !self.has_come && ports::is_reply(&text) {
+                    if !self.has_come && receive::is_reply(&text) {
                         return Err(Disconnect::CommandPort);
                     }
                     self.has_come = true;

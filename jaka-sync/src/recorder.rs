@@ -3,25 +3,24 @@
 mod queue;
 mod sampling;
 mod tap;
-mod track;
 
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::AtomicU32;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
-use std::time::{Instant, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
-use jaka_clock::Clock;
-use jaka_proto::recording::Header;
+use jaka_clock::{Clock, lock};
+use jaka_proto::recording::{Entry, Event, Header, Message, Port};
 use jaka_proto::wire::Writer;
 
 use self::queue::Queue;
+use self::sampling::Sampler;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
-pub use self::track::Track;
 
 /// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
 const LIMIT: usize = 8 << 20;
@@ -127,6 +126,18 @@ impl Recorder {
         self.0.queue.close();
         self.0.queue.wait_until_done()
     }
+
+    /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams add
+    /// themselves.
+    pub fn track(&self, port: Port, sampling: StatusSampling) -> Track {
+        self.track_by(&Clock::default(), port, sampling)
+    }
+
+    /// The same by a clock.
+    pub(super) fn track_by(&self, clock: &Clock, port: Port, sampling: StatusSampling) -> Track {
+        let (recorder, number) = (self.clone(), self.0.connections.fetch_add(1, Ordering::Relaxed) + 1);
+        Track { recorder, port, number, clock: clock.clone(), sampling, sampler: Mutex::default() }
+    }
 }
 
 impl Drop for Shared {
@@ -169,4 +180,58 @@ fn write(queue: &Queue, header: &Header, mut writer: impl Write) -> io::Result<(
     }
     writer.write_all(out.as_str().as_bytes())?;
     writer.flush()
+}
+
+/// One connection in a recording, for programs that make connections of their own, such as a proxy.
+///
+/// ```
+/// use jaka_sync::recording::{Event, Message, Port};
+/// use jaka_sync::{Recorder, StatusSampling};
+///
+/// let recorder = Recorder::new(std::io::sink())?;
+/// let track = recorder.track(Port::Command, StatusSampling::All);
+/// track.record(Event::Connected { address: "10.5.5.100:10001".to_owned() });
+/// track.record(Event::Sent(Message::new(r#"{"cmdName":"get_version"}"#)));
+/// assert_eq!(recorder.finish()?.entries, 2);
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Track {
+    recorder: Recorder,
+    port: Port,
+    number: u32,
+    clock: Clock,
+    sampling: StatusSampling,
+    sampler: Mutex<Sampler>,
+}
+
+impl Track {
+    /// Records what happens now.
+    pub fn record(&self, event: Event) {
+        self.push(&self.entry(self.now(), event));
+    }
+
+    /// Records a status packet that comes now, if the sampling takes it.
+    pub fn record_packet(&self, packet: Message) {
+        self.push_packet(&self.entry(self.now(), Event::Received(packet)));
+    }
+
+    /// Time since the start of the recording; by a simulated clock, since the clock was made.
+    pub(super) fn now(&self) -> Duration {
+        self.clock.elapsed_since_start(self.recorder.0.started)
+    }
+
+    pub(super) fn entry(&self, time: Duration, event: Event) -> Arc<Entry> {
+        Arc::new(Entry::new(time, self.port, self.number, event))
+    }
+
+    pub(super) fn push(&self, entry: &Arc<Entry>) {
+        self.recorder.0.queue.push(entry);
+    }
+
+    pub(super) fn push_packet(&self, entry: &Arc<Entry>) {
+        if lock(&self.sampler).takes(self.sampling, entry.time) {
+            self.push(entry);
+        }
+    }
 }

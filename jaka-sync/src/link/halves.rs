@@ -12,9 +12,9 @@ use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Envelope, read_envelope};
 
 use super::WIRE;
+use crate::Disconnect;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
-use crate::{Disconnect, ports};
 
 /// About how much goes out in one write: after it a stop can go out.
 const PIECE: usize = 4096;
@@ -164,7 +164,7 @@ fn deliver(
 
 /// The same cause, unless what came shows that this is another port.
 fn explained(cause: Disconnect, text: &str) -> Disconnect {
-    if matches!(cause, Disconnect::OutOfSync(OutOfSync::Nameless)) && ports::is_status(text) {
+    if matches!(cause, Disconnect::OutOfSync(OutOfSync::Nameless)) && receive::is_status(text) {
         return Disconnect::StatusPort;
     }
     cause

@@ -1,20 +1,22 @@
 //! Reading of replies by the receiving half.
 
 use std::panic;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use jaka_proto::exchange::Waiter;
+use jaka_proto::CommandInfo;
+use jaka_proto::exchange::{ReadReply, Waiter};
+use jaka_proto::wire::Writer;
 
-use super::Link;
 use super::halves::Inbound;
-use super::state::{Mode, State};
-use crate::Disconnect;
+use super::state::{LinkState, Mode};
+use super::{Handle, Link, Outgoing, Progress, Sent, failed, timed_out};
 use crate::receive::{self, Chunk};
 use crate::sync::MutexGuard;
+use crate::{Disconnect, Error};
 
 impl Link {
     /// Puts the receiving half back, and lets a panic go on that was held up.
-    pub(super) fn put_back(&self, state: &mut State, mut inbound: Box<Inbound>) {
+    pub(super) fn put_back(&self, state: &mut LinkState, mut inbound: Box<Inbound>) {
         let payload = inbound.panic.take();
         state.inbound = Some(inbound);
         self.state.wake();
@@ -24,12 +26,12 @@ impl Link {
     }
 
     /// Attributes what has been read and not attributed. Where another thread reads, it attributes all that it has read.
-    pub(super) fn attribute_read(&self, state: &mut State) -> Result<(), Disconnect> {
+    pub(super) fn attribute_read(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| self.attribute_all(inbound, state))
     }
 
     /// The state, once what has come is read, without waiting.
-    pub(super) fn arrived(&self) -> MutexGuard<'_, State> {
+    pub(super) fn arrived(&self) -> MutexGuard<'_, LinkState> {
         let mut state = self.state.lock();
         if let Err(cause) = self.attribute_arrived(&mut state) {
             self.break_off(&mut state, cause);
@@ -38,7 +40,7 @@ impl Link {
     }
 
     /// Reads what has come, without waiting, and attributes it.
-    pub(super) fn attribute_arrived(&self, state: &mut State) -> Result<(), Disconnect> {
+    pub(super) fn attribute_arrived(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
             // No other thread reads. A thread that sends may be waiting in the socket, which must block then: what was read has to do.
             if state.mode == Mode::Blocking && state.outbound.is_none() {
@@ -58,7 +60,7 @@ impl Link {
 
     /// Finds out whether the controller has ended the connection, without waiting, where no thread sends or reads. A reply that nobody waits for is not read
     /// where nothing is outstanding: it breaks the connection, and a stop may have to go out first. An end behind it is not seen then.
-    pub(super) fn notice_end(&self, state: &mut State) -> Result<(), Disconnect> {
+    pub(super) fn notice_end(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         if state.outbound.is_none() {
             return Ok(());
         }
@@ -72,15 +74,15 @@ impl Link {
         })
     }
 
-    fn attribute_all(&self, inbound: &mut Inbound, state: &mut State) -> Result<(), Disconnect> {
+    fn attribute_all(&self, inbound: &mut Inbound, state: &mut LinkState) -> Result<(), Disconnect> {
         inbound.attribute(&self.tap, &mut state.exchange, &mut Waiter::nobody()).map(drop)
     }
 
     /// Calls a closure with the receiving half, unless a thread reads or reading has ended.
     fn with_inbound(
         &self,
-        state: &mut State,
-        act: impl FnOnce(&mut Inbound, &mut State) -> Result<(), Disconnect>,
+        state: &mut LinkState,
+        act: impl FnOnce(&mut Inbound, &mut LinkState) -> Result<(), Disconnect>,
     ) -> Result<(), Disconnect> {
         if state.broken.is_some() {
             return Ok(());
@@ -94,5 +96,119 @@ impl Link {
         }
         self.put_back(state, inbound);
         done
+    }
+
+    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `reader` read it. A refusal is an
+    /// error.
+    pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, reader: &mut dyn ReadReply) -> Result<(), Error> {
+        let mut waiter = Waiter::new(sent.request, text, reader);
+        let (mut state, outcome) = self.outcome(self.state.lock(), sent.command, &mut waiter, sent.since, sent.timeout);
+        let outcome = outcome.unwrap_or_else(|| Err(self.give_up(&mut state, sent)));
+        drop(state);
+        outcome.map_err(|error| self.attach(error))
+    }
+
+    /// The outcome of the request that a waiter waits for; `None` if nothing has within `timeout`.
+    pub(super) fn outcome<'l>(
+        &'l self,
+        mut state: MutexGuard<'l, LinkState>,
+        command: &str,
+        waiter: &mut Waiter<'_>,
+        since: Instant,
+        timeout: Duration,
+    ) -> (MutexGuard<'l, LinkState>, Option<Result<(), Error>>) {
+        loop {
+            state.exchange.take_pending(waiter);
+            if let Some(outcome) = waiter.take_outcome() {
+                return (state, Some(outcome.map_err(|failure| failed(command, failure))));
+            }
+            if let Some(cause) = state.broken.clone() {
+                return (state, Some(Err(self.disconnected(command, Progress::Sent, cause))));
+            }
+            let left = timeout.saturating_sub(self.clock.elapsed(since));
+            if left.is_zero() {
+                return (state, None);
+            }
+            state = self.turn(state, left, waiter);
+        }
+    }
+
+    /// Reads once for all, or sleeps while another thread does.
+    pub(super) fn turn<'l>(
+        &'l self,
+        mut state: MutexGuard<'l, LinkState>,
+        left: Duration,
+        waiter: &mut Waiter<'_>,
+    ) -> MutexGuard<'l, LinkState> {
+        let Some(stream) = state.stream.clone() else { return state };
+        let Some(mut inbound) = state.inbound.take() else {
+            drop(stream);
+            return self.state.wait(state, left);
+        };
+        // What has been read before comes first: it may be all that anybody waits for.
+        let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+        if matches!(attributed, Ok(0)) {
+            attributed = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
+        }
+        if matches!(attributed, Ok(0)) {
+            drop(state);
+            let read = inbound.read(&stream, &self.tap, left);
+            // Before the lock: after a reset this closes the socket.
+            drop(stream);
+            state = self.state.lock();
+            let count = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+            attributed = count.and_then(|count| read.map(|_| count));
+        }
+        if let Err(cause) = attributed {
+            self.tap.stray(inbound.partial());
+            self.break_off(&mut state, cause);
+        }
+        self.put_back(&mut state, inbound);
+        state
+    }
+
+    fn give_up(&self, state: &mut LinkState, sent: &Sent<'_>) -> Error {
+        match state.exchange.give_up(sent.request) {
+            Ok(()) => timed_out(sent.command, sent.timeout),
+            Err(out_of_sync) => {
+                let cause = self.break_off(state, Disconnect::OutOfSync(out_of_sync));
+                self.disconnected(sent.command, Progress::Sent, cause)
+            }
+        }
+    }
+
+    /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll).
+    /// [`forget`](Self::forget) gives up a reply that is no longer wanted. A send that takes longer than the reply
+    /// timeout fails.
+    pub fn ask(
+        &self,
+        by: Handle,
+        info: &'static CommandInfo,
+        write: &mut dyn FnMut(&mut Writer),
+    ) -> Result<Sent<'static>, Error> {
+        let outgoing = Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by);
+        self.send(&outgoing.in_forms_of(self.firmware()), write)
+    }
+
+    /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if
+    /// it has not come by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an
+    /// error, which answers the question too.
+    pub fn poll(
+        &self,
+        question: &Sent<'_>,
+        slice: Duration,
+        text: &mut String,
+        reader: &mut dyn ReadReply,
+    ) -> Result<bool, Error> {
+        let (since, mut waiter) = (self.clock.now(), Waiter::new(question.request, text, reader));
+        let state = if slice.is_zero() { self.arrived() } else { self.state.lock() };
+        let (state, outcome) = self.outcome(state, question.command, &mut waiter, since, slice);
+        drop(state);
+        outcome.transpose().map(|answered| answered.is_some()).map_err(|error| self.attach(error))
+    }
+
+    /// Abandons a question: its reply is discarded when it comes.
+    pub fn forget(&self, question: &Sent<'_>) {
+        self.state.lock().exchange.abandon(question.request);
     }
 }

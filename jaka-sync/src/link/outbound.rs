@@ -2,17 +2,17 @@
 
 use std::borrow::Cow;
 use std::io;
+use std::sync::atomic::Ordering;
 
 use jaka_clock::Socket;
 use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
 
-use super::failure::Progress;
 use super::halves::Outbound;
 use super::outgoing::{Gate, Outgoing, Right, SendError};
-use super::state::{Mode, State};
-use super::turn::Passing;
-use super::{Link, WIRE};
+use super::state::{LinkState, Mode};
+use super::{Link, Progress, WIRE};
+use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
 
 /// Abandons a request when it is dropped.
@@ -102,7 +102,7 @@ impl Link {
     }
 
     /// Enters what is to go out into the exchange.
-    fn enter(&self, state: &mut State, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
+    fn enter(&self, state: &mut LinkState, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
         outbound.texts().for_each(|text| self.tap.sent(text));
         let now = outgoing.is_posted.then(|| self.clock.now());
         for (_, request) in &mut outbound.requests {
@@ -153,7 +153,7 @@ impl Link {
     /// The outcome of a write. What was written in part cannot be taken back, and nothing can be sent after it.
     fn written(
         &self,
-        state: &mut State,
+        state: &mut LinkState,
         outbound: &Outbound,
         outgoing: &Outgoing<'_>,
         written: io::Result<usize>,
@@ -177,10 +177,71 @@ impl Link {
         };
         Err(self.disconnected(outgoing.command, Progress::Sent, self.break_off(state, cause)))
     }
+
+    /// Waits until no other thread sends, and no stop waits to.
+    pub(super) fn take_turn<'l>(
+        &'l self,
+        outgoing: &Outgoing<'_>,
+    ) -> Result<(Turn<'l>, MutexGuard<'l, LinkState>), Error> {
+        let mut state = self.state.lock();
+        loop {
+            // None of what has been read and not attributed is a reply to a command that goes out now.
+            if let Err(cause) = self.attribute_read(&mut state) {
+                self.break_off(&mut state, cause);
+            }
+            self.check(&state, outgoing.command, Progress::NotSent)?;
+            let lets_pass = outgoing.right == Right::Usual && self.stops.load(Ordering::SeqCst) > 0;
+            if !lets_pass && state.outbound.is_some() {
+                return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
+            }
+            let left = outgoing.left();
+            if left.is_zero() {
+                return Err(self.attach(outgoing.not_sent()));
+            }
+            state = self.state.wait(state, left);
+        }
+    }
 }
 
 /// Takes back what was entered and not sent at all. It is the last that was entered: no other thread had the turn.
-fn withdraw(state: &mut State, outbound: &Outbound) -> Result<(), Disconnect> {
+fn withdraw(state: &mut LinkState, outbound: &Outbound) -> Result<(), Disconnect> {
     let mut requests = outbound.requests.iter().rev();
     requests.try_for_each(|(_, request)| state.exchange.withdraw(*request)).map_err(Disconnect::OutOfSync)
+}
+
+/// The turn to send, which the next one has when this is dropped.
+#[derive(Debug)]
+pub(super) struct Turn<'l> {
+    link: &'l Link,
+    pub(super) outbound: Option<Box<Outbound>>,
+}
+
+/// The lock must not be held when the turn is dropped: declare the lock's guard after it.
+impl Drop for Turn<'_> {
+    fn drop(&mut self) {
+        if let Some(outbound) = self.outbound.take() {
+            self.link.state.lock().outbound = Some(outbound);
+            self.link.state.wake();
+        }
+    }
+}
+
+/// A stop that is on its way: until it is dropped, no other command begins to go out.
+#[derive(Debug)]
+pub(super) struct Passing<'l>(&'l Link);
+
+impl<'l> Passing<'l> {
+    pub(super) fn new(link: &'l Link) -> Self {
+        link.stops.fetch_add(1, Ordering::SeqCst);
+        Self(link)
+    }
+}
+
+impl Drop for Passing<'_> {
+    fn drop(&mut self) {
+        self.0.stops.fetch_sub(1, Ordering::SeqCst);
+        // With the lock, so that no thread is between checking and waiting.
+        let _state = self.0.state.lock();
+        self.0.state.wake();
+    }
 }

@@ -9,7 +9,7 @@ use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
 
-use super::failure::not_sent_in_time;
+use super::not_sent_in_time;
 use crate::{Error, ErrorKind};
 
 /// Who goes first where several wait for their turn to send.

@@ -4,9 +4,8 @@ use std::time::Duration;
 
 use jaka_proto::exchange::Waiter;
 
-use super::Link;
-use super::failure::{Progress, failed, not_sent_in_time};
-use super::state::State;
+use super::state::LinkState;
+use super::{Link, Progress, failed, not_sent_in_time};
 use crate::{Disconnect, Error};
 
 /// How many requests may be outstanding on a connection when a command is posted, with those that were given up: a stop after more
@@ -98,7 +97,7 @@ impl Link {
         (self.take_answers(&mut state), abandoned)
     }
 
-    fn take_answers(&self, state: &mut State) -> Answers {
+    fn take_answers(&self, state: &mut LinkState) -> Answers {
         let outcomes = state.exchange.take_posted_outcomes();
         let errors = outcomes.failed.into_iter().map(|(command, failure)| self.attach(failed(command, failure)));
         Answers { accepted: outcomes.accepted, failed: errors.collect() }

@@ -1,4 +1,3 @@
-mod lost;
 mod panics;
 mod question;
 mod reset;

@@ -9,7 +9,7 @@ use std::time::Duration;
 use shuttle::thread;
 
 use super::thread::Worker;
-use super::{Board, Monitor, State};
+use super::{Board, BoardState, Monitor};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect, Snapshot};
 
@@ -27,7 +27,7 @@ fn check(test: fn()) {
 
 /// A monitor without a connection, and what its thread would be.
 fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
-    let board = Arc::new(Board::new(&config.clock, State::new(None, Tap::default(), None)));
+    let board = Arc::new(Board::new(&config.clock, BoardState::new(None, Tap::default(), None)));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
     (Arc::new(Monitor { board, clock: config.clock.clone(), thread: None, timeout: LONG, stale_after: LONG }), worker)
 }

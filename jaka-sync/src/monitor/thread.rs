@@ -8,7 +8,7 @@ use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
 use super::observer::{Observers, StatusNews};
-use super::{Board, State};
+use super::{Board, BoardState};
 use crate::packets::{Between, Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, ErrorKind, Snapshot};
@@ -192,7 +192,7 @@ impl<S: Decode> Worker<S> {
 
     /// Tells the listeners, and then changes the board: who sees the change there comes after them. One that is added
     /// meanwhile is told, too.
-    fn tell_then<T>(&self, tell: impl Fn(&mut Observers<S>), change: impl FnOnce(&mut State<S>) -> T) -> T {
+    fn tell_then<T>(&self, tell: impl Fn(&mut Observers<S>), change: impl FnOnce(&mut BoardState<S>) -> T) -> T {
         let mut told: Option<Observers<S>> = None;
         let mut state = self.board.lock();
         while !state.observers.listeners.is_empty() {

@@ -21,14 +21,14 @@ const OVERHEAD: usize = 128;
 /// The entries that wait for the writer. Adding one never waits for the file.
 #[derive(Debug)]
 pub(super) struct Queue {
-    state: Mutex<State>,
+    state: Mutex<QueueState>,
     /// Signalled when the writer has something to do, and when it has ended.
     changed: Condvar,
     limit: usize,
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct QueueState {
     waiting: VecDeque<Arc<Entry>>,
     bytes: usize,
     writer_sleeps: bool,
@@ -114,7 +114,7 @@ impl Queue {
     }
 }
 
-impl State {
+impl QueueState {
     /// Counts an entry as dropped, at the end of the queue: one count for each connection, so there are never many.
     fn drop_entry(&mut self, entry: &Entry) {
         self.report.dropped += 1;

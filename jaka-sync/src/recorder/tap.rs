@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_clock::{Clock, Socket, lock};
 use jaka_proto::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
-use super::track::Track;
+use super::Track;
 use super::{Recorder, StatusSampling};
 use crate::{Disconnect, Error};
 
@@ -26,11 +26,11 @@ pub(crate) struct Tap {
 #[derive(Debug)]
 struct Connection {
     track: Track,
-    state: Mutex<State>,
+    state: Mutex<TapState>,
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct TapState {
     is_open: bool,
     /// When the bytes came that were read last.
     arrived: Duration,

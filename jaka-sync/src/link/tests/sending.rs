@@ -1,10 +1,13 @@
-//! Whose turn it is to send, and until when.
+//! Turns and deadlines of sending, and a reply that is lost.
 
 use std::io::{Read, Write};
 use std::sync::Arc;
 
+use jaka_proto::exchange::TextOnly;
+
 use super::*;
 use crate::StopHandle;
+use crate::link::outbound::Passing;
 
 /// A deadline that is short, and long enough for a busy machine to begin.
 const SHORT: Duration = Duration::from_millis(300);
@@ -96,7 +99,7 @@ fn a_command_of_which_nothing_was_sent_by_its_deadline_did_not_run_and_the_conne
         let sent = send(&link, LONG, 10).expect("there is room");
         server.read_exact(&mut [0; 34]).expect("the link writes");
         server.write_all(reply("y", 0, "").as_bytes()).expect("the link reads");
-        link.wait(&sent, &mut String::new(), &mut jaka_proto::exchange::TextOnly).expect("it is answered");
+        link.wait(&sent, &mut String::new(), &mut TextOnly).expect("it is answered");
     });
 }
 
@@ -171,4 +174,38 @@ fn the_cause_of_a_failed_send_is_the_first_one() {
     until(|| link.peer_addr().is_err());
     // A second try would say that the pipe is broken.
     assert_eq!(cause(post(&link, LONG, 1)), io::ErrorKind::ConnectionReset);
+}
+
+#[test]
+fn a_lost_reply_is_reported_before_anything_after_it_is_attributed() {
+    let (link, mut server) = connection(Mode::Blocking);
+    let send = |name| send_named(&link, name, LONG, &mut |out| write(0, out)).expect("it goes out");
+    let (first, second) = (send("a"), send("b"));
+    // The answer to the later command, and after it one that comes too late.
+    server.write_all([reply("b", 0, ""), reply("a", 0, "")].concat().as_bytes()).expect("the link reads");
+    let lost = link.wait(&first, &mut String::new(), &mut TextOnly);
+    assert!(matches!(lost.as_ref().map_err(Error::kind), Err(ErrorKind::ReplyLost { .. })), "{lost:?}");
+    assert!(link.broken().is_none(), "the next thread that waits finds it");
+    link.wait(&second, &mut String::new(), &mut TextOnly).expect("it was answered");
+}
+
+#[test]
+fn while_a_stop_is_on_its_way_out_no_other_command_begins_to_go_out() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
+    let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+    let link = Link::new(stream, Tap::default(), &Config::new());
+    let send = |right| {
+        let outgoing = Outgoing::named(&link.clock, "x", Cow::Borrowed("x"), Duration::from_millis(1)).by(right);
+        link.take_turn(&outgoing).map(|(turn, state)| {
+            // The turn locks the state when it is dropped.
+            drop(state);
+            drop(turn);
+        })
+    };
+    let stop = Passing::new(&link);
+    let error = send(Right::Usual).expect_err("the stop goes first");
+    assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
+    send(Right::Stop).expect("nobody else sends");
+    drop(stop);
+    send(Right::Usual).expect("nobody else sends");
 }
