@@ -7,6 +7,7 @@ mod disconnect;
 mod error;
 pub mod layer;
 mod link;
+mod methods;
 mod monitor;
 mod motion_status;
 mod pack;
@@ -55,13 +56,6 @@ pub use snapshot::Snapshot;
 pub use status_problem::StatusProblem;
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
-
-/// Modules of the messages, and a method for each command, generated from the spec.
-mod methods {
-    use crate::{Client, Error};
-
-    jaka_proto_derive::client_methods!();
-}
 
 /// The port on which a controller takes commands.
 pub const COMMAND_PORT: u16 = 10001;
