@@ -1,7 +1,8 @@
 //! The arm at the other end of a connection: what is sent to it, what is asked of it, and what is known of it.
 
-mod explain;
 mod guards;
+#[cfg(all(test, shuttle))]
+mod interleavings;
 mod position;
 mod state;
 mod status;
@@ -10,15 +11,14 @@ mod stop_handle;
 mod stops;
 mod trouble;
 
-#[cfg(all(test, shuttle))]
-mod interleavings;
-
 use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_clock::Clock;
+use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
+use jaka_proto::{ErrorCode, Refusal};
 use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
 
 pub(crate) use self::guards::{PacketObserver, Progress};
@@ -233,7 +233,7 @@ impl Arm {
 
     /// The same error, with the reason for a refusal if the state of the arm shows it.
     pub(crate) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
-        let found = error.refusal().and_then(|refusal| explain::explain(self, refusal, timeout));
+        let found = error.refusal().and_then(|refusal| explain(self, refusal, timeout));
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
             *explanation = found;
         }
@@ -243,6 +243,26 @@ impl Arm {
     /// Explanation of an error of the client, if it is a refusal and the state of the arm shows its reason.
     pub(crate) fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
         let timeout = self.client.reply_timeout();
-        explain::explain(self, error.refusal()?, timeout)
+        explain(self, error.refusal()?, timeout)
     }
+}
+
+/// How long the query may take that explains a refusal.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Reason for a refusal, as far as the state of the arm shows it.
+fn explain(arm: &mut Arm, refusal: &Refusal, timeout: Duration) -> Option<Explanation> {
+    if refusal.code == ErrorCode::PERMISSION_DENIED {
+        return Some(Explanation::NoRemoteControl);
+    }
+    let mut status = arm.state.fresh_packet().map(|newest| newest.status.clone()).unwrap_or_default();
+    let state = arm.queries().call_within(&GetRobotState::new(), PATIENCE.min(timeout));
+    (status.powered_on, status.enabled) = match &state {
+        Ok(state) => (Some(state.powered_on), Some(state.enabled)),
+        Err(_) => (None, None),
+    };
+    if let Ok(Some(event)) = state.as_ref().map_or(Ok(None), GetRobotStateReply::event) {
+        status.error_code = Some(format!("{:#x}", event.code()));
+    }
+    Explanation::of(refusal, Some(&status))
 }

@@ -3,7 +3,6 @@
 mod end;
 mod kind;
 mod line;
-mod option_name;
 
 use std::error::Error as StdError;
 use std::fmt;
@@ -17,7 +16,6 @@ use jaka_sync::layer::{Link, SendError, show_exchanges};
 pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
-pub(crate) use self::option_name::OptionName;
 use crate::cause::Occurrence;
 use crate::{Cause, GuardTrip, Remedy};
 
@@ -249,6 +247,25 @@ impl Attach for Link {
     }
 }
 
+/// Name of an option of this crate, and the type that has it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OptionName {
+    of: &'static str,
+    option: &'static str,
+}
+
+impl OptionName {
+    pub(crate) const fn new(of: &'static str, option: &'static str) -> Self {
+        Self { of, option }
+    }
+
+    /// Error for a value that the option does not take.
+    pub(crate) fn refuse(self, value: impl fmt::Display, expected: impl Into<String>) -> Error {
+        let Self { of, option } = self;
+        ErrorKind::InvalidOption { option, of, value: value.to_string(), expected: expected.into() }.into()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::io;
@@ -274,5 +291,36 @@ mod tests {
         let error: Error = ErrorKind::ServoModeNotLeft { first: None, leaving }.into();
         assert!(error.is_disconnected() && error.may_have_run());
         assert_eq!(error.source().map(ToString::to_string).as_deref(), Some("receiving failed"));
+    }
+}
+
+/// Cause of the end of a session, a stream or a trajectory, its text and its remedy.
+#[derive(Debug, Clone)]
+pub(crate) struct SessionEnd {
+    cause: Cause,
+    because: String,
+    remedy: Remedy,
+}
+
+impl SessionEnd {
+    /// End that needs no remedy.
+    pub(crate) fn new(cause: Cause, because: impl Into<String>) -> Self {
+        Self { cause, because: because.into(), remedy: Remedy::None }
+    }
+
+    /// End by an error.
+    pub(crate) fn of(error: &Error) -> Self {
+        Self { cause: error.cause(), because: error.kind().to_string(), remedy: error.remedy() }
+    }
+
+    /// End of a trajectory.
+    pub(crate) fn of_trajectory(end: &End) -> Self {
+        Self { cause: end.cause(), because: end.to_string(), remedy: end.remedy() }
+    }
+
+    /// Error of a call after the end.
+    pub(crate) fn into_error(self) -> Error {
+        let Self { cause, because, remedy } = self;
+        ErrorKind::SessionEnded { cause, because, remedy }.into()
     }
 }

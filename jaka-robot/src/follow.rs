@@ -18,7 +18,7 @@ use self::orders::Orders;
 #[cfg(doc)]
 use crate::ErrorKind;
 use crate::guard::SetPointGuard;
-use crate::servo_session::{Led, LentArm};
+use crate::servo_session::{LedArm, LentArm};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error};
 
@@ -71,7 +71,7 @@ pub struct FollowRun<'r> {
 
 impl<'r> FollowRun<'r> {
     /// Begins a run in a thread of its own.
-    pub(crate) fn begin(led: Led<'r>, trajectory: &Trajectory, config: &FollowConfig) -> Result<Self, Error> {
+    pub(crate) fn begin(led: LedArm<'r>, trajectory: &Trajectory, config: &FollowConfig) -> Result<Self, Error> {
         let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;
         let deadline = config.deadline.and_then(|time| led.arm.clock().now().checked_add(time));

@@ -3,9 +3,7 @@
 mod armed;
 mod condition;
 mod force;
-mod packet_period;
 mod set_points;
-mod tcp_box;
 mod watch;
 
 use std::fmt;
@@ -16,10 +14,10 @@ use jaka_proto::messages::status::RobotStatus;
 
 pub(crate) use self::armed::Armed;
 pub(crate) use self::condition::Condition;
+pub use self::condition::TcpBox;
 pub use self::force::{ForceComponent, ForceLimit};
-pub(crate) use self::packet_period::{longest_silence, packet_period};
+pub(crate) use self::force::{longest_silence, packet_period};
 pub(crate) use self::set_points::{MeasuredLag, SetPointGuard};
-pub use self::tcp_box::TcpBox;
 pub(crate) use self::watch::{Watched, watch};
 use crate::Error;
 #[cfg(doc)]
@@ -117,18 +115,6 @@ impl From<AnalogCondition> for Guard {
 impl From<ForceLimit> for Guard {
     fn from(limit: ForceLimit) -> Self {
         Self::of(Condition::Force(limit))
-    }
-}
-
-impl TcpBox {
-    /// While the tool centre point is outside.
-    pub fn is_left(self) -> Guard {
-        Guard::of(Condition::Outside(self))
-    }
-
-    /// While the tool centre point is inside.
-    pub fn is_entered(self) -> Guard {
-        Guard::of(Condition::Inside(self))
     }
 }
 

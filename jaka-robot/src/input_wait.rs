@@ -8,9 +8,9 @@ use crate::arm::{self, Arm, SETTLING};
 use crate::guard::{Armed, Guard, Watched, watch};
 use crate::{Cause, Error, ErrorKind, Occurrence, Snapshot, StatusProblem, TripReason};
 
-/// What happens to the robot during a wait. What was so before does not end it: a program may wait for the button that
-/// powers the arm.
-struct News {
+/// Events of the robot during a wait. A state that was there before does not end it: a program may wait for the button
+/// that powers the arm.
+struct WaitEvents {
     /// Cause that the packets have shown since the wait began.
     shown: Option<Cause>,
     code: Option<String>,
@@ -19,7 +19,7 @@ struct News {
     found: Option<Occurrence>,
 }
 
-impl News {
+impl WaitEvents {
     fn since(arm: &Arm) -> Self {
         let newest = arm.state.newest_packet();
         let code = newest.as_ref().and_then(|newest| arm::code(&newest.status)).map(str::to_owned);
@@ -61,7 +61,7 @@ pub(crate) fn wait_for(arm: &Arm, guard: &Guard, timeout: Duration) -> Result<Ar
     let armed = Armed::new(guard, &arm.state, timeout).map_err(blind)?;
     let (left, link) = (since.left_of(timeout), arm.link());
     let commands_lost = |cause| attach(ErrorKind::CommandsLost { address: link.address(), what: what.clone(), cause });
-    let news = RefCell::new(News::since(arm));
+    let news = RefCell::new(WaitEvents::since(arm));
     let is_over = || link.lost().is_some() || news.borrow_mut().have_come(arm);
     let trip = match watch(&arm.state, &armed, (left, Duration::MAX), is_over) {
         Watched::Tripped(trip) => trip,

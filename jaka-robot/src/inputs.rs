@@ -35,28 +35,28 @@ pub enum Numbering {
 impl Numbering {
     /// A digital input in the list of the cabinet ([`RobotStatus::digital_inputs`]).
     pub const fn cabinet(self, number: usize) -> Input {
-        Input(Place { side: Side::Cabinet, number, numbering: self })
+        Input(InputPlace { side: Side::Cabinet, number, numbering: self })
     }
 
     /// A digital input of the tool ([`RobotStatus::tool_digital_inputs`]).
     pub const fn tool(self, number: usize) -> Input {
-        Input(Place { side: Side::Tool, number, numbering: self })
+        Input(InputPlace { side: Side::Tool, number, numbering: self })
     }
 
     /// An analog input of the cabinet ([`RobotStatus::analog_inputs`]).
     pub const fn cabinet_analog(self, number: usize) -> AnalogInput {
-        AnalogInput(Place { side: Side::Cabinet, number, numbering: self })
+        AnalogInput(InputPlace { side: Side::Cabinet, number, numbering: self })
     }
 
     /// An analog input of the tool ([`RobotStatus::tool_analog_inputs`]).
     pub const fn tool_analog(self, number: usize) -> AnalogInput {
-        AnalogInput(Place { side: Side::Tool, number, numbering: self })
+        AnalogInput(InputPlace { side: Side::Tool, number, numbering: self })
     }
 }
 
 /// Where an input is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-struct Place {
+struct InputPlace {
     side: Side,
     number: usize,
     numbering: Numbering,
@@ -72,11 +72,11 @@ jaka_proto::worded! {
 
 /// A digital input, from a [`Numbering`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Input(Place);
+pub struct Input(InputPlace);
 
 /// An analog input, from a [`Numbering`]. The document states no unit for its value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct AnalogInput(Place);
+pub struct AnalogInput(InputPlace);
 
 /// Whether something is so, or becomes so from one packet to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,7 +99,7 @@ pub struct AnalogCondition(pub(crate) InputTest);
 /// What is asked of an input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct InputTest {
-    place: Place,
+    place: InputPlace,
     wanted: Wanted,
     pub(crate) when: When,
 }
@@ -188,7 +188,7 @@ impl InputTest {
     }
 }
 
-impl Place {
+impl InputPlace {
     const fn test(self, wanted: Wanted, when: When) -> InputTest {
         InputTest { place: self, wanted, when }
     }
@@ -234,7 +234,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for InputPlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let first = match self.numbering {
             Numbering::FromZero => 0,

@@ -1,24 +1,32 @@
 //! A robot: a client and a monitor together.
 
-// In the order of the documentation.
 mod config;
-mod connecting;
-mod leading;
 
+use std::fmt::Display;
 use std::sync::Arc;
+use std::time::Duration;
 
+use jaka_motion::{Checker, Trajectory};
 use jaka_proto::messages::status::RobotStatus;
+use jaka_sync::layer::{ClientParts as _, names_a_port};
 
 pub use self::config::RobotConfig;
 #[cfg(doc)]
-use crate::Client;
-#[cfg(doc)]
-use crate::ErrorKind;
+use crate::Cause;
 use crate::arm::Arm;
+use crate::input_wait::wait_for;
 use crate::limits::LimitChecks;
+use crate::motions::PlannedMotion;
 use crate::planned::{Moving, Planned};
-use crate::servo_session::Led;
-use crate::{Call, Command, Monitor, MotionStatus};
+use crate::preflight::Preflight;
+use crate::servo_session::{LedArm, ServoSession};
+use crate::{
+    AnalogCondition, Call, Client, Command, Config, End, Error, ErrorKind, Explanation, FirmwareVersion, FollowConfig,
+    FollowRun, InputCondition, Monitor, Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, SessionConfig,
+    Snapshot, power_steps,
+};
+#[cfg(feature = "stream")]
+use crate::{Stream, StreamConfig};
 
 /// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -68,9 +76,9 @@ impl<S: MotionStatus> Robot<S> {
     }
 
     /// The parts that a session leads.
-    fn led(&mut self) -> Led<'_> {
+    fn led(&mut self) -> LedArm<'_> {
         let has_motions = self.planned.has_motions();
-        Led { arm: &mut self.arm, limits: &mut self.limits, has_motions }
+        LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions }
     }
 }
 
@@ -79,5 +87,384 @@ impl<S: MotionStatus> Robot<S> {
 impl<S: MotionStatus> Call for Robot<S> {
     fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, jaka_sync::Error> {
         self.client().call(command)
+    }
+}
+
+impl Robot<RobotStatus> {
+    /// Connects to a controller at the protocol's ports, 10001 and 10000: `10.5.5.100` or `robot.local`, without a
+    /// port.
+    ///
+    /// # Errors
+    /// As [`Client::connect`] and [`Monitor::connect`]; [`ErrorKind::PortInAddress`] if the address has a port, which
+    /// can be only one of the two. [`connect_at`](Self::connect_at) takes two addresses.
+    pub fn connect(address: impl Display) -> Result<Self, Error> {
+        Self::connect_with(&Config::new(), address)
+    }
+
+    /// Connects to a controller at the protocol's ports, 10001 and 10000, by a configuration.
+    ///
+    /// # Errors
+    /// As [`connect`](Self::connect).
+    pub fn connect_with(config: &Config, address: impl Display) -> Result<Self, Error> {
+        let address = address.to_string();
+        if names_a_port(&address) {
+            return Err(ErrorKind::PortInAddress { address }.into());
+        }
+        Self::connect_at(config, &address, &address)
+    }
+
+    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached
+    /// through a proxy.
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    /// use jaka_robot::{Config, Robot};
+    ///
+    /// let controller = Controller::start()?;
+    /// let robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
+    /// # drop(robot);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Client::connect`] and [`Monitor::connect`].
+    pub fn connect_at(
+        config: &Config,
+        commands_address: impl Display,
+        status_address: impl Display,
+    ) -> Result<Self, Error> {
+        let monitor = Monitor::connect_with(config, status_address)?;
+        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor))
+    }
+
+    /// A robot of two connections to the same controller.
+    ///
+    /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
+    pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
+        Self::with_monitor(client, monitor)
+    }
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// The same with a monitor of another type of status packets, such as the one of a [pack](crate::pack!):
+    /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
+    pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
+        let monitor = monitor.into();
+        let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
+        let (arm, planned) = (Arm::new(client, &monitor, needs_status), Planned::new(grace, silence));
+        Self { monitor, arm, limits: LimitChecks::default(), planned }
+    }
+
+    /// Applies options. Those that are not set in `config` are the defaults.
+    ///
+    /// # Errors
+    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as
+    /// [`Client::call`]; nothing has changed then.
+    pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
+        self.limits = match &config.limits {
+            Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
+            None => LimitChecks::default(),
+        };
+        (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
+        self.arm.state.set_needs_status(config.needs_status);
+        Ok(())
+    }
+
+    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`,
+    /// 4.12), and waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged
+    /// (`log::info!`).
+    ///
+    /// # Errors
+    /// As [`power_up_with`](Self::power_up_with).
+    #[doc(alias = "enable_robot")]
+    #[doc(alias = "power_on")]
+    pub fn power_up(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_up_with(timeout, |_| {})
+    }
+
+    /// Powers and enables the arm as [`power_up`](Self::power_up) does, and calls `observer` before each step and when
+    /// it is done.
+    ///
+    /// A step that is done already is left out. The observer runs in this thread, between the steps.
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_robot::Robot::connect("10.5.5.100")?;
+    /// robot.power_up_with(std::time::Duration::from_secs(60), |step| match step.took {
+    ///     None => println!("{} …", step.command),
+    ///     Some(took) => println!("{} done after {took:.1?}", step.command),
+    /// })?;
+    /// # Ok::<(), jaka_robot::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
+    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
+    ///   without this field passes: then only the controller refuses.
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
+    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is
+    ///   enabled all the same.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
+    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
+    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    pub fn power_up_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        power_steps::up(&mut self.arm, timeout, &mut observer)
+    }
+
+    /// Disables the arm and switches its power off, each step when the controller says that the one before is done
+    /// (`get_robot_state`, 4.12), and waits until the status packets say so, too. A step that is done already is left
+    /// out.
+    ///
+    /// # Errors
+    /// As [`power_down_with`](Self::power_down_with).
+    #[doc(alias = "disable_robot")]
+    #[doc(alias = "power_off")]
+    pub fn power_down(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.power_down_with(timeout, |_| {})
+    }
+
+    /// Disables the arm and switches its power off as [`power_down`](Self::power_down) does, and calls `observer`
+    /// before each step and when it is done.
+    ///
+    /// # Errors
+    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
+    /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
+    ///   packet says.
+    /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
+    /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
+    pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
+        power_steps::down(&mut self.arm, timeout, &mut observer)
+    }
+
+    /// Sends a motion and waits for its end; [under a guard](crate::MotionExt::guard) also for its trip.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
+    /// motion was accepted is reported by the [`End`]. Under a guard also as [`MotionExt::guard`](crate::MotionExt::guard) says.
+    #[doc(alias = "joint_move")]
+    #[doc(alias = "linear_move")]
+    #[doc(alias = "move_c")]
+    #[doc(alias = "move_j")]
+    #[doc(alias = "move_l")]
+    #[doc(alias = "movej")]
+    #[doc(alias = "movel")]
+    pub fn run(&mut self, motion: &impl Run, timeout: Duration) -> Result<End, Error> {
+        self.moving().run(motion, timeout)
+    }
+
+    /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
+    ///
+    /// If the first motion is one by an offset, the controller is asked first where the arm is.
+    ///
+    /// # Errors
+    /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a
+    /// silent status has not been acknowledged), [`ErrorKind::StatusUnknown`] (the status is stale, missing or
+    /// unreadable), [`ErrorKind::NotReady`] (the newest packet shows a stop) and
+    /// [`NotSentInTime`](jaka_sync::ErrorKind::NotSentInTime); and, with limits, after `ErrorKind::BeyondLimit` and
+    /// `ErrorKind::NotChecked`.
+    pub fn start<M: Motion>(&mut self, motion: &M) -> Result<(), Error> {
+        let timeout = self.arm.queries().timeout_of(M::INFO);
+        self.moving().send(PlannedMotion::of(motion), timeout, None)
+    }
+
+    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once
+    /// the command connection is lost, no longer than until the next status packet: [`Cause::CommandsLost`].
+    #[doc(alias = "wait_complete")]
+    pub fn wait(&mut self, timeout: Duration) -> End {
+        self.moving().wait(timeout)
+    }
+
+    /// What must be acknowledged before the arm moves again, if something must.
+    ///
+    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has
+    /// reported.
+    pub fn unacknowledged(&self) -> Option<Occurrence> {
+        self.arm.unacknowledged()
+    }
+
+    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such
+    /// as a stop that is on its way.
+    pub fn acknowledge(&mut self) {
+        self.arm.state.acknowledge();
+        if self.planned.give_up() {
+            self.limits.unsettle();
+        }
+    }
+
+    /// A handle that stops the arm from another thread and so ends a [`wait`](Self::wait).
+    #[doc(alias = "abort")]
+    #[doc(alias = "motion_abort")]
+    #[doc(alias = "stop")]
+    pub fn stop_handle(&self) -> RobotStop {
+        self.arm.stop_handle()
+    }
+
+    /// The client, for all other commands.
+    ///
+    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits.
+    /// With limits, where a queue of motions ends is not known after a call of this: wait for its end before the next
+    /// motion.
+    #[doc(alias = "get_joint_pos")]
+    #[doc(alias = "get_tcp_pos")]
+    #[doc(alias = "set_digital_output")]
+    pub fn client(&mut self) -> &mut Client {
+        self.limits.forget_plan();
+        self.arm.client()
+    }
+
+    /// Asks the controller for its firmware, as [`Client::check_firmware`], and reads status packets by it from now on.
+    ///
+    /// # Errors
+    /// As [`Client::check_firmware`].
+    pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
+        let firmware = self.arm.client().check_firmware()?;
+        self.monitor.set_firmware(Some(firmware));
+        Ok(firmware)
+    }
+
+    /// The monitor, which can be cloned for other threads.
+    pub fn monitor(&self) -> &Arc<Monitor<S>> {
+        &self.monitor
+    }
+
+    /// The limits, with the frames that the controller was found to have.
+    pub fn limits(&self) -> Option<&Checker> {
+        self.limits.checker()
+    }
+
+    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was
+    /// sent all the same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
+    pub fn limit_warning(&self) -> Option<String> {
+        self.limits.warning()
+    }
+
+    /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
+    ///
+    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one
+    /// between two packets after the call; one that is gone again within a period of the packets, 30 to 100 ms, is
+    /// missed.
+    ///
+    /// ```no_run
+    /// use std::time::Duration;
+    /// use jaka_robot::{Numbering, Robot};
+    ///
+    /// const IO: Numbering = Numbering::FromOne;
+    /// let robot = Robot::connect("10.5.5.100")?;
+    /// robot.wait_for_input(IO.cabinet(3).rises(), Duration::from_secs(10))?;
+    /// # Ok::<(), jaka_robot::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// After `timeout` [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout), which tells what the last packet says of
+    /// the input. At once [`ErrorKind::NotShown`] if a packet does not show the input, [`ErrorKind::WaitEnded`] if
+    /// packets stay away, come again after a silence, cannot be read, or their connection is lost,
+    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
+    /// that is counted from 1.
+    pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
+        wait_for(&self.arm, &condition.into(), timeout)
+    }
+
+    /// The same for an analog input: `IO.tool_analog(1).is_above(2.5)`.
+    ///
+    /// # Errors
+    /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidOption`] for a threshold that is not a
+    /// finite number.
+    pub fn wait_for_analog(&self, condition: AnalogCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
+        wait_for(&self.arm, &condition.into(), timeout)
+    }
+
+    /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops,
+    /// events, frames, payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is
+    /// changed on the controller.
+    ///
+    /// Also compares the arm's model, which is that of its limits or else any published one, with what
+    /// the controller computes (`kine_forward`, which moves nothing), and where the arm is with the limits.
+    ///
+    /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries
+    /// one after the other, the rest of what it tells is [not checked](crate::preflight::Verdict::NotChecked).
+    ///
+    /// ```
+    /// use jaka_sim::Controller;
+    /// use jaka_robot::preflight::{CheckItem, Verdict};
+    /// use jaka_robot::{Config, Robot};
+    ///
+    /// let controller = Controller::start()?;
+    /// let mut robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
+    /// let preflight = robot.preflight();
+    /// let power = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Power).expect("each item has one");
+    /// assert_eq!((power.verdict(), power.seen()), (Verdict::Look, "the arm has no power"));
+    /// assert_eq!(power.advice(), Some("switch it on: `power_on`"));
+    /// println!("{preflight}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn preflight(&mut self) -> Preflight {
+        let limits = self.limits.checker().map(Checker::limits);
+        let (client, status) = self.arm.ports();
+        Preflight::of(client, status, limits)
+    }
+
+    /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what
+    /// helps.
+    ///
+    /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than
+    /// the refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of
+    /// the robot itself are explained in their error: [`ErrorKind::Refused`].
+    pub fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
+        self.arm.explain(error)
+    }
+}
+
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which set-points come one by one: waits until the controller is in it.
+    ///
+    /// # Errors
+    /// As [`ServoSession`] says at "Entering".
+    pub fn enter_servo_mode(&mut self, config: impl Into<SessionConfig>) -> Result<ServoSession<'_>, Error> {
+        ServoSession::enter(self.led(), &config.into())
+    }
+
+    /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the
+    /// trajectory where it is not done by the deadline.
+    ///
+    /// The arm must be where the trajectory starts: see [`FollowConfig::approach`].
+    ///
+    /// # Errors
+    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`End`].
+    pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<End, Error> {
+        Ok(self.start_follow(trajectory, &FollowConfig::new().deadline(deadline))?.wait())
+    }
+
+    /// Begins to follow a trajectory.
+    ///
+    /// All of it is compared with the robot's limits before the first set-point, with the tool and the frames that the
+    /// controller has now, whatever it was compared with before; also where the limits' policy is only to warn.
+    ///
+    /// # Errors
+    /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering";
+    /// [`ErrorKind::NotChecked`] if the robot has no limits, [`ErrorKind::NotShown`] if packets do not show the joints,
+    /// [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than
+    /// where the controller's own answer says that the joints are to be, [`ErrorKind::BeyondLimit`] if the straight way
+    /// in joint space to its start is beyond a limit, [`ErrorKind::InvalidOption`] if the configuration has a value
+    /// that it does not take.
+    pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_>, Error> {
+        FollowRun::begin(self.led(), trajectory, config)
+    }
+}
+
+#[cfg(feature = "stream")]
+impl<S: MotionStatus> Robot<S> {
+    /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
+    ///
+    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    ///
+    /// # Errors
+    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no
+    /// limits, by which a stream knows the arm, [`ErrorKind::NotShown`] if packets do not show the joints, by which it
+    /// is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
+    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
+    /// limits.
+    pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
+        Stream::begin(self.led(), config)
     }
 }

@@ -7,27 +7,27 @@ mod enter;
 mod generated;
 mod lag;
 mod land;
-mod lateness;
 mod leave;
 mod pace;
 mod rates;
 mod realtime;
 mod session;
 mod session_config;
-mod session_end;
 mod set_point;
-mod turn;
 
 use std::time::Duration;
 
+use jaka_clock::Clock;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
 pub(crate) use self::generated::{SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, no_limits};
 pub(crate) use self::lag::LagFit;
+use self::pace::Pace;
+use self::realtime::RealtimePriority;
 pub use self::session::ServoSession;
 pub use self::session_config::SessionConfig;
-pub(crate) use self::session_end::SessionEnd;
 pub(crate) use self::set_point::SetPoint;
+use crate::Error;
 use crate::arm::Arm;
 use crate::error::OptionName;
 use crate::limits::LimitChecks;
@@ -47,7 +47,7 @@ pub struct ServoConfig {
 
 /// Arm that a session leads, and the limits by which its set-points are checked.
 #[derive(Debug)]
-pub(crate) struct Led<'r> {
+pub(crate) struct LedArm<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
     /// True if motions were started that have not been waited for.
@@ -62,7 +62,7 @@ pub(crate) struct LentArm {
     has_motions: bool,
 }
 
-impl Led<'_> {
+impl LedArm<'_> {
     /// The same arm for another thread, which this one outlives.
     pub(crate) fn lent(self) -> LentArm {
         LentArm { arm: self.arm.lent(), limits: self.limits.lent(), has_motions: self.has_motions }
@@ -70,9 +70,9 @@ impl Led<'_> {
 }
 
 impl LentArm {
-    pub(crate) fn led(&mut self) -> Led<'_> {
+    pub(crate) fn led(&mut self) -> LedArm<'_> {
         let Self { arm, limits, has_motions } = self;
-        Led { arm, limits, has_motions: *has_motions }
+        LedArm { arm, limits, has_motions: *has_motions }
     }
 }
 
@@ -113,14 +113,6 @@ impl ServoConfig {
     pub fn filter(mut self, filter: SetServoMoveFilter) -> Self {
         self.filter = Some(filter);
         self
-    }
-
-    /// Sets the controller's own filter of joint speeds, accelerations and jerks (filter 2 of 4.60), in deg/s, deg/s²
-    /// and deg/s³.
-    ///
-    /// It is a second net under what this program checks, and never the only one: sources disagree about its keys.
-    pub fn joint_filter(self, max_speed: f64, max_acceleration: f64, max_jerk: f64) -> Self {
-        self.filter(SetServoMoveFilter::joint_nonlinear(max_speed, max_acceleration, max_jerk))
     }
 
     /// Sets how long the controller may take to enter servo mode. 5 s by default.
@@ -191,5 +183,44 @@ impl ServoConfig {
     /// The time between two set-points.
     pub fn period(&self) -> Duration {
         pace::CYCLE * self.step_count
+    }
+
+    /// Takes the real-time priority for this thread, where one is asked for.
+    fn take_priority(&self) -> Result<Option<RealtimePriority>, Error> {
+        self.realtime_priority.map(RealtimePriority::take).transpose()
+    }
+
+    /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each
+    /// of them began. Sends nothing: it is about this machine alone.
+    ///
+    /// At least one cycle, in the calling thread, with the period, the [`busy_wait`](Self::busy_wait) and the real-time
+    /// priority of this configuration. `jaka jitter` prints it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption), and `ErrorKind::RealtimePriority` if the system
+    /// does not allow the priority.
+    pub fn measure_lateness(&self, time: Duration) -> Result<Vec<Duration>, Error> {
+        self.check_step_count()?;
+        let _priority = self.take_priority()?;
+        let clock = Clock::default();
+        let mut pace = Pace::new(&clock, self.period(), self.busy_wait);
+        // The first one is due at once.
+        pace.wait();
+        let (since, mut lateness) = (clock.stopwatch(), Vec::new());
+        loop {
+            lateness.push(pace.wait().late);
+            if since.passed() >= time {
+                return Ok(lateness);
+            }
+        }
+    }
+
+    /// Fails for a period so long that one set-point would move the arm far.
+    fn check_step_count(&self) -> Result<(), Error> {
+        if self.step_count <= MOST_STEPS {
+            return Ok(());
+        }
+        let expected = format!("1 to {MOST_STEPS}: a period of at most {:?}", pace::CYCLE * MOST_STEPS);
+        Err(Self::option("step_count").refuse(self.step_count, expected))
     }
 }

@@ -7,7 +7,8 @@ use std::{mem, thread};
 use jaka_clock::Clock;
 use jaka_sync::layer::Watched;
 
-use crate::servo_session::{LentArm, SessionEnd};
+use crate::error::SessionEnd;
+use crate::servo_session::LentArm;
 use crate::{Cause, Error, ErrorKind};
 
 /// A thread that has a lent arm. Who waits for it waits in the clock's time.

@@ -16,7 +16,7 @@ use crate::ErrorKind;
 use crate::error::OptionName;
 use crate::guard::SetPointGuard;
 use crate::servo_session::check_at_least;
-use crate::servo_session::{Led, LentArm};
+use crate::servo_session::{LedArm, LentArm};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error, Guard, ServoConfig};
 
@@ -150,7 +150,7 @@ pub struct Stream<'r> {
 
 impl<'r> Stream<'r> {
     /// Begins a stream in a thread of its own.
-    pub(crate) fn begin(led: Led<'r>, config: &StreamConfig) -> Result<Self, Error> {
+    pub(crate) fn begin(led: LedArm<'r>, config: &StreamConfig) -> Result<Self, Error> {
         let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;
         let config = config.clone();

@@ -4,9 +4,9 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::not_shown::NotShown;
 use super::remedy::Remedy;
 use super::table::Cause;
+use super::unknown::NotShown;
 use crate::Snapshot;
 
 /// A guard that has tripped, and what followed.

@@ -12,9 +12,10 @@ use super::approach::Approach;
 use super::orders::Orders;
 use super::{FollowConfig, start};
 use crate::arm::Arm;
+use crate::error::SessionEnd;
 use crate::guard::SetPointGuard;
 use crate::limits::LimitChecks;
-use crate::servo_session::{LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, no_limits};
+use crate::servo_session::{LagFit, LentArm, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, ServoSession, TrajectoryReport};
 

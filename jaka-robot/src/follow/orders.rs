@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Instant;
 
-use crate::servo_session::SessionEnd;
+use crate::error::SessionEnd;
 
 /// What handles ask for, and how far the run is. Nobody waits for anybody here.
 #[derive(Debug)]

@@ -6,6 +6,7 @@ use std::time::Duration;
 use jaka_motion::Overtravel;
 use jaka_proto::wire::{DecodeError, Typed};
 
+use crate::arm::Arm;
 use crate::cause::Field;
 use crate::error::OptionName;
 use crate::{Error, NotGuarded, NotShown, Snapshot};
@@ -235,6 +236,23 @@ impl fmt::Display for ForceLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} has changed by more than {}", self.component, self.change)
     }
+}
+
+/// How long is waited for packets, to know their period.
+const PERIOD_WITHIN: Duration = Duration::from_secs(2);
+
+/// For how long at least packets may stay away under a limit of force.
+const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
+
+/// The longest time between two of the last packets; none where too few come.
+pub(crate) fn packet_period(arm: &Arm, timeout: Duration) -> Option<Duration> {
+    let period = || arm.statistics().recent_gap;
+    arm.state.watch(timeout.min(PERIOD_WITHIN), |_| period()).ok().flatten()
+}
+
+/// For how long packets may stay away under a limit of force that come each `period`.
+pub(crate) fn longest_silence(period: Duration) -> Duration {
+    (period * 3).max(SHORTEST_SILENCE)
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
+use super::set_point::turned;
 use super::set_point::{SetPoint, Step};
-use super::turn::turned;
 
 /// The last set-points, in joints and in poses, as far as they are known.
 #[derive(Debug, Clone)]

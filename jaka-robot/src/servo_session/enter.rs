@@ -10,7 +10,7 @@ use jaka_sync::layer::{ClientParts as _, Reservation};
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
 use super::rates::Rates;
-use super::{Led, MOST_STEPS, ServoConfig, ServoSession, SessionConfig};
+use super::{LedArm, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
@@ -25,13 +25,13 @@ const MEANWHILE: Reservation = Reservation {
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.
-    pub(crate) fn enter(led: Led<'r>, config: &SessionConfig) -> Result<Self, Error> {
+    pub(crate) fn enter(led: LedArm<'r>, config: &SessionConfig) -> Result<Self, Error> {
         Self::enter_if(led, (&config.servo, config.rates), |_, _| Ok(()))
     }
 
     /// Enters servo mode for set-points that are made within the limits of the robot.
     pub(crate) fn lead(
-        led: Led<'r>,
+        led: LedArm<'r>,
         config: &ServoConfig,
         check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
@@ -41,12 +41,12 @@ impl<'r> ServoSession<'r> {
     /// Enters servo mode, unless what is asked of the arm at rest says otherwise. Nothing that changes something was
     /// sent by then.
     fn enter_if(
-        led: Led<'r>,
+        led: LedArm<'r>,
         (config, rates): (&ServoConfig, Rates),
         check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
-        let Led { arm, limits, has_motions } = led;
-        check_step_count(config)?;
+        let LedArm { arm, limits, has_motions } = led;
+        config.check_step_count()?;
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
@@ -121,16 +121,6 @@ impl<'r> ServoSession<'r> {
         }
         Ok(())
     }
-}
-
-/// A longer period would let one set-point move the arm far.
-pub(super) fn check_step_count(config: &ServoConfig) -> Result<(), Error> {
-    let count = config.step_count;
-    if count <= MOST_STEPS {
-        return Ok(());
-    }
-    let expected = format!("1 to {MOST_STEPS}: a period of at most {:?}", CYCLE * MOST_STEPS);
-    Err(ServoConfig::option("step_count").refuse(count, expected))
 }
 
 /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and

@@ -14,7 +14,7 @@ use super::Supervision;
 use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
-use super::session_end::SessionEnd;
+use crate::error::SessionEnd;
 use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Report};
 
 /// How long the last replies may take, and the end of servo mode after set-points that were not answered.

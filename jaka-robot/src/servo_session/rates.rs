@@ -6,8 +6,8 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
+use super::set_point::length;
 use super::set_point::{SetPoint, Step};
-use super::turn::length;
 use crate::Error;
 use crate::error::OptionName;
 

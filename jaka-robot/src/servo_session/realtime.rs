@@ -18,15 +18,8 @@ pub(super) struct RealtimePriority {
 /// Gives the thread that calls it the scheduling that it had before.
 type Restore = Box<dyn Fn() -> io::Result<()> + Send + Sync>;
 
-impl ServoConfig {
-    /// Takes the real-time priority for this thread, where one is asked for.
-    pub(super) fn take_priority(&self) -> Result<Option<RealtimePriority>, Error> {
-        self.realtime_priority.map(RealtimePriority::take).transpose()
-    }
-}
-
 impl RealtimePriority {
-    fn take(priority: u8) -> Result<Self, Error> {
+    pub(super) fn take(priority: u8) -> Result<Self, Error> {
         if !(1..=99).contains(&priority) {
             return Err(ServoConfig::option("realtime_priority").refuse(priority, "1 to 99"));
         }

@@ -17,9 +17,9 @@ use super::course::Course;
 use super::pace::{Cycle, Pace};
 use super::rates::Rates;
 use super::realtime::RealtimePriority;
-use super::session_end::SessionEnd;
 use super::set_point::{SetPoint, Step};
 use crate::arm::{Arm, Sending};
+use crate::error::SessionEnd;
 use crate::limits::LimitChecks;
 use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 

@@ -8,11 +8,12 @@ use jaka_proto::messages::types::JointPosition;
 use super::StreamConfig;
 use super::target::{Order, Targets};
 use crate::arm::Arm;
+use crate::error::SessionEnd;
 use crate::guard::{ForceLimit, SetPointGuard};
 use crate::limits::LimitChecks;
 use crate::servo_session::course::Course;
 use crate::servo_session::{
-    LagFit, LentArm, SessionEnd, SetPoint, SetPoints, Supervision, beyond_limit, check_shows_joints, no_limits,
+    LagFit, LentArm, SetPoint, SetPoints, Supervision, beyond_limit, check_shows_joints, no_limits,
 };
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, ServoSession};
@@ -50,8 +51,8 @@ pub(super) fn run(
     let (start, period) = (generator.joints(), config.servo.period());
     let lag = guard.filter(|guard| guard.has_force_limits()).map(|_| LagFit::new(clock.now(), start, period));
     let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
-    let mut led = Led { generator: &mut generator, targets: &targets, order: None, last: None };
-    let ended = session.send_all(&mut led, &mut supervision);
+    let mut set_points = StreamSetPoints { generator: &mut generator, targets: &targets, order: None, last: None };
+    let ended = session.send_all(&mut set_points, &mut supervision);
     if let Err(error) = &ended {
         targets.land_because(SessionEnd::of(error));
     }
@@ -104,7 +105,7 @@ fn not_generated(error: GeneratorError) -> Error {
 }
 
 /// What the generator makes of the orders of the handles.
-struct Led<'s> {
+struct StreamSetPoints<'s> {
     generator: &'s mut Generator,
     targets: &'s Targets,
     /// None before the first one.
@@ -116,7 +117,7 @@ struct Led<'s> {
 /// How far from its target a joint may be that has reached it, in degrees.
 const THERE_DEG: f64 = 1e-4;
 
-impl SetPoints for Led<'_> {
+impl SetPoints for StreamSetPoints<'_> {
     fn is_done(&mut self) -> bool {
         self.targets.is_landing()
     }

@@ -9,7 +9,8 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use super::target::Targets;
 use crate::Error;
 use crate::error::OptionName;
-use crate::servo_session::{SessionEnd, beyond_limit};
+use crate::error::SessionEnd;
+use crate::servo_session::beyond_limit;
 
 /// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
 #[derive(Debug, Clone)]

@@ -9,7 +9,7 @@ use jaka_proto::messages::types::JointPosition;
 use jaka_sync::layer::Watched;
 
 use crate::Cause;
-use crate::servo_session::SessionEnd;
+use crate::error::SessionEnd;
 
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]
