@@ -8,8 +8,10 @@ use super::style::{self, number};
 
 /// No joint turns further.
 const TURN: f64 = 360.0;
-/// The columns next to a joint's bar: number, position, and those of [`MEASURED`].
-const COLUMNS: usize = 36;
+/// Cells of the number of a joint, with a blank on both sides.
+const NUMBER: usize = 3;
+/// Cells of a joint's position.
+const POSITION: usize = 10;
 /// From this width on those of [`MORE`] are shown as well.
 const WIDE: usize = 90;
 
@@ -30,11 +32,13 @@ const POSE: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
 pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width);
     let columns = if width < WIDE { MEASURED.to_vec() } else { [&MEASURED[..], &MORE].concat() };
-    let more: usize = columns[MEASURED.len()..].iter().map(|(_, width, ..)| width).sum();
+    // A blank stands between the position and the bar, and another at the end of the line.
+    let others = NUMBER + POSITION + 2 + columns.iter().map(|(_, width, ..)| width).sum::<usize>();
     // An odd number of cells has one in the middle.
-    let bar_width = width.saturating_sub(COLUMNS + more).saturating_sub(1) | 1;
+    let bar_width = width.saturating_sub(others).saturating_sub(1) | 1;
     let titles: Vec<_> = columns.iter().map(|(title, width, ..)| format!("{title:>width$}")).collect();
-    let heading = format!("{:>13} {}{}", "position °", bar_heading(bar_width), titles.concat());
+    let position = format!("{:>width$}", "position °", width = NUMBER + POSITION);
+    let heading = format!("{position} {}{}", bar_heading(bar_width), titles.concat());
     let joints = (0..6).map(|index| joint(status, index, bar_width, &columns));
     std::iter::once(Line::styled(heading, style::faint())).chain(joints).collect()
 }
@@ -43,7 +47,7 @@ fn joint(status: &RobotStatus, index: usize, bar_width: usize, columns: &[Column
     let position = position(status, index);
     let measured = measured(status).and_then(|joints| joints.get(index));
     let number_of = Span::styled(format!(" {} ", index + 1), style::faint());
-    let mut spans = vec![number_of, number(position, 10, 3), Span::raw(" ")];
+    let mut spans = vec![number_of, number(position, POSITION, 3), Span::raw(" ")];
     spans.extend(bar(position, bar_width));
     spans.extend(columns.iter().map(|(_, width, decimals, value)| number(measured.map(value), *width, *decimals)));
     Line::from(spans)

@@ -261,9 +261,31 @@ pub(super) enum Group {
     Other,
 }
 
-/// What a kind means: what it is to the predicates, whether the command may have run, and the error below it; where the
-/// text of that is part of its own, the error below that.
-pub(super) type Meaning<'k> = (Group, bool, Option<&'k (dyn StdError + 'static)>);
+/// Meaning of a kind to the methods of an error.
+pub(super) struct Meaning<'k> {
+    pub(super) group: Group,
+    /// True if the command may have run.
+    pub(super) may_have_run: bool,
+    /// Error below it; if the kind's text has the text of that error, the error below that.
+    pub(super) source: Option<&'k (dyn StdError + 'static)>,
+}
+
+impl<'k> Meaning<'k> {
+    /// Meaning of a kind whose command has not run.
+    fn not_run(group: Group) -> Self {
+        Self { group, may_have_run: false, source: None }
+    }
+
+    /// Meaning of a kind whose command may have run.
+    fn may_have_run(group: Group) -> Self {
+        Self { group, may_have_run: true, source: None }
+    }
+
+    /// Meaning with an error below it.
+    fn source(self, source: impl Into<Option<&'k (dyn StdError + 'static)>>) -> Self {
+        Self { source: source.into(), ..self }
+    }
+}
 
 impl ErrorKind {
     /// Cause of the end of moving, or why it is kept back; of several errors in one, the first by precedence.
@@ -378,31 +400,44 @@ impl ErrorKind {
         }
     }
 
-    /// Each kind is named, so that a new one does not compile before it is decided what it means.
+    /// Meaning to the methods of an error. Each kind is named: a new one does not compile before its meaning is decided.
     pub(super) fn meaning(&self) -> Meaning<'_> {
+        let other = Meaning::not_run(Group::Other);
         match self {
-            Self::Connection(error) => (Group::of_connection(error), error.may_have_run(), error.source()),
-            Self::InvalidOption { .. } => (Group::InvalidArgument, false, None),
-            Self::PortInAddress { .. } => (Group::Connect, false, None),
-            Self::Refused { .. } => (Group::Refused, false, None),
-            Self::CommandsLost { cause, .. } => (Group::Disconnected, false, Some(&**cause)),
+            Self::Connection(error) => Meaning {
+                group: Group::of_connection(error),
+                may_have_run: error.may_have_run(),
+                source: error.source(),
+            },
+            Self::InvalidOption { .. } => Meaning::not_run(Group::InvalidArgument),
+            Self::PortInAddress { .. } => Meaning::not_run(Group::Connect),
+            Self::Refused { .. } => Meaning::not_run(Group::Refused),
+            Self::CommandsLost { cause, .. } => {
+                Meaning::not_run(Group::Disconnected).source(&**cause as &(dyn StdError + 'static))
+            }
             Self::ServoModeNotLeft { first, leaving } => {
-                (Group::after(leaving), true, Sequence::new(first.as_ref(), leaving).source())
+                Meaning::may_have_run(Group::after(leaving)).source(Sequence::new(first.as_ref(), leaving).source())
             }
             Self::NotStopped { first, stopping } => {
-                (Group::after(stopping), true, Sequence::new(first, stopping).source())
+                Meaning::may_have_run(Group::after(stopping)).source(Sequence::new(first, stopping).source())
             }
-            Self::SetPointsUnanswered { .. } => (Group::Other, true, None),
-            Self::RestNotSeen { first, .. } => (Group::Other, true, first.as_ref().and_then(|first| first.source())),
-            Self::NotLanded { first, landing } => (Group::Other, true, Sequence::new(first, landing).source()),
-            Self::GuardTripped { trip } => (Group::Other, !trip.is_before_start, None),
-            Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => {
-                (Group::Other, false, problem.source())
+            Self::SetPointsUnanswered { .. } => Meaning::may_have_run(Group::Other),
+            Self::RestNotSeen { first, .. } => {
+                Meaning::may_have_run(Group::Other).source(first.as_ref().and_then(|first| first.source()))
             }
+            Self::NotLanded { first, landing } => {
+                Meaning::may_have_run(Group::Other).source(Sequence::new(first, landing).source())
+            }
+            Self::GuardTripped { trip } => Meaning { may_have_run: !trip.is_before_start, ..other },
+            Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => other.source(problem.source()),
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => {
-                (Group::Other, false, occurrence.source())
+                other.source(occurrence.source())
             }
-            Self::NotReached { end } => (Group::of(end.cause()), end.phase() != Phase::NotSent, end.source()),
+            Self::NotReached { end } => Meaning {
+                group: Group::of(end.cause()),
+                may_have_run: end.phase() != Phase::NotSent,
+                source: end.source(),
+            },
             Self::NotReady { .. }
             | Self::SetPointLate { .. }
             | Self::SessionEnded { .. }
@@ -412,10 +447,12 @@ impl ErrorKind {
             | Self::Departed { .. }
             | Self::BeyondLimit { .. }
             | Self::NotChecked { .. }
-            | Self::Stopped { .. } => (Group::Other, false, None),
-            Self::ModelMismatch { source } => (Group::Other, false, Some(source)),
-            Self::Trajectory { source } => (Group::Other, false, source.source()),
-            Self::Thread { source } | Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
+            | Self::Stopped { .. } => other,
+            Self::ModelMismatch { source } => other.source(source as &(dyn StdError + 'static)),
+            Self::Trajectory { source } => other.source(source.source()),
+            Self::Thread { source } | Self::RealtimePriority { source, .. } => {
+                other.source(source as &(dyn StdError + 'static))
+            }
         }
     }
 }
@@ -439,7 +476,7 @@ impl Group {
         if cause == Cause::CommandsLost { Self::Disconnected } else { Self::Other }
     }
 
-    /// That of an error that tells of another one after which nothing more could be sent.
+    /// Group of an error that tells of another one, after which nothing more could be sent.
     fn after(last: &Error) -> Self {
         if last.is_disconnected() { Self::Disconnected } else { Self::Other }
     }
