@@ -79,7 +79,8 @@ pub fn read_reply_of<'a, R: Fields>(
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
 fn read_accepted<R: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Option<Reply<'_, R>> {
-    let mut reader = Reader::capturing(text, take_envelope).with_firmware(firmware);
+    let mut reader = Reader::capturing(text, take_envelope);
+    reader.set_firmware(firmware);
     let payload = R::read_fields(&mut reader).ok()?;
     let envelope = accepted_envelope(&mut reader)?;
     Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
