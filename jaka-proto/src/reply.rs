@@ -79,23 +79,23 @@ pub fn read_reply_of<'a, R: Fields>(
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
 fn read_accepted<R: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Option<Reply<'_, R>> {
-    let mut reader = Reader::capturing(text, take_envelope).with_firmware(firmware);
+    let mut reader = Reader::capturing(text, take_envelope);
+    reader.set_firmware(firmware);
     let payload = R::read_fields(&mut reader).ok()?;
-    let envelope = accepted_envelope(&mut reader)?;
+    if !is_accepted(&mut reader) {
+        return None;
+    }
+    let [_, message, command] = reader.captured();
+    let (command, message) = (command.map(Cow::Borrowed), Cow::Borrowed(message.unwrap_or_default()));
+    let envelope = Envelope { command, code: Ok(ErrorCode(0)), message };
     Some(Reply { envelope: Some(envelope), payload: Some(Ok(payload)) })
 }
 
-/// The envelope of a reply that was read to its end, if it accepts the command.
-// Not generic, or each type of a reply would compile a copy.
-fn accepted_envelope<'a>(reader: &mut Reader<'a>) -> Option<Envelope<'a>> {
-    reader.end().ok()?;
-    let [code, message, command] = reader.captured();
-    let is_accepted = code.is_some_and(|raw| raw == SUCCESS || self::code(raw).is_ok_and(ErrorCode::is_success));
-    is_accepted.then(|| Envelope {
-        command: command.map(|command| command.trim().into()),
-        code: Ok(ErrorCode(0)),
-        message: message.unwrap_or_default().into(),
-    })
+/// Whether a reply that was read to its end accepts the command.
+// Not generic, or each type of a reply would compile a copy. The envelope is made by the caller, since its move is slow.
+fn is_accepted(reader: &mut Reader<'_>) -> bool {
+    let [code, ..] = reader.captured();
+    reader.end().is_ok() && code.is_some_and(|raw| raw == SUCCESS || self::code(raw).is_ok_and(ErrorCode::is_success))
 }
 
 /// The code of nearly all replies.
@@ -110,7 +110,7 @@ fn take_envelope(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
         let message = reader.usual_text();
         reader.keep(1, message)
     } else if reader.eat_key(QUOTED_COMMAND) {
-        let command = reader.usual_text();
+        let command = reader.usual_text().map(str::trim);
         reader.keep(2, command)
     } else {
         Ok(false)

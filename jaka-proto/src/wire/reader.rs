@@ -426,7 +426,8 @@ impl<'a> Reader<'a> {
 /// # Errors
 /// The text is not an object by its brackets, something follows it, or a field does not fit.
 pub(crate) fn read_message<T: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Result<T, DecodeError> {
-    let mut reader = Reader::tolerant(text).with_firmware(firmware);
+    let mut reader = Reader::tolerant(text);
+    reader.set_firmware(firmware);
     let message = T::read_fields(&mut reader)?;
     finish(reader).map(|()| message)
 }
