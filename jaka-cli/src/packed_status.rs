@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::slice::from_ref;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use jaka_dynamic::{Forms, Lost, Message, Reading, Translated, Translation, status_departures};
+use jaka_dynamic::{Forms, Label, Lost, Message, Node, Reading, Translated, Translation};
 use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
 use jaka_spec::{Field, FieldSource, NeededSource, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
@@ -19,8 +19,8 @@ use crate::failure::Failure;
 pub(crate) struct PackedStatus {
     /// The packet in terms of the built-in type, also where a pack has another key or other words for the same.
     pub(crate) status: RobotStatus,
-    /// The keys that packs add or change, with what came.
-    pub(crate) own: Map<String, Value>,
+    /// The packet as packs have it, without fields that do not fit; none without packs.
+    packed: Option<Node<'static>>,
     /// Fields that do not fit, by names in Rust, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
     /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
@@ -28,20 +28,20 @@ pub(crate) struct PackedStatus {
 }
 
 impl PackedStatus {
-    /// The packet as JSON: as the codec writes it, whatever form the controller used, and what packs have as it came.
-    pub(crate) fn json(&self) -> Result<Value, Failure> {
-        let written = serde_json::to_value(&self.status);
-        let mut json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
-        if let Value::Object(packet) = &mut json {
-            packet.extend(self.own.clone());
+    /// The packet by the spec with its packs.
+    pub(crate) fn tree(&self) -> Result<Node<'static>, Failure> {
+        if let Some(packed) = &self.packed {
+            return Ok(packed.clone());
         }
-        Ok(json)
+        let written = serde_json::to_value(&self.status);
+        let json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+        Ok(Node::status(builtin::of_status(), json))
     }
 
-    /// The fields that packs add or change, by their names, with what came.
-    pub(crate) fn own_fields(&self) -> impl Iterator<Item = (&'static str, &Value)> {
-        let fields = builtin::of_status().status_fields().iter();
-        fields.filter_map(|field| Some((&*field.name, self.own.get(&field.wire)?)))
+    /// The fields that packs add or change, of those that the packet has.
+    pub(crate) fn own(&self) -> impl Iterator<Item = &Node<'static>> {
+        let fields = self.packed.iter().flat_map(Node::parts).filter(|node| !node.is_absent());
+        fields.filter(|node| layout().is_own(node))
     }
 }
 
@@ -98,25 +98,47 @@ impl Sources {
 impl Decode for PackedStatus {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let start = reader.mark();
-        if !changed().is_empty() {
+        if !layout().is_built_in {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, builtin::of_status(), changed(), forms(reader.firmware()));
+                return packed(packet, builtin::of_status(), layout(), forms(reader.firmware()));
             }
             reader.go_back(start);
         }
         // What is odd JSON is read as far as it can be, and not by packs.
-        let is_by_packs = changed().is_empty();
+        let is_by_packs = layout().is_built_in;
         RobotStatus::decode(reader).map(|status| Self { status, is_by_packs, ..Self::default() })
     }
 }
 
-/// A field of the packet that is not as built in, and a built-in one whose values it has, if there is one.
-type Changed = (Field, Option<Field>);
+/// Status packets of the spec beside the built-in ones.
+#[derive(Debug)]
+struct Layout {
+    /// Names of fields that packs add or change.
+    own: Vec<&'static str>,
+    /// True if packets are as built in.
+    is_built_in: bool,
+}
 
-/// The fields that packs add or change.
-fn changed() -> &'static [Changed] {
-    static CHANGED: OnceLock<Vec<Changed>> = OnceLock::new();
-    CHANGED.get_or_init(|| changed_in(builtin::of_status()))
+fn layout() -> &'static Layout {
+    static LAYOUT: OnceLock<Layout> = OnceLock::new();
+    LAYOUT.get_or_init(|| Layout::of(builtin::of_status()))
+}
+
+impl Layout {
+    fn of(spec: &'static Spec) -> Self {
+        let built_in = builtin::spec().status_fields();
+        let is_own = |field: &&Field| {
+            let mut known = built_in.iter().filter(|known| spec.status_field_as(known) == Some(*field));
+            !(known.next().is_some_and(|known| is_as_built_in(spec, field, known)) && known.next().is_none())
+        };
+        let own: Vec<_> = spec.status_fields().iter().filter(is_own).map(|field| &*field.name).collect();
+        let has_all = built_in.iter().all(|known| spec.status_field_as(known).is_some());
+        Self { is_built_in: own.is_empty() && has_all, own }
+    }
+
+    fn is_own(&self, node: &Node<'_>) -> bool {
+        matches!(node.label(), Label::Field(field) if self.own.contains(&&*field.name))
+    }
 }
 
 /// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
@@ -136,31 +158,10 @@ fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
     Some(forms)
 }
 
-fn changed_in(spec: &Spec) -> Vec<Changed> {
-    let built_in = builtin::spec().status_fields();
-    let source = |known: &Field| spec.status_field_as(known);
-    let mut changed: Vec<Changed> = Vec::new();
-    for field in spec.status_fields() {
-        let known: Vec<_> = built_in.iter().filter(|known| source(known) == Some(field)).collect();
-        match known[..] {
-            [known] if is_as_built_in(spec, field, known) => {}
-            [] => changed.push((field.clone(), None)),
-            _ => changed.extend(known.into_iter().map(|known| (field.clone(), Some(known.clone())))),
-        }
-    }
-    // A built-in key counts for nothing where a pack declares its field absent, or leaves it to a program.
-    for known in built_in.iter().filter(|known| source(known).is_none()) {
-        if !changed.iter().any(|(field, _)| field.wire == known.wire) {
-            changed.push((known.clone(), None));
-        }
-    }
-    changed
-}
-
 fn packed(
     mut packet: Map<String, Value>,
-    spec: &Spec,
-    changed: &[Changed],
+    spec: &'static Spec,
+    layout: &Layout,
     forms: Option<&Forms>,
 ) -> Result<PackedStatus, DecodeError> {
     let mut unfit = Vec::new();
@@ -170,24 +171,17 @@ fn packed(
         let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
     }
-    let is_own = |key: &str| changed.iter().any(|(field, _)| field.wire == key);
-    let mut own: Map<_, _> =
-        packet.iter().filter(|(key, _)| is_own(key)).map(|(k, v)| (k.clone(), v.clone())).collect();
-    for departure in status_departures(spec, &Value::Object(packet.clone())) {
-        let key = departure.field.split(['.', '[']).next().unwrap_or_default();
-        let field = changed.iter().find(|(field, _)| field.wire == key);
-        if let Some((field, _)) = field.filter(|_| departure.reading == Reading::Unreadable) {
-            own.remove(key);
-            let place = departure.field.replacen(key, &field.name, 1);
-            unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
-        }
-    }
+    let tree = Node::status(spec, packet.into());
+    let own = tree.parts().iter().filter(|part| layout.is_own(part));
+    let departures = own.flat_map(|part| part.departures_at(&part.label().path("")));
+    let misfits = departures.filter(|departure| departure.reading == Reading::Unreadable);
+    unfit.extend(misfits.map(|misfit| DecodeError::unfit(misfit.expected, &misfit.found).in_field(&misfit.field)));
     unfit.extend(of_program(spec));
-    let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
+    let text = Value::Object(as_built_in(spec, layout, &tree)).to_string();
     let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
-    Ok(PackedStatus { status, own, unfit, is_by_packs: true })
+    Ok(PackedStatus { status, packed: Some(tree.without_unreadable()), unfit, is_by_packs: true })
 }
 
 /// Errors of the fields that packs leave to a program: this one has none.
@@ -201,25 +195,17 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
 
 /// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
 /// not convert, is left out.
-fn as_built_in(
-    spec: &Spec,
-    changed: &[Changed],
-    mut packet: Map<String, Value>,
-    own: &Map<String, Value>,
-) -> Map<String, Value> {
+fn as_built_in(spec: &Spec, layout: &Layout, tree: &Node<'_>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
-    // A key may be that of another field by now.
-    for (field, known) in changed {
-        packet.remove(&field.wire);
-        known.as_ref().and_then(|known| packet.remove(&known.wire));
-    }
-    for (field, known) in changed {
-        let (Some(known), Some(found)) = (known, own.get(&field.wire)) else { continue };
-        if let Some(value) = translation.field(field, known, found) {
-            packet.insert(known.wire.clone(), value);
-        }
-    }
-    packet
+    let member = |known: &Field| {
+        let field = spec.status_field_as(known)?;
+        let is_it = |part: &&Node<'_>| matches!(part.label(), Label::Field(found) if found.name == field.name);
+        let node = tree.parts().iter().find(is_it).filter(|node| !node.is_absent())?;
+        let is_read = !layout.is_own(node) || node.is_readable();
+        let value = is_read.then(|| translation.field(field, known, &node.found()))??;
+        Some((known.wire.clone(), value))
+    };
+    builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
 /// True if a field is read in every firmware as the built-in one.
@@ -239,10 +225,10 @@ mod tests {
 
     use super::*;
 
-    fn spec(pack: &str) -> Spec {
+    fn spec(pack: &str) -> &'static Spec {
         let pack = format!("title = 'T'\n{pack}");
         let pack = jaka_spec::load_pack(builtin::spec(), jaka_spec::Source { path: "pack.toml", text: &pack });
-        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+        Box::leak(Box::new(pack.unwrap_or_else(|errors| panic!("{errors}")).spec))
     }
 
     /// A packet as a robot takes it, by a pack with this text.
@@ -251,7 +237,7 @@ mod tests {
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
-        packed(packet, &spec, &changed_in(&spec), None).expect("it can be read")
+        packed(packet, spec, &Layout::of(spec), None).expect("it can be read")
     }
 
     const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\
@@ -338,7 +324,7 @@ mod tests {
     fn a_packet_must_have_what_packs_map_or_change() {
         let changed = renamed("inpos", "wire = 'at_target'");
         let pack = format!("{changed}{MAPPED}error_code = 'absent'\npaused = 'program'\n");
-        let sources = Sources::of(Box::leak(Box::new(spec(&pack))));
+        let sources = Sources::of(spec(&pack));
         assert_eq!(sources.absent, ["error_code"]);
         let expected = [["protective_stop", "safety_halt"], ["in_position"; 2], ["paused"; 2]];
         assert_eq!(sources.expected, expected);

@@ -9,8 +9,8 @@ use jaka_spec::{Spec, Version, Versions};
 use serde_json::{Map, Value};
 
 use crate::encode;
-use crate::sample::is_readable;
 use crate::translation::{Lost, Message, Translated, Translation, fields};
+use crate::tree::Node;
 
 /// Messages of a firmware in the spec's own forms, and back.
 ///
@@ -75,7 +75,7 @@ impl Forms {
             let fields = fields(spec, message, members);
             let is_misfit = |(key, value): &(&String, &Value)| {
                 let field = fields.iter().find(|field| field.wire == **key);
-                field.is_none_or(|field| !value.is_null() && !is_readable(spec, field, value))
+                field.is_none_or(|field| !value.is_null() && !Node::field(spec, field, (*value).clone()).is_readable())
             };
             members.iter().filter(is_misfit).count()
         })

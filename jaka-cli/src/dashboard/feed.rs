@@ -4,7 +4,6 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
-use jaka_robot::proto::text::visible_json;
 use jaka_robot::{Monitor, Snapshot, Subscription};
 
 use super::View;
@@ -12,6 +11,7 @@ use super::alarms::duration;
 use super::view::{Link, STALE};
 use crate::flags::Tone;
 use crate::packed_status::PackedStatus;
+use crate::value_rows::value_rows;
 
 /// Packets of some seconds, so that no alarm is missed while a terminal is slow.
 const CAPACITY: usize = 1000;
@@ -60,8 +60,8 @@ impl Feed {
         if !view.paused || self.shown.is_none() {
             self.shown.clone_from(&self.newest);
             view.status = self.shown.as_ref().map(|packet| packet.status.status.clone());
-            let own = self.shown.iter().flat_map(|packet| packet.status.own_fields());
-            view.packed = own.map(|(name, value)| (name, visible_json(&value.to_string()).into_owned())).collect();
+            let own = self.shown.iter().flat_map(|packet| packet.status.own());
+            view.packed = own.flat_map(|node| value_rows(&node.label().path(""), node)).collect();
         }
         view.age = self.shown.as_ref().map(|packet| packet.age());
         view.link = self.link();
