@@ -199,8 +199,7 @@ fn as_built_in(spec: &Spec, layout: &Layout, tree: &Node<'_>) -> Map<String, Val
     let translation = Translation::new(spec, builtin::spec());
     let member = |known: &Field| {
         let field = spec.status_field_as(known)?;
-        let is_it = |part: &&Node<'_>| matches!(part.label(), Label::Field(found) if found.name == field.name);
-        let node = tree.parts().iter().find(is_it).filter(|node| !node.is_absent())?;
+        let node = tree.at(&[Label::Field(field)])?;
         let is_read = !layout.is_own(node) || node.is_readable();
         let value = is_read.then(|| translation.field(field, known, &node.found()))??;
         Some((known.wire.clone(), value))

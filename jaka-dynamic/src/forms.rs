@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::wire::{Decode as _, DecodeError, Reader};
-use jaka_spec::{Spec, Version, Versions};
+use jaka_spec::{Spec, Versions};
 use serde_json::{Map, Value};
 
 use crate::encode;
+use crate::firmware::firmware_range;
 use crate::translation::{Lost, Message, Translated, Translation, fields};
 use crate::tree::Node;
 
@@ -33,12 +34,12 @@ impl Forms {
             return None;
         }
         let versions: Vec<_> = match firmware {
-            Some(firmware) => Version::new(firmware.numbers()).into_iter().collect(),
-            None => bounds.iter().filter_map(|numbers| Version::new(numbers)).collect(),
+            Some(firmware) => vec![firmware],
+            None => bounds.iter().filter_map(|numbers| FirmwareVersion::of(numbers)).collect(),
         };
         let mut of_firmware: Vec<Spec> = Vec::new();
         for version in versions {
-            let spec = spec.of_firmware(&version);
+            let spec = spec.of_firmware(|versions| firmware_range(versions).contains(version));
             if !of_firmware.contains(&spec) {
                 of_firmware.push(spec);
             }

@@ -22,8 +22,8 @@ pub struct Node<'s> {
     body: Body<'s>,
     /// Text of the Python literal that was read as this value.
     literal: Option<String>,
-    /// Its own departure from the spec, without those of its parts. The path is added by the walk.
-    departure: Option<Box<Departure>>,
+    /// Departures from the spec that are not those of a part, by paths inside the node.
+    departures: Vec<Departure>,
 }
 
 /// Place of a node in the one around it.
@@ -31,8 +31,6 @@ pub struct Node<'s> {
 pub enum Label<'s> {
     /// The message as a whole.
     Message,
-    /// A key that every message of its kind has, such as `cmdName`.
-    Envelope(&'s str),
     /// Tag of a choice.
     Tag {
         /// Its key; empty in an array.
@@ -89,7 +87,7 @@ impl Label<'_> {
     /// Key in an object on the wire; of an element of an array its name.
     fn key(&self) -> &str {
         match self {
-            Self::Envelope(key) | Self::Tag { key, .. } => key,
+            Self::Tag { key, .. } => key,
             Self::Field(field) if field.wire.is_empty() => &field.name,
             Self::Field(field) => &field.wire,
             Self::Unknown(key) => key,
@@ -148,21 +146,16 @@ impl<'s> Node<'s> {
     }
 
     fn blank(label: Label<'s>, slot: Slot<'s>) -> Self {
-        Self { label, slot: Some(slot), body: Body::Absent, literal: None, departure: None }
+        Self { label, slot: Some(slot), body: Body::Absent, literal: None, departures: Vec::new() }
     }
 }
 
 /// The message's view of the node.
 impl<'s> Node<'s> {
-    /// Its parts, as the message has them: keys without a description first, then all that the spec describes, also
-    /// those that are absent.
+    /// Its parts without the envelope: keys without a description first, then all that the spec describes, also those
+    /// that are absent.
     pub fn parts(&self) -> &[Self] {
         if let Body::Parts(parts) = &self.body { parts } else { &[] }
-    }
-
-    /// Its parts without those of the envelope.
-    pub fn payload(&self) -> impl Iterator<Item = &Self> {
-        self.parts().iter().filter(|part| !matches!(part.label, Label::Envelope(_)))
     }
 
     /// True if the message does not have it.
@@ -177,12 +170,14 @@ impl<'s> Node<'s> {
 
     /// The part at a path of labels, if the message has one that is not null.
     pub fn at(&self, path: &[Label<'_>]) -> Option<&Self> {
-        let part = |node: &'_ Self, label: &Label<'_>| node.parts().iter().position(|part| part.label.is(label));
-        let found = path.iter().try_fold(self, |node, label| Some(&node.parts()[part(node, label)?]))?;
+        let mut found = self;
+        for label in path {
+            found = found.parts().iter().find(|part| part.label.is(label))?;
+        }
         (!matches!(found.body, Body::Absent | Body::Leaf(Value::Null))).then_some(found)
     }
 
-    /// JSON as it came; null where the message has none.
+    /// JSON as it came, without the envelope; null where the message has none.
     pub fn found(&self) -> Value {
         let parts = match (&self.body, &self.literal) {
             (_, Some(literal)) => return literal.as_str().into(),
@@ -207,7 +202,7 @@ impl<'s> Node<'s> {
         match self.shape() {
             Some(Shape::List(..)) => parts.iter().map(Self::named).collect(),
             Some(Shape::Object(_) | Shape::Tuple { .. }) if !parts.iter().any(is_beyond) => {
-                let present = self.payload().filter(|part| !part.is_absent());
+                let present = parts.iter().filter(|part| !part.is_absent());
                 present.map(|part| (part.label.path(""), part.named())).collect::<Map<_, _>>().into()
             }
             _ => self.found(),
@@ -286,8 +281,7 @@ impl Node<'_> {
     /// True if the generated code can read it, if leniently.
     pub fn is_readable(&self) -> bool {
         let is_unreadable = |departure: &Departure| departure.reading == Reading::Unreadable;
-        self.is_kept_raw()
-            || !self.departure.as_deref().is_some_and(is_unreadable) && self.parts().iter().all(Self::is_readable)
+        self.is_kept_raw() || !self.departures.iter().any(is_unreadable) && self.parts().iter().all(Self::is_readable)
     }
 
     /// True for a value that the generated code keeps as raw JSON where it does not fit.
@@ -314,7 +308,10 @@ impl Node<'_> {
 
     fn collect(&self, place: &str, found: &mut Vec<Departure>) {
         let own = found.len();
-        found.extend(self.departure.as_deref().map(|own| Departure { field: place.to_owned(), ..own.clone() }));
+        found.extend(self.departures.iter().cloned().map(|own| {
+            let field = if own.field.is_empty() { place.to_owned() } else { member(place, &own.field) };
+            Departure { field, ..own }
+        }));
         let first = found.len();
         for part in self.parts() {
             let before = found.len();

@@ -29,14 +29,14 @@ impl<'s> Node<'s> {
     pub fn reply(spec: &'s Spec, command: &'s Command, reply: Value) -> Self {
         let fields = spec.reply_fields(command);
         if let Some(found) = bare_reply(command, &reply) {
-            let departure = departure(Fit::Lenient(DepartureKind::Form), &reply, an_object);
-            return Self { departure, ..Self::message(spec, fields, object(spec, fields, found)) };
+            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, an_object);
+            return Self { departures, ..Self::message(spec, fields, object(spec, fields, found)) };
         }
         let Value::Object(mut found) = reply else { return Self::no_object(reply) };
         let has_payload = command.reply != Reply::Raw && is_success(&found);
-        let mut parts = envelope(command, &mut found);
-        parts.extend(if has_payload { object(spec, fields, found) } else { undescribed(found) });
-        Self::message(spec, fields, parts)
+        let departures = envelope(command, &mut found);
+        let parts = if has_payload { object(spec, fields, found) } else { undescribed(found) };
+        Self { departures, ..Self::message(spec, fields, parts) }
     }
 
     /// Reply to a command that is not known: the spec describes none of its keys.
@@ -48,26 +48,23 @@ impl<'s> Node<'s> {
 
     /// Request for a command, `cmdName` and all.
     pub fn request(spec: &'s Spec, command: &'s Command, mut found: Map<String, Value>) -> Self {
-        let name = found.remove(COMMAND_NAME).unwrap_or_default();
-        let mut parts = vec![Self::undescribed(Label::Envelope(COMMAND_NAME), name)];
-        let fields: &[Field] = match &command.request {
-            Request::Fields(fields) => fields,
-            Request::Choice(choice) => {
-                let tag = found.remove(&choice.tag).unwrap_or_default();
-                let variant = choice.variants.iter().find(|variant| Some(variant.wire) == wire(&tag));
-                let fit = match variant {
-                    Some(_) => Fit::Plain,
-                    None if tag.is_null() => Fit::Unreadable(DepartureKind::Missing),
-                    None => Fit::Unreadable(DepartureKind::Unlisted),
-                };
-                let departure = departure(fit, &tag, || variants(&choice.variants));
-                parts.push(Self { departure, ..Self::undescribed(Label::Tag { key: &choice.tag, variant }, tag) });
-                let Some(variant) = variant else { return Self::message(spec, &[], parts) };
-                &variant.fields
-            }
+        found.remove(COMMAND_NAME);
+        let choice = match &command.request {
+            Request::Fields(fields) => return Self::message(spec, fields, object(spec, fields, found)),
+            Request::Choice(choice) => choice,
         };
-        parts.extend(object(spec, fields, found));
-        Self::message(spec, fields, parts)
+        let tag = found.remove(&choice.tag).unwrap_or_default();
+        let variant = choice.variants.iter().find(|variant| Some(variant.wire) == wire(&tag));
+        let fit = match variant {
+            Some(_) => Fit::Plain,
+            None if tag.is_null() => Fit::Unreadable(DepartureKind::Missing),
+            None => Fit::Unreadable(DepartureKind::Unlisted),
+        };
+        let departures = departures("", fit, &tag, || variants(&choice.variants));
+        let tag = Self { departures, ..Self::undescribed(Label::Tag { key: &choice.tag, variant }, tag) };
+        let Some(variant) = variant else { return Self::message(spec, &[], vec![tag]) };
+        let members = object(spec, &variant.fields, found);
+        Self::message(spec, &variant.fields, std::iter::once(tag).chain(members).collect())
     }
 
     fn message(spec: &'s Spec, fields: &'s [Field], parts: Vec<Self>) -> Self {
@@ -76,12 +73,12 @@ impl<'s> Node<'s> {
 
     /// A message that is no object.
     fn no_object(found: Value) -> Self {
-        let departure = departure(Fit::Unreadable(DepartureKind::Form), &found, an_object);
-        Self { departure, ..Self::undescribed(Label::Message, found) }
+        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, an_object);
+        Self { departures, ..Self::undescribed(Label::Message, found) }
     }
 
     fn undescribed(label: Label<'s>, found: Value) -> Self {
-        Self { label, slot: None, body: Body::Leaf(found), literal: None, departure: None }
+        Self { label, slot: None, body: Body::Leaf(found), literal: None, departures: Vec::new() }
     }
 }
 
@@ -94,8 +91,8 @@ impl<'s> Node<'s> {
             return Self::value_of(label, slot, value);
         }
         let fit = if field.optional { Fit::Plain } else { Fit::Unreadable(DepartureKind::Missing) };
-        let departure = departure(fit, &value, || slot.words());
-        Self { departure, body: Body::Leaf(value), ..Self::blank(label, slot) }
+        let departures = departures("", fit, &value, || slot.words());
+        Self { departures, body: Body::Leaf(value), ..Self::blank(label, slot) }
     }
 
     fn value_of(label: Label<'s>, slot: Slot<'s>, value: Value) -> Self {
@@ -107,11 +104,11 @@ impl<'s> Node<'s> {
                 ..Self::value_of(label, slot.inner(inner), found)
             };
         }
-        let mut departure = departure(fit(&slot, &value), &value, || slot.words());
-        if let Some(departure) = &mut departure {
+        let mut departures = departures("", fit(&slot, &value), &value, || slot.words());
+        for departure in &mut departures {
             departure.advisory = departure.kind == DepartureKind::Range && slot.limits.advisory;
         }
-        Self { departure, body: body(&slot, value), ..Self::blank(label, slot) }
+        Self { departures, body: body(&slot, value), ..Self::blank(label, slot) }
     }
 
     /// Value of a field, if the message has it.
@@ -150,7 +147,7 @@ fn body<'s>(slot: &Slot<'s>, value: Value) -> Body<'s> {
 fn object<'s>(spec: &'s Spec, fields: &'s [Field], mut found: Map<String, Value>) -> Vec<Node<'s>> {
     let fields: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.remove(&field.wire))).collect();
     let unknown = found.into_iter().map(|(key, value)| Node {
-        departure: departure(Fit::Lenient(DepartureKind::Unknown), &value, || notation(&value)),
+        departures: departures("", Fit::Lenient(DepartureKind::Unknown), &value, || notation(&value)),
         ..Node::undescribed(Label::Unknown(key), value)
     });
     unknown.chain(fields).collect()
@@ -177,16 +174,16 @@ fn wire(tag: &Value) -> Option<i64> {
     scalar::int(tag).map(|(wire, _)| wire)
 }
 
-/// Departure of a value that fits so, without those of its parts.
-fn departure(fit: Fit, value: &Value, expected: impl FnOnce() -> String) -> Option<Box<Departure>> {
+/// Departures of a value that fits so, without those of its parts.
+fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> String) -> Vec<Departure> {
     let (kind, reading) = match fit {
-        Fit::Plain => return None,
+        Fit::Plain => return Vec::new(),
         Fit::Lenient(kind) => (kind, Reading::Lenient),
         Fit::Unreadable(kind) => (kind, Reading::Unreadable),
     };
     let found = if kind == DepartureKind::Missing { String::new() } else { shown(value) };
-    let (field, expected) = (String::new(), expected());
-    Some(Box::new(Departure { field, kind, found, expected, reading, advisory: false, more: 0 }))
+    let (field, expected) = (field.to_owned(), expected());
+    vec![Departure { field, kind, found, expected, reading, advisory: false, more: 0 }]
 }
 
 fn an_object() -> String {
@@ -236,34 +233,25 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }
 
-/// Takes from a reply the keys that every reply has.
-fn envelope<'s>(command: &Command, found: &mut Map<String, Value>) -> Vec<Node<'s>> {
-    let mut part = |key, expected: &str, fit: fn(&Command, &Value) -> Fit| {
-        let value = found.remove(key).unwrap_or_default();
-        let fit = match fit(command, &value) {
-            Fit::Lenient(_) if value.is_null() => Fit::Lenient(DepartureKind::Missing),
-            Fit::Unreadable(_) if value.is_null() => Fit::Unreadable(DepartureKind::Missing),
-            fit => fit,
-        };
-        let departure = departure(fit, &value, || expected.to_owned());
-        Node { departure, ..Node::undescribed(Label::Envelope(key), value) }
+/// Takes from a reply the keys that every reply has: their departures.
+fn envelope(command: &Command, found: &mut Map<String, Value>) -> Vec<Departure> {
+    let [code, message, name] =
+        [ERROR_CODE, ERROR_MESSAGE, COMMAND_NAME].map(|key| found.remove(key).unwrap_or_default());
+    let kind = |value: &Value| if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
+    let code_fit = match scalar::error_code(&code) {
+        Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,
+        Some(_) => Fit::Lenient(kind(&code)),
+        None => Fit::Unreadable(kind(&code)),
     };
-    vec![
-        part(ERROR_CODE, "text of decimal digits", |_, code| match scalar::error_code(code) {
-            Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,
-            Some(_) => Fit::Lenient(DepartureKind::Form),
-            None => Fit::Unreadable(DepartureKind::Form),
-        }),
-        part(ERROR_MESSAGE, "text", |_, message| match message {
-            Value::String(_) => Fit::Plain,
-            _ => Fit::Lenient(DepartureKind::Form),
-        }),
-        part(COMMAND_NAME, &format!("`{}`", command.wire), |command, name| match name.as_str() {
-            Some(text) if text == command.wire => Fit::Plain,
-            Some(text) if text.trim() != command.wire => Fit::Unreadable(DepartureKind::Form),
-            _ => Fit::Lenient(DepartureKind::Form),
-        }),
-    ]
+    let message_fit = if message.is_string() { Fit::Plain } else { Fit::Lenient(kind(&message)) };
+    let name_fit = match name.as_str() {
+        Some(text) if text == command.wire => Fit::Plain,
+        Some(text) if text.trim() != command.wire => Fit::Unreadable(kind(&name)),
+        _ => Fit::Lenient(kind(&name)),
+    };
+    let code = departures(ERROR_CODE, code_fit, &code, || "text of decimal digits".to_owned());
+    let message = departures(ERROR_MESSAGE, message_fit, &message, || "text".to_owned());
+    [code, message, departures(COMMAND_NAME, name_fit, &name, || format!("`{}`", command.wire))].concat()
 }
 
 /// True for the reply to a command that was carried out.

@@ -58,7 +58,7 @@ fn rows(message: &Node<'_>) -> Vec<Row> {
 
 /// Adds the parts, those without a description last.
 fn add_parts(place: &str, node: &Node<'_>, rows: &mut Vec<Row>) {
-    let (described, others): (Vec<_>, Vec<_>) = node.payload().partition(|part| part.is_described());
+    let (described, others): (Vec<_>, Vec<_>) = node.parts().iter().partition(|part| part.is_described());
     for part in described.into_iter().chain(others).filter(|part| !part.is_absent()) {
         add(part.label().path(place), part, rows);
     }
