@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::slice::from_ref;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use jaka_dynamic::{Forms, Label, Lost, Message, Node, Reading, Translated, Translation};
+use jaka_dynamic::{Forms, Lost, Message, Node, Reading, Translated, Translation};
 use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
 use jaka_spec::{Field, FieldSource, NeededSource, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
@@ -13,14 +13,15 @@ use serde_json::{Map, Value};
 
 use crate::builtin;
 use crate::failure::Failure;
+use crate::fields;
 
 /// A status packet: what the built-in type has, and what only packs have.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PackedStatus {
     /// The packet in terms of the built-in type, also where a pack has another key or other words for the same.
     pub(crate) status: RobotStatus,
-    /// The packet as packs have it, without fields that do not fit; none without packs.
-    packed: Option<Node<'static>>,
+    /// Values of fields that packs add or change, by their keys, as they came.
+    own: Map<String, Value>,
     /// Fields that do not fit, by names in Rust, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
     /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
@@ -30,19 +31,25 @@ pub(crate) struct PackedStatus {
 impl PackedStatus {
     /// The packet by the spec with its packs.
     pub(crate) fn tree(&self) -> Result<Node<'static>, Failure> {
-        if let Some(packed) = &self.packed {
-            return Ok(packed.clone());
-        }
         let written = serde_json::to_value(&self.status);
-        let json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+        let mut json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
+        if let Value::Object(packet) = &mut json {
+            packet.retain(|key, _| layout().own.iter().all(|field| field.wire != *key));
+            packet.extend(self.own.clone());
+        }
         Ok(Node::status(builtin::of_status(), json))
     }
 
-    /// The fields that packs add or change, of those that the packet has.
-    pub(crate) fn own(&self) -> impl Iterator<Item = &Node<'static>> {
-        let fields = self.packed.iter().flat_map(Node::parts).filter(|node| !node.is_absent());
-        fields.filter(|node| layout().is_own(node))
+    /// The packet with nothing but the fields that packs add or change.
+    pub(crate) fn own(&self) -> Node<'static> {
+        Node::status(builtin::of_status(), self.own.clone().into())
     }
+}
+
+/// Fields that packs add to packets, or change.
+pub(crate) fn own_fields() -> Vec<fields::Field> {
+    let is_own = |field: &fields::Field| layout().own.iter().any(|own| own.name == field.name);
+    fields::Field::all().into_iter().filter(is_own).collect()
 }
 
 /// Robot whose status packets are read by the packs of the command line.
@@ -55,43 +62,15 @@ impl MotionStatus for PackedStatus {
     }
 
     fn absent() -> &'static [&'static str] {
-        &sources().absent
+        &layout().absent
     }
 
     fn expected() -> &'static [[&'static str; 2]] {
-        &sources().expected
+        &layout().expected
     }
 
     fn unfit(&self) -> Vec<DecodeError> {
         self.unfit.clone()
-    }
-}
-
-/// Sources of what a robot needs, as packs have them.
-#[derive(Debug, Default)]
-struct Sources {
-    absent: Vec<&'static str>,
-    expected: Vec<[&'static str; 2]>,
-}
-
-fn sources() -> &'static Sources {
-    static SOURCES: OnceLock<Sources> = OnceLock::new();
-    SOURCES.get_or_init(|| Sources::of(builtin::of_status()))
-}
-
-impl Sources {
-    fn of(spec: &'static Spec) -> Self {
-        let mut sources = Self::default();
-        for NeededSource { needed, source, is_changed } in spec.robot_status() {
-            match source {
-                FieldSource::Field(field) if is_changed => sources.expected.push([needed.name, &field.name]),
-                FieldSource::Field(_) => {}
-                FieldSource::Absent => sources.absent.push(needed.name),
-                // There is no program: that is told for each packet.
-                FieldSource::Program => sources.expected.push([needed.name; 2]),
-            }
-        }
-        sources
     }
 }
 
@@ -110,12 +89,16 @@ impl Decode for PackedStatus {
     }
 }
 
-/// Status packets of the spec beside the built-in ones.
+/// Difference between status packets of packs and built-in ones.
 #[derive(Debug)]
 struct Layout {
-    /// Names of fields that packs add or change.
-    own: Vec<&'static str>,
-    /// True if packets are as built in.
+    /// Fields that packs add or change.
+    own: Vec<&'static Field>,
+    /// Names of fields that a robot needs and packets do not have.
+    absent: Vec<&'static str>,
+    /// Names of fields that a robot needs and packets must have, and of their sources.
+    expected: Vec<[&'static str; 2]>,
+    /// True if there is no difference.
     is_built_in: bool,
 }
 
@@ -128,16 +111,23 @@ impl Layout {
     fn of(spec: &'static Spec) -> Self {
         let built_in = builtin::spec().status_fields();
         let is_own = |field: &&Field| {
-            let mut known = built_in.iter().filter(|known| spec.status_field_as(known) == Some(*field));
-            !(known.next().is_some_and(|known| is_as_built_in(spec, field, known)) && known.next().is_none())
+            let known: Vec<_> = built_in.iter().filter(|known| spec.status_field_as(known) == Some(*field)).collect();
+            !matches!(known[..], [known] if is_as_built_in(spec, field, known))
         };
-        let own: Vec<_> = spec.status_fields().iter().filter(is_own).map(|field| &*field.name).collect();
+        let own: Vec<_> = spec.status_fields().iter().filter(is_own).collect();
         let has_all = built_in.iter().all(|known| spec.status_field_as(known).is_some());
-        Self { is_built_in: own.is_empty() && has_all, own }
-    }
-
-    fn is_own(&self, node: &Node<'_>) -> bool {
-        matches!(node.label(), Label::Field(field) if self.own.contains(&&*field.name))
+        let is_built_in = own.is_empty() && has_all;
+        let mut layout = Self { own, absent: Vec::new(), expected: Vec::new(), is_built_in };
+        for NeededSource { needed, source, is_changed } in spec.robot_status() {
+            match source {
+                FieldSource::Field(field) if is_changed => layout.expected.push([needed.name, &field.name]),
+                FieldSource::Field(_) => {}
+                FieldSource::Absent => layout.absent.push(needed.name),
+                // There is no program: that is told for each packet.
+                FieldSource::Program => layout.expected.push([needed.name; 2]),
+            }
+        }
+        layout
     }
 }
 
@@ -171,17 +161,23 @@ fn packed(
         let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
     }
-    let tree = Node::status(spec, packet.into());
-    let own = tree.parts().iter().filter(|part| layout.is_own(part));
-    let departures = own.flat_map(|part| part.departures_at(&part.label().path("")));
-    let misfits = departures.filter(|departure| departure.reading == Reading::Unreadable);
-    unfit.extend(misfits.map(|misfit| DecodeError::unfit(misfit.expected, &misfit.found).in_field(&misfit.field)));
+    let mut own = Map::new();
+    for field in &layout.own {
+        let node = Node::field(spec, field, packet.get(&field.wire).cloned().unwrap_or_default());
+        if node.is_readable() {
+            own.extend(packet.remove_entry(&field.wire));
+            continue;
+        }
+        let misfits = node.departures_at(&field.name).into_iter().filter(|found| found.reading == Reading::Unreadable);
+        unfit.extend(misfits.map(|misfit| DecodeError::unfit(misfit.expected, &misfit.found).in_field(&misfit.field)));
+        packet.remove(&field.wire);
+    }
     unfit.extend(of_program(spec));
-    let text = Value::Object(as_built_in(spec, layout, &tree)).to_string();
+    let text = Value::Object(as_built_in(spec, &packet, &own)).to_string();
     let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
-    Ok(PackedStatus { status, packed: Some(tree.without_unreadable()), unfit, is_by_packs: true })
+    Ok(PackedStatus { status, own, unfit, is_by_packs: true })
 }
 
 /// Errors of the fields that packs leave to a program: this one has none.
@@ -195,14 +191,12 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
 
 /// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
 /// not convert, is left out.
-fn as_built_in(spec: &Spec, layout: &Layout, tree: &Node<'_>) -> Map<String, Value> {
+fn as_built_in(spec: &Spec, packet: &Map<String, Value>, own: &Map<String, Value>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
     let member = |known: &Field| {
         let field = spec.status_field_as(known)?;
-        let node = tree.at(&[Label::Field(field)])?;
-        let is_read = !layout.is_own(node) || node.is_readable();
-        let value = is_read.then(|| translation.field(field, known, &node.found()))??;
-        Some((known.wire.clone(), value))
+        let value = own.get(&field.wire).or_else(|| packet.get(&field.wire))?;
+        Some((known.wire.clone(), translation.field(field, known, value)?))
     };
     builtin::spec().status_fields().iter().filter_map(member).collect()
 }
@@ -323,10 +317,10 @@ mod tests {
     fn a_packet_must_have_what_packs_map_or_change() {
         let changed = renamed("inpos", "wire = 'at_target'");
         let pack = format!("{changed}{MAPPED}error_code = 'absent'\npaused = 'program'\n");
-        let sources = Sources::of(spec(&pack));
-        assert_eq!(sources.absent, ["error_code"]);
+        let layout = Layout::of(spec(&pack));
+        assert_eq!(layout.absent, ["error_code"]);
         let expected = [["protective_stop", "safety_halt"], ["in_position"; 2], ["paused"; 2]];
-        assert_eq!(sources.expected, expected);
+        assert_eq!(layout.expected, expected);
     }
 
     #[test]

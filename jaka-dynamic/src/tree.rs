@@ -108,6 +108,10 @@ impl<'s> Node<'s> {
         self.slot.map(|slot| slot.shape)
     }
 
+    pub(crate) fn slot(&self) -> Option<Slot<'s>> {
+        self.slot
+    }
+
     /// Unit of its number or numbers, if there is one.
     pub fn unit(&self) -> Option<&'s str> {
         self.slot.map(|slot| slot.limits.unit).filter(|unit| !unit.is_empty())
@@ -158,6 +162,11 @@ impl<'s> Node<'s> {
         if let Body::Parts(parts) = &self.body { parts } else { &[] }
     }
 
+    /// The part that is the field of this name.
+    pub(crate) fn part(&self, name: &str) -> Option<&Self> {
+        self.parts().iter().find(|part| matches!(part.label, Label::Field(field) if field.name == name))
+    }
+
     /// True if the message does not have it.
     pub fn is_absent(&self) -> bool {
         matches!(self.body, Body::Absent)
@@ -179,11 +188,15 @@ impl<'s> Node<'s> {
 
     /// JSON as it came, without the envelope; null where the message has none.
     pub fn found(&self) -> Value {
-        let parts = match (&self.body, &self.literal) {
-            (_, Some(literal)) => return literal.as_str().into(),
-            (Body::Absent, None) => return Value::Null,
-            (Body::Leaf(value), None) => return value.clone(),
-            (Body::Parts(parts), None) => parts.iter().filter(|part| !part.is_absent()),
+        self.literal.as_deref().map_or_else(|| self.json(), Value::from)
+    }
+
+    /// JSON as it came; of a Python literal its value.
+    pub(crate) fn json(&self) -> Value {
+        let parts = match &self.body {
+            Body::Absent => return Value::Null,
+            Body::Leaf(value) => return value.clone(),
+            Body::Parts(parts) => parts.iter().filter(|part| !part.is_absent()),
         };
         match self.shape() {
             Some(Shape::Object(_)) => {
@@ -267,15 +280,6 @@ impl Node<'_> {
         let mut found = Vec::new();
         self.collect(place, &mut found);
         found
-    }
-
-    /// The message without the fields that the generated code cannot read, which it leaves out of status packets.
-    #[must_use]
-    pub fn without_unreadable(mut self) -> Self {
-        if let Body::Parts(parts) = &mut self.body {
-            parts.iter_mut().filter(|part| !part.is_readable()).for_each(|part| part.body = Body::Absent);
-        }
-        self
     }
 
     /// True if the generated code can read it, if leniently.
