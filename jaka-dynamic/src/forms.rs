@@ -29,14 +29,11 @@ pub struct Forms {
 impl Forms {
     /// Forms of a firmware; none where the spec has the same ones for all firmware.
     pub fn of(spec: &Spec, firmware: Option<FirmwareVersion>) -> Option<Self> {
-        let bounds: BTreeSet<Vec<u32>> = ranges(spec).flat_map(bounds).collect();
+        let bounds: BTreeSet<_> = ranges(spec).flat_map(bounds).collect();
         if bounds.is_empty() {
             return None;
         }
-        let versions: Vec<_> = match firmware {
-            Some(firmware) => vec![firmware],
-            None => bounds.iter().filter_map(|numbers| FirmwareVersion::of(numbers)).collect(),
-        };
+        let versions = firmware.map_or(bounds, |firmware| BTreeSet::from([firmware]));
         let mut of_firmware: Vec<Spec> = Vec::new();
         for version in versions {
             let spec = spec.of_firmware(|versions| firmware_range(versions).contains(version));
@@ -132,32 +129,12 @@ fn ranges(spec: &Spec) -> impl Iterator<Item = &Versions> {
     forms.chain(spec.types().flat_map(|(_, def)| &def.forms).map(|form| &form.versions))
 }
 
-/// Numbers of versions on both sides of each end of a range.
-fn bounds(versions: &Versions) -> Vec<Vec<u32>> {
-    let mut bounds = vec![vec![0]];
-    if let Some(since) = &versions.since {
-        bounds.push(since.numbers().to_vec());
-        bounds.extend(before(since.numbers()));
-    }
-    if let Some(until) = &versions.until {
-        bounds.push(until.numbers().to_vec());
-        let mut after = until.numbers().to_vec();
-        if let Some(last) = after.last_mut() {
-            *last = last.saturating_add(1);
-        }
-        bounds.push(after);
-    }
-    bounds
-}
-
-/// A version just before the one with these numbers.
-fn before(numbers: &[u32]) -> Option<Vec<u32>> {
-    let at = numbers.iter().rposition(|number| *number > 0)?;
-    let mut before = numbers[..=at].to_vec();
-    before[at] -= 1;
-    // The greatest number that a version may have stands for all that follow.
-    if before.len() < 4 {
-        before.push(u32::MAX);
-    }
-    Some(before)
+/// Versions with which what is in a range, and what is not, begins.
+fn bounds(versions: &Versions) -> impl Iterator<Item = FirmwareVersion> {
+    let range = firmware_range(versions);
+    let after = range.until.and_then(|until| {
+        let (last, first) = until.numbers().split_last()?;
+        FirmwareVersion::of(&[first, &[last.saturating_add(1)]].concat())
+    });
+    [Some(FirmwareVersion::new([0])), range.since, after].into_iter().flatten()
 }

@@ -28,7 +28,6 @@ pub use motion::{RequestedMotion, command_info, motion};
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};
 pub use sample::{complete_reply, sample_reply, sample_value};
-pub use scalar::truth_value;
 pub use translation::{Lost, Message, Translated, Translation, counterpart};
 pub use tree::{Label, Node};
 pub use value::value;

@@ -162,12 +162,6 @@ pub(crate) fn int(value: &Value) -> Option<(i64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_i64())))
 }
 
-/// A truth value in the form that its type has on the wire, as the generated code reads it; none of anything else.
-pub fn truth_value(scalar: &Scalar, value: &Value) -> Option<bool> {
-    let Scalar::Bool { off, on } = scalar else { return None };
-    truth(value, off, on).map(|(is_on, _)| is_on)
-}
-
 /// A truth value that the spec writes as one of two JSON texts.
 fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Fit)> {
     let json = value.to_string();

@@ -11,6 +11,8 @@ use super::scalar;
 #[derive(Clone, Copy)]
 pub(crate) struct Slot<'a> {
     pub(crate) spec: &'a Spec,
+    /// None of a message as a whole.
+    ty: Option<&'a Type>,
     pub(crate) shape: Shape<'a>,
     pub(crate) limits: Limits<'a>,
 }
@@ -18,17 +20,17 @@ pub(crate) struct Slot<'a> {
 impl<'a> Slot<'a> {
     /// A value of the type that stands nowhere.
     pub(crate) fn of_type(spec: &'a Spec, ty: &'a Type) -> Self {
-        Self { spec, shape: spec.shape(ty), limits: Limits::NONE }.with_unit(ty)
+        Self { spec, ty: Some(ty), shape: spec.shape(ty), limits: Limits::NONE }.with_unit(ty)
     }
 
     /// A message with these fields.
     pub(crate) fn of_object(spec: &'a Spec, fields: &'a [Field]) -> Self {
-        Self { spec, shape: Shape::Object(fields), limits: Limits::NONE }
+        Self { spec, ty: None, shape: Shape::Object(fields), limits: Limits::NONE }
     }
 
     /// The place of a field.
     pub(crate) fn of(spec: &'a Spec, field: &'a Field) -> Self {
-        Self { spec, shape: spec.shape(&field.ty), limits: limits(field) }.with_unit(&field.ty)
+        Self { limits: limits(field), ..Self::of_type(spec, &field.ty) }.with_unit(&field.ty)
     }
 
     /// The same place, where this is advised of numbers.
@@ -39,13 +41,19 @@ impl<'a> Slot<'a> {
 
     /// The place of a value of a type that stands inside this one; limits go down to each number.
     pub(crate) fn inner(&self, ty: &'a Type) -> Self {
-        Self { shape: self.spec.shape(ty), ..*self }.with_unit(ty)
+        Self { ty: Some(ty), shape: self.spec.shape(ty), ..*self }.with_unit(ty)
     }
 
     /// The same place, with the unit of a wrapper that stands there.
     fn with_unit(mut self, ty: &Type) -> Self {
         self.limits.unit = self.spec.unit(ty).unwrap_or(self.limits.unit);
         self
+    }
+
+    /// True if values mean the same in both places as they stand.
+    pub(crate) fn means(&self, other: &Slot<'_>) -> bool {
+        let is_same = self.ty == other.ty && self.limits.unit == other.limits.unit;
+        is_same && self.ty.is_some_and(|ty| self.spec.defines_as(other.spec, ty))
     }
 
     /// What may stand here, such as `a number, at least 0 deg/s` or `0 (Absolute) or 1 (Relative)`.
