@@ -6,6 +6,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use itertools::Itertools as _;
+use jaka_dynamic::Node;
 use serde_json::Value;
 
 use crate::fields::Field;
@@ -22,7 +23,7 @@ pub(crate) struct Condition {
 #[derive(Debug, Clone)]
 enum Expression {
     Literal(Value),
-    Field(Field),
+    Field(Box<Field>),
     Not(Box<Expression>),
     And(Box<Expression>, Box<Expression>),
     Or(Box<Expression>, Box<Expression>),
@@ -42,12 +43,12 @@ enum Comparison {
 
 impl Condition {
     /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and neither does its contrary.
-    pub(crate) fn holds(&self, packet: &Value) -> bool {
+    pub(crate) fn holds(&self, packet: &Node<'_>) -> bool {
         self.root.truth(packet) == Some(true)
     }
 
     /// Its fields with their values in a packet, such as `in_position false`.
-    pub(crate) fn describe(&self, packet: &Value) -> String {
+    pub(crate) fn describe(&self, packet: &Node<'_>) -> String {
         let mut fields = Vec::new();
         self.root.fields(&mut fields);
         let text = |field: &&Field| {
@@ -59,7 +60,7 @@ impl Condition {
 }
 
 impl Expression {
-    fn value(&self, packet: &Value) -> Option<Value> {
+    fn value(&self, packet: &Node<'_>) -> Option<Value> {
         match self {
             Self::Literal(value) => Some(value.clone()),
             Self::Field(field) => field.named_value(packet),
@@ -67,7 +68,7 @@ impl Expression {
         }
     }
 
-    fn truth(&self, packet: &Value) -> Option<bool> {
+    fn truth(&self, packet: &Node<'_>) -> Option<bool> {
         match self {
             Self::Literal(_) | Self::Field(_) => self.value(packet)?.as_bool(),
             Self::Not(part) => part.truth(packet).map(|truth| !truth),
@@ -164,12 +165,13 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::tests::packet;
 
     fn holds(condition: &str) -> bool {
-        let packet = json!({
+        let packet = packet(json!({
             "enabled": true, "protective_stop": 0, "inpos": true, "rapidrate": 0.5, "task_state": 4,
             "joint_actual_position": [1.5, -20, 3, 4, 5, 6], "din": [0, 1],
-        });
+        }));
         condition.parse::<Condition>().unwrap_or_else(|error| panic!("{error}")).holds(&packet)
     }
 

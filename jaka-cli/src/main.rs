@@ -41,6 +41,7 @@ mod target;
 mod tests;
 mod units;
 mod utc;
+mod value_rows;
 mod words;
 
 use std::env::args_os;

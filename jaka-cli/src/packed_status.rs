@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::slice::from_ref;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use jaka_dynamic::{Forms, Lost, Message, Reading, Translated, Translation, status_departures};
+use jaka_dynamic::{Forms, Lost, Message, Node, Reading, Translated, Translation};
 use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
 use jaka_spec::{Field, FieldSource, NeededSource, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
@@ -13,14 +13,15 @@ use serde_json::{Map, Value};
 
 use crate::builtin;
 use crate::failure::Failure;
+use crate::fields;
 
 /// A status packet: what the built-in type has, and what only packs have.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PackedStatus {
     /// The packet in terms of the built-in type, also where a pack has another key or other words for the same.
     pub(crate) status: RobotStatus,
-    /// The keys that packs add or change, with what came.
-    pub(crate) own: Map<String, Value>,
+    /// Values of fields that packs add or change, by their keys, as they came.
+    own: Map<String, Value>,
     /// Fields that do not fit, by names in Rust, in addition to what the reader tells.
     pub(crate) unfit: Vec<DecodeError>,
     /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
@@ -28,21 +29,27 @@ pub(crate) struct PackedStatus {
 }
 
 impl PackedStatus {
-    /// The packet as JSON: as the codec writes it, whatever form the controller used, and what packs have as it came.
-    pub(crate) fn json(&self) -> Result<Value, Failure> {
+    /// The packet by the spec with its packs.
+    pub(crate) fn tree(&self) -> Result<Node<'static>, Failure> {
         let written = serde_json::to_value(&self.status);
         let mut json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
         if let Value::Object(packet) = &mut json {
+            packet.retain(|key, _| layout().own.iter().all(|field| field.wire != *key));
             packet.extend(self.own.clone());
         }
-        Ok(json)
+        Ok(Node::status(builtin::of_status(), json))
     }
 
-    /// The fields that packs add or change, by their names, with what came.
-    pub(crate) fn own_fields(&self) -> impl Iterator<Item = (&'static str, &Value)> {
-        let fields = builtin::of_status().status_fields().iter();
-        fields.filter_map(|field| Some((&*field.name, self.own.get(&field.wire)?)))
+    /// The packet with nothing but the fields that packs add or change.
+    pub(crate) fn own(&self) -> Node<'static> {
+        Node::status(builtin::of_status(), self.own.clone().into())
     }
+}
+
+/// Fields that packs add to packets, or change.
+pub(crate) fn own_fields() -> Vec<fields::Field> {
+    let is_own = |field: &fields::Field| layout().own.iter().any(|own| own.name == field.name);
+    fields::Field::all().into_iter().filter(is_own).collect()
 }
 
 /// Robot whose status packets are read by the packs of the command line.
@@ -55,11 +62,11 @@ impl MotionStatus for PackedStatus {
     }
 
     fn absent() -> &'static [&'static str] {
-        &sources().absent
+        &layout().absent
     }
 
     fn expected() -> &'static [[&'static str; 2]] {
-        &sources().expected
+        &layout().expected
     }
 
     fn unfit(&self) -> Vec<DecodeError> {
@@ -67,56 +74,61 @@ impl MotionStatus for PackedStatus {
     }
 }
 
-/// Sources of what a robot needs, as packs have them.
-#[derive(Debug, Default)]
-struct Sources {
-    absent: Vec<&'static str>,
-    expected: Vec<[&'static str; 2]>,
-}
-
-fn sources() -> &'static Sources {
-    static SOURCES: OnceLock<Sources> = OnceLock::new();
-    SOURCES.get_or_init(|| Sources::of(builtin::of_status()))
-}
-
-impl Sources {
-    fn of(spec: &'static Spec) -> Self {
-        let mut sources = Self::default();
-        for NeededSource { needed, source, is_changed } in spec.robot_status() {
-            match source {
-                FieldSource::Field(field) if is_changed => sources.expected.push([needed.name, &field.name]),
-                FieldSource::Field(_) => {}
-                FieldSource::Absent => sources.absent.push(needed.name),
-                // There is no program: that is told for each packet.
-                FieldSource::Program => sources.expected.push([needed.name; 2]),
-            }
-        }
-        sources
-    }
-}
-
 impl Decode for PackedStatus {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let start = reader.mark();
-        if !changed().is_empty() {
+        if !layout().is_built_in {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, builtin::of_status(), changed(), forms(reader.firmware()));
+                return packed(packet, builtin::of_status(), layout(), forms(reader.firmware()));
             }
             reader.go_back(start);
         }
         // What is odd JSON is read as far as it can be, and not by packs.
-        let is_by_packs = changed().is_empty();
+        let is_by_packs = layout().is_built_in;
         RobotStatus::decode(reader).map(|status| Self { status, is_by_packs, ..Self::default() })
     }
 }
 
-/// A field of the packet that is not as built in, and a built-in one whose values it has, if there is one.
-type Changed = (Field, Option<Field>);
+/// Difference between status packets of packs and built-in ones.
+#[derive(Debug)]
+struct Layout {
+    /// Fields that packs add or change.
+    own: Vec<&'static Field>,
+    /// Names of fields that a robot needs and packets do not have.
+    absent: Vec<&'static str>,
+    /// Names of fields that a robot needs and packets must have, and of their sources.
+    expected: Vec<[&'static str; 2]>,
+    /// True if there is no difference.
+    is_built_in: bool,
+}
 
-/// The fields that packs add or change.
-fn changed() -> &'static [Changed] {
-    static CHANGED: OnceLock<Vec<Changed>> = OnceLock::new();
-    CHANGED.get_or_init(|| changed_in(builtin::of_status()))
+fn layout() -> &'static Layout {
+    static LAYOUT: OnceLock<Layout> = OnceLock::new();
+    LAYOUT.get_or_init(|| Layout::of(builtin::of_status()))
+}
+
+impl Layout {
+    fn of(spec: &'static Spec) -> Self {
+        let built_in = builtin::spec().status_fields();
+        let is_own = |field: &&Field| {
+            let known: Vec<_> = built_in.iter().filter(|known| spec.status_field_as(known) == Some(*field)).collect();
+            !matches!(known[..], [known] if is_as_built_in(spec, field, known))
+        };
+        let own: Vec<_> = spec.status_fields().iter().filter(is_own).collect();
+        let has_all = built_in.iter().all(|known| spec.status_field_as(known).is_some());
+        let is_built_in = own.is_empty() && has_all;
+        let mut layout = Self { own, absent: Vec::new(), expected: Vec::new(), is_built_in };
+        for NeededSource { needed, source, is_changed } in spec.robot_status() {
+            match source {
+                FieldSource::Field(field) if is_changed => layout.expected.push([needed.name, &field.name]),
+                FieldSource::Field(_) => {}
+                FieldSource::Absent => layout.absent.push(needed.name),
+                // There is no program: that is told for each packet.
+                FieldSource::Program => layout.expected.push([needed.name; 2]),
+            }
+        }
+        layout
+    }
 }
 
 /// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
@@ -136,31 +148,10 @@ fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
     Some(forms)
 }
 
-fn changed_in(spec: &Spec) -> Vec<Changed> {
-    let built_in = builtin::spec().status_fields();
-    let source = |known: &Field| spec.status_field_as(known);
-    let mut changed: Vec<Changed> = Vec::new();
-    for field in spec.status_fields() {
-        let known: Vec<_> = built_in.iter().filter(|known| source(known) == Some(field)).collect();
-        match known[..] {
-            [known] if is_as_built_in(spec, field, known) => {}
-            [] => changed.push((field.clone(), None)),
-            _ => changed.extend(known.into_iter().map(|known| (field.clone(), Some(known.clone())))),
-        }
-    }
-    // A built-in key counts for nothing where a pack declares its field absent, or leaves it to a program.
-    for known in built_in.iter().filter(|known| source(known).is_none()) {
-        if !changed.iter().any(|(field, _)| field.wire == known.wire) {
-            changed.push((known.clone(), None));
-        }
-    }
-    changed
-}
-
 fn packed(
     mut packet: Map<String, Value>,
-    spec: &Spec,
-    changed: &[Changed],
+    spec: &'static Spec,
+    layout: &Layout,
     forms: Option<&Forms>,
 ) -> Result<PackedStatus, DecodeError> {
     let mut unfit = Vec::new();
@@ -170,20 +161,19 @@ fn packed(
         let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
     }
-    let is_own = |key: &str| changed.iter().any(|(field, _)| field.wire == key);
-    let mut own: Map<_, _> =
-        packet.iter().filter(|(key, _)| is_own(key)).map(|(k, v)| (k.clone(), v.clone())).collect();
-    for departure in status_departures(spec, &Value::Object(packet.clone())) {
-        let key = departure.field.split(['.', '[']).next().unwrap_or_default();
-        let field = changed.iter().find(|(field, _)| field.wire == key);
-        if let Some((field, _)) = field.filter(|_| departure.reading == Reading::Unreadable) {
-            own.remove(key);
-            let place = departure.field.replacen(key, &field.name, 1);
-            unfit.push(DecodeError::unfit(departure.expected, &departure.found).in_field(&place));
+    let mut own = Map::new();
+    for field in &layout.own {
+        let node = Node::field(spec, field, packet.get(&field.wire).cloned().unwrap_or_default());
+        if node.is_readable() {
+            own.extend(packet.remove_entry(&field.wire));
+            continue;
         }
+        let misfits = node.departures_at(&field.name).into_iter().filter(|found| found.reading == Reading::Unreadable);
+        unfit.extend(misfits.map(|misfit| DecodeError::unfit(misfit.expected, &misfit.found).in_field(&misfit.field)));
+        packet.remove(&field.wire);
     }
     unfit.extend(of_program(spec));
-    let text = Value::Object(as_built_in(spec, changed, packet, &own)).to_string();
+    let text = Value::Object(as_built_in(spec, &packet, &own)).to_string();
     let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
@@ -201,25 +191,14 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
 
 /// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
 /// not convert, is left out.
-fn as_built_in(
-    spec: &Spec,
-    changed: &[Changed],
-    mut packet: Map<String, Value>,
-    own: &Map<String, Value>,
-) -> Map<String, Value> {
+fn as_built_in(spec: &Spec, packet: &Map<String, Value>, own: &Map<String, Value>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
-    // A key may be that of another field by now.
-    for (field, known) in changed {
-        packet.remove(&field.wire);
-        known.as_ref().and_then(|known| packet.remove(&known.wire));
-    }
-    for (field, known) in changed {
-        let (Some(known), Some(found)) = (known, own.get(&field.wire)) else { continue };
-        if let Some(value) = translation.field(field, known, found) {
-            packet.insert(known.wire.clone(), value);
-        }
-    }
-    packet
+    let member = |known: &Field| {
+        let field = spec.status_field_as(known)?;
+        let value = own.get(&field.wire).or_else(|| packet.get(&field.wire))?;
+        Some((known.wire.clone(), translation.field(field, known, value)?))
+    };
+    builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
 /// True if a field is read in every firmware as the built-in one.
@@ -239,10 +218,10 @@ mod tests {
 
     use super::*;
 
-    fn spec(pack: &str) -> Spec {
+    fn spec(pack: &str) -> &'static Spec {
         let pack = format!("title = 'T'\n{pack}");
         let pack = jaka_spec::load_pack(builtin::spec(), jaka_spec::Source { path: "pack.toml", text: &pack });
-        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+        Box::leak(Box::new(pack.unwrap_or_else(|errors| panic!("{errors}")).spec))
     }
 
     /// A packet as a robot takes it, by a pack with this text.
@@ -251,7 +230,7 @@ mod tests {
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
-        packed(packet, &spec, &changed_in(&spec), None).expect("it can be read")
+        packed(packet, spec, &Layout::of(spec), None).expect("it can be read")
     }
 
     const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\
@@ -338,10 +317,10 @@ mod tests {
     fn a_packet_must_have_what_packs_map_or_change() {
         let changed = renamed("inpos", "wire = 'at_target'");
         let pack = format!("{changed}{MAPPED}error_code = 'absent'\npaused = 'program'\n");
-        let sources = Sources::of(Box::leak(Box::new(spec(&pack))));
-        assert_eq!(sources.absent, ["error_code"]);
+        let layout = Layout::of(spec(&pack));
+        assert_eq!(layout.absent, ["error_code"]);
         let expected = [["protective_stop", "safety_halt"], ["in_position"; 2], ["paused"; 2]];
-        assert_eq!(sources.expected, expected);
+        assert_eq!(layout.expected, expected);
     }
 
     #[test]

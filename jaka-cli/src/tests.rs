@@ -18,10 +18,13 @@ use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 use clap::Parser as _;
+use jaka_dynamic::Node;
 use jaka_sync::{Config, SimulatedClock};
 use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
+use serde_json::Value;
 
+use crate::builtin::of_status;
 use crate::command_line::is_help;
 use crate::failure::Failure;
 use crate::target::Target;
@@ -37,6 +40,11 @@ thread_local! {
     static ROBOT: RefCell<Option<(Config, [String; 2])>> = const { RefCell::new(None) };
     /// Output and errors of this thread.
     static PRINTED: RefCell<[Vec<u8>; 2]> = const { RefCell::new([Vec::new(), Vec::new()]) };
+}
+
+/// The status packet of this JSON.
+pub(crate) fn packet(json: Value) -> Node<'static> {
+    Node::status(of_status(), json)
 }
 
 /// Exit code, output and errors of a command.

@@ -15,6 +15,7 @@ mod hostile_text;
 mod jitter;
 mod manual;
 mod others;
+mod packed_status;
 mod pages;
 mod probe;
 mod program;

@@ -50,8 +50,8 @@ struct Outer<'a> {
 impl<'a> Outer<'a> {
     const REQUEST: Self = Self { place: "", advised: Advised::NONE };
 
-    fn of(slot: &Slot<'a>) -> Self {
-        Self { place: slot.place, advised: slot.limits.advised }
+    fn of(place: &'a str, slot: &Slot<'a>) -> Self {
+        Self { place, advised: slot.limits.advised }
     }
 }
 
@@ -99,16 +99,16 @@ impl Encoder<'_> {
             let place = member(outer.place, &field.name);
             let rows = advice::rows(self.spec, fields, (field, self.ranges), values);
             let advised = if rows.list.is_empty() { outer.advised } else { Advised::to(&rows.list).times(rows.times) };
-            let slot = Slot::of(self.spec, &place, field).advised(advised);
+            let slot = Slot::of(self.spec, field).advised(advised);
             if let Some(value) = value {
                 if field.wire.is_empty() {
                     self.out.comma();
                 } else {
                     self.out.key(&field.key());
                 }
-                self.value(&slot, value);
+                self.value(&place, &slot, value);
             } else if !field.optional || gap {
-                self.missing(&slot);
+                self.problem(&place, ProblemKind::Missing, &Value::Null, slot.words());
             }
         }
     }
@@ -126,10 +126,6 @@ impl Encoder<'_> {
 
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {
         self.problems.push(Problem::new(place, kind, value, allowed));
-    }
-
-    fn missing(&mut self, slot: &Slot<'_>) {
-        self.problem(slot.place, ProblemKind::Missing, &Value::Null, slot.words());
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::{Map, Value};
 
-use super::{AdvisoryRanges, Departure, DepartureKind, Reading};
+use super::{AdvisoryRanges, Departure, DepartureKind, Node, Reading};
 use jaka_spec::{COMMAND_NAME, Command, Example, Spec};
 
 /// An example of a command that is not as the command's fields have it.
@@ -72,7 +72,7 @@ fn of_request(spec: &Spec, command: &Command, request: &str) -> Vec<String> {
     }
     let problems = match super::request(spec, command, &fields, AdvisoryRanges::Ignored) {
         // Names that are not those of the wire can be written, but not read.
-        Ok(_) => super::check_request(spec, command, &message),
+        Ok(_) => Node::request(spec, command, message).problems(),
         Err(problems) => problems,
     };
     problems.iter().map(ToString::to_string).collect()
@@ -84,7 +84,7 @@ fn of_reply(spec: &Spec, command: &Command, reply: &str) -> Vec<(String, bool)> 
         // A bare Python tuple, perhaps.
         Err(_) => Value::String(reply.to_owned()),
     };
-    super::departures(spec, command, &message).iter().map(misfit).collect()
+    Node::reply(spec, command, message).departures().iter().map(misfit).collect()
 }
 
 /// What departs, and whether that is lenient: a key that the spec does not know is skipped, but belongs to no example.

@@ -5,12 +5,13 @@ use std::collections::BTreeSet;
 use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::wire::{Decode as _, DecodeError, Reader};
-use jaka_spec::{Spec, Version, Versions};
+use jaka_spec::{Spec, Versions};
 use serde_json::{Map, Value};
 
 use crate::encode;
-use crate::sample::is_readable;
+use crate::firmware::firmware_range;
 use crate::translation::{Lost, Message, Translated, Translation, fields};
+use crate::tree::Node;
 
 /// Messages of a firmware in the spec's own forms, and back.
 ///
@@ -28,17 +29,14 @@ pub struct Forms {
 impl Forms {
     /// Forms of a firmware; none where the spec has the same ones for all firmware.
     pub fn of(spec: &Spec, firmware: Option<FirmwareVersion>) -> Option<Self> {
-        let bounds: BTreeSet<Vec<u32>> = ranges(spec).flat_map(bounds).collect();
+        let bounds: BTreeSet<_> = ranges(spec).flat_map(bounds).collect();
         if bounds.is_empty() {
             return None;
         }
-        let versions: Vec<_> = match firmware {
-            Some(firmware) => Version::new(firmware.numbers()).into_iter().collect(),
-            None => bounds.iter().filter_map(|numbers| Version::new(numbers)).collect(),
-        };
+        let versions = firmware.map_or(bounds, |firmware| BTreeSet::from([firmware]));
         let mut of_firmware: Vec<Spec> = Vec::new();
         for version in versions {
-            let spec = spec.of_firmware(&version);
+            let spec = spec.of_firmware(|versions| firmware_range(versions).contains(version));
             if !of_firmware.contains(&spec) {
                 of_firmware.push(spec);
             }
@@ -75,7 +73,7 @@ impl Forms {
             let fields = fields(spec, message, members);
             let is_misfit = |(key, value): &(&String, &Value)| {
                 let field = fields.iter().find(|field| field.wire == **key);
-                field.is_none_or(|field| !value.is_null() && !is_readable(spec, field, value))
+                field.is_none_or(|field| !value.is_null() && !Node::field(spec, field, (*value).clone()).is_readable())
             };
             members.iter().filter(is_misfit).count()
         })
@@ -131,32 +129,12 @@ fn ranges(spec: &Spec) -> impl Iterator<Item = &Versions> {
     forms.chain(spec.types().flat_map(|(_, def)| &def.forms).map(|form| &form.versions))
 }
 
-/// Numbers of versions on both sides of each end of a range.
-fn bounds(versions: &Versions) -> Vec<Vec<u32>> {
-    let mut bounds = vec![vec![0]];
-    if let Some(since) = &versions.since {
-        bounds.push(since.numbers().to_vec());
-        bounds.extend(before(since.numbers()));
-    }
-    if let Some(until) = &versions.until {
-        bounds.push(until.numbers().to_vec());
-        let mut after = until.numbers().to_vec();
-        if let Some(last) = after.last_mut() {
-            *last = last.saturating_add(1);
-        }
-        bounds.push(after);
-    }
-    bounds
-}
-
-/// A version just before the one with these numbers.
-fn before(numbers: &[u32]) -> Option<Vec<u32>> {
-    let at = numbers.iter().rposition(|number| *number > 0)?;
-    let mut before = numbers[..=at].to_vec();
-    before[at] -= 1;
-    // The greatest number that a version may have stands for all that follow.
-    if before.len() < 4 {
-        before.push(u32::MAX);
-    }
-    Some(before)
+/// Versions with which what is in a range, and what is not, begins.
+fn bounds(versions: &Versions) -> impl Iterator<Item = FirmwareVersion> {
+    let range = firmware_range(versions);
+    let after = range.until.and_then(|until| {
+        let (last, first) = until.numbers().split_last()?;
+        FirmwareVersion::of(&[first, &[last.saturating_add(1)]].concat())
+    });
+    [Some(FirmwareVersion::new([0])), range.since, after].into_iter().flatten()
 }

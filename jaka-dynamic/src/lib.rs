@@ -1,12 +1,10 @@
 #![doc = include_str!("../docs/overview.md")]
 
 mod arguments;
-mod check;
-mod decode;
 mod departure;
 mod encode;
-mod envelope;
 mod examples;
+mod firmware;
 mod forms;
 mod motion;
 mod names;
@@ -16,20 +14,20 @@ mod sample;
 mod scalar;
 mod slot;
 mod translation;
+mod tree;
 mod value;
 
 pub use arguments::{Argument, PossibleValue, arguments};
-pub use check::check_request;
 pub use departure::{Departure, DepartureKind, Reading};
 pub use encode::request;
-pub use envelope::{departures, status_departures};
 pub use examples::{Misfit, misfits};
+pub use firmware::{firmware_range, not_in_firmware};
 pub use forms::Forms;
 pub use jaka_proto::check::AdvisoryRanges;
 pub use motion::{RequestedMotion, command_info, motion};
 pub use notation::notation;
 pub use problem::{Problem, ProblemKind};
-pub use sample::{complete_reply, is_readable, sample_reply, sample_value};
-pub use scalar::truth_value;
+pub use sample::{complete_reply, sample_reply, sample_value};
 pub use translation::{Lost, Message, Translated, Translation, counterpart};
+pub use tree::{Label, Node};
 pub use value::value;

@@ -1,13 +1,9 @@
 //! Replies for a simulated controller.
 
-use std::slice;
-
 use serde_json::{Map, Value};
 
-use super::decode::Decoder;
-use super::departure::Reading;
-use super::envelope::is_success;
 use super::scalar;
+use super::tree::{Node, is_success};
 use jaka_spec::{Command, ENVELOPE, EnumValue, Field, Shape, Spec, Type, Variant};
 
 /// The fields of a successful reply, without the three keys that every reply has.
@@ -28,18 +24,11 @@ pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
 /// array of the fixed length, or an object of such.
 pub fn complete_reply(spec: &Spec, command: &Command, reply: &mut Map<String, Value>) {
     for field in spec.reply_fields(command) {
-        if reply.get(&field.wire).is_some_and(|value| !is_readable(spec, field, value)) {
+        if reply.get(&field.wire).is_some_and(|value| !Node::field(spec, field, value.clone()).is_readable()) {
             reply.remove(&field.wire);
         }
     }
     complete(spec, spec.reply_fields(command), reply);
-}
-
-/// True if the field's value can be read, if leniently.
-pub fn is_readable(spec: &Spec, field: &Field, value: &Value) -> bool {
-    let mut decoder = Decoder::new(spec);
-    decoder.object("", slice::from_ref(field), &Map::from_iter([(field.wire.clone(), value.clone())]), &[]);
-    decoder.departures.iter().all(|departure| departure.reading == Reading::Lenient)
 }
 
 fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {

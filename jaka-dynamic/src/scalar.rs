@@ -17,8 +17,8 @@ pub(crate) enum Fit {
     Plain,
     /// It decodes, and departs from the spec in this.
     Lenient(DepartureKind),
-    /// It does not decode.
-    Unfit,
+    /// It does not decode, because of this.
+    Unreadable(DepartureKind),
 }
 
 impl Fit {
@@ -40,11 +40,23 @@ pub(crate) fn fit(scalar: &Scalar, limits: &Limits<'_>, value: &Value) -> Fit {
         Scalar::Text => value.is_string().then_some(Fit::Plain),
         Scalar::Json => Some(Fit::Plain),
     };
-    fit.unwrap_or(Fit::Unfit)
+    fit.unwrap_or(Fit::Unreadable(DepartureKind::Form))
 }
 
 fn within(limits: &Limits<'_>, number: f64, fit: Fit) -> Fit {
     if limits.allow(number) && limits.advise(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
+}
+
+/// The value of a scalar in any of its forms: a truth value as true or false, a number as such; none where it does not
+/// fit.
+pub(crate) fn read(scalar: &Scalar, value: &Value) -> Option<Value> {
+    match scalar {
+        Scalar::Bool { off, on } => truth(value, off, on).map(|(is_on, _)| is_on.into()),
+        Scalar::Int => int(value).map(|(int, _)| int.into()),
+        Scalar::Float if value.is_number() => Some(value.clone()),
+        Scalar::Float => float_value(value).map(Value::from),
+        Scalar::Text | Scalar::Json => Some(value.clone()),
+    }
 }
 
 /// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
@@ -65,7 +77,7 @@ pub(crate) fn write(
         Fit::Lenient(DepartureKind::Form) if value.is_boolean() => {}
         Fit::Lenient(DepartureKind::Range) if is_advisory && ranges == AdvisoryRanges::Ignored => {}
         Fit::Lenient(DepartureKind::Range) => return Err(is_advisory),
-        Fit::Lenient(_) | Fit::Unfit => return Err(false),
+        Fit::Lenient(_) | Fit::Unreadable(_) => return Err(false),
     }
     let written = match scalar {
         Scalar::Bool { off, on } => truth(value, off, on).map(|(is_on, _)| out.choose(is_on, off, on)),
@@ -148,12 +160,6 @@ pub(crate) fn float_value(value: &Value) -> Option<f64> {
 /// A whole number.
 pub(crate) fn int(value: &Value) -> Option<(i64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_i64())))
-}
-
-/// A truth value in the form that its type has on the wire, as the generated code reads it; none of anything else.
-pub fn truth_value(scalar: &Scalar, value: &Value) -> Option<bool> {
-    let Scalar::Bool { off, on } = scalar else { return None };
-    truth(value, off, on).map(|(is_on, _)| is_on)
 }
 
 /// A truth value that the spec writes as one of two JSON texts.

@@ -1,16 +1,18 @@
-//! Where a value stands in a message, and what may stand there.
+//! Types and limits of places in messages.
+
+use std::fmt;
 
 use jaka_proto::check::{Advised, Limits};
 use jaka_spec::{EnumValue, Field, Shape, Spec, Type, Variant, words};
 
 use super::scalar;
 
-/// A place in a message, and what may stand there.
+/// Type and limits of a place in a message.
 #[derive(Clone, Copy)]
 pub(crate) struct Slot<'a> {
     pub(crate) spec: &'a Spec,
-    /// Its path, such as `pose.x`; empty for the message as a whole.
-    pub(crate) place: &'a str,
+    /// None of a message as a whole.
+    ty: Option<&'a Type>,
     pub(crate) shape: Shape<'a>,
     pub(crate) limits: Limits<'a>,
 }
@@ -18,12 +20,17 @@ pub(crate) struct Slot<'a> {
 impl<'a> Slot<'a> {
     /// A value of the type that stands nowhere.
     pub(crate) fn of_type(spec: &'a Spec, ty: &'a Type) -> Self {
-        Self { spec, place: "", shape: spec.shape(ty), limits: Limits::NONE }.with_unit(ty)
+        Self { spec, ty: Some(ty), shape: spec.shape(ty), limits: Limits::NONE }.with_unit(ty)
+    }
+
+    /// A message with these fields.
+    pub(crate) fn of_object(spec: &'a Spec, fields: &'a [Field]) -> Self {
+        Self { spec, ty: None, shape: Shape::Object(fields), limits: Limits::NONE }
     }
 
     /// The place of a field.
-    pub(crate) fn of(spec: &'a Spec, place: &'a str, field: &'a Field) -> Self {
-        Self { spec, place, shape: spec.shape(&field.ty), limits: limits(field) }.with_unit(&field.ty)
+    pub(crate) fn of(spec: &'a Spec, field: &'a Field) -> Self {
+        Self { limits: limits(field), ..Self::of_type(spec, &field.ty) }.with_unit(&field.ty)
     }
 
     /// The same place, where this is advised of numbers.
@@ -33,11 +40,8 @@ impl<'a> Slot<'a> {
     }
 
     /// The place of a value of a type that stands inside this one; limits go down to each number.
-    pub(crate) fn inner<'b>(&self, place: &'b str, ty: &'b Type) -> Slot<'b>
-    where
-        'a: 'b,
-    {
-        Slot { spec: self.spec, place, shape: self.spec.shape(ty), limits: self.limits }.with_unit(ty)
+    pub(crate) fn inner(&self, ty: &'a Type) -> Self {
+        Self { ty: Some(ty), shape: self.spec.shape(ty), ..*self }.with_unit(ty)
     }
 
     /// The same place, with the unit of a wrapper that stands there.
@@ -46,9 +50,15 @@ impl<'a> Slot<'a> {
         self
     }
 
+    /// True if values mean the same in both places as they stand.
+    pub(crate) fn means(&self, other: &Slot<'_>) -> bool {
+        let is_same = self.ty == other.ty && self.limits.unit == other.limits.unit;
+        is_same && self.ty.is_some_and(|ty| self.spec.defines_as(other.spec, ty))
+    }
+
     /// What may stand here, such as `a number, at least 0 deg/s` or `0 (Absolute) or 1 (Relative)`.
     pub(crate) fn words(&self) -> String {
-        let each = |element| self.inner(self.place, element).words();
+        let each = |element| self.inner(element).words();
         match self.shape {
             Shape::Scalar(scalar) => scalar::words(scalar, &self.limits),
             Shape::Python(_) => "text with a Python literal".to_owned(),
@@ -63,6 +73,13 @@ impl<'a> Slot<'a> {
             Shape::TextEnum(values) => either(listed(values).map(|value| format!("`{}`", value.wire))),
             Shape::Choice(choice) => format!("an array that begins with {}", variants(&choice.variants)),
         }
+    }
+}
+
+/// The spec is left out.
+impl fmt::Debug for Slot<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words())
     }
 }
 

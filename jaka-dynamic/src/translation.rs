@@ -1,9 +1,11 @@
 //! Messages of one spec as messages of another, which has the same fields in other forms.
 
-use jaka_spec::{Command, EnumValue, Field, Request, Scalar, Shape, Spec, Type, unit_factor};
+use jaka_spec::{Command, EnumValue, Field, Request, Scalar, Shape, Spec, unit_factor};
 use serde_json::{Map, Value};
 
 use crate::scalar;
+use crate::slot::Slot;
+use crate::tree::{Label, Node};
 
 /// Translation of messages between two specs, one of which was made of the other by a pack, or is that of a firmware:
 /// keys, words for false and true, units, literals, and objects that are arrays. Fields belong together by their names
@@ -66,7 +68,7 @@ impl<'s> Translation<'s> {
                 let other = counterpart(field, from, to);
                 other.is_some_and(|other| {
                     field.wire == other.wire
-                        && of(field).means(self.from, of(other), self.to)
+                        && Slot::of(self.from, field).means(&Slot::of(self.to, other))
                         && !self.to.has_forms(std::slice::from_ref(other))
                 })
             };
@@ -77,18 +79,22 @@ impl<'s> Translation<'s> {
 
     /// Translates the value of a field; none where it has no translation.
     pub fn field(&self, from: &Field, to: &Field, value: &Value) -> Option<Value> {
-        self.value(of(from), of(to), value)
+        let to = Slot::of(self.to, to);
+        if value.is_null() || Slot::of(self.from, from).means(&to) {
+            return Some(value.clone());
+        }
+        self.value(&Node::field(self.from, from, value.clone()), to)
     }
 
     /// Keys in the first spec of fields of a message that the second has not, or whose values have no translation.
     pub fn lost(&self, message: Message<'_>) -> Vec<String> {
-        let can = |field: &Field, other: &Field| self.can(of(field), of(other));
+        let can = |field: &Field, other: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
         self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(from, to, can)).collect()
     }
 
     /// Keys in the second spec of fields of a message that the first has not, or whose values have no translation.
     pub fn missing(&self, message: Message<'_>) -> Vec<String> {
-        let can = |other: &Field, field: &Field| self.can(of(field), of(other));
+        let can = |other: &Field, field: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
         self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(to, from, can)).collect()
     }
 
@@ -119,7 +125,7 @@ impl<'s> Translation<'s> {
                 translated.unknown.push(field.name.clone());
                 continue;
             };
-            match self.value(of(field), of(other), value) {
+            match self.field(field, other, value) {
                 Some(value) => drop(translated.members.insert(other.wire.clone(), value)),
                 None => translated.lost.push(Lost { name: other.name.clone(), value: value.clone() }),
             }
@@ -127,131 +133,119 @@ impl<'s> Translation<'s> {
         translated
     }
 
-    fn value(&self, from: Kind<'_>, to: Kind<'_>, value: &Value) -> Option<Value> {
-        if value.is_null() || from.means(self.from, to, self.to) {
-            return Some(value.clone());
+    fn value(&self, node: &Node<'_>, to: Slot<'_>) -> Option<Value> {
+        let (value, from) = (node.json(), node.slot()?);
+        if value.is_null() || from.means(&to) {
+            return Some(value);
         }
-        let (from, to) = (from.unwrapped(self.from), to.unwrapped(self.to));
-        match (from.ty, to.ty) {
-            (Type::Python(inner), _) => self.value(from.inner(inner), to, &scalar::literal(value.as_str()?)?),
-            (_, Type::Python(inner)) => {
-                let value = self.value(from, to.inner(inner), value)?;
+        match (from.shape, to.shape) {
+            (_, Shape::Python(inner)) => {
+                let value = self.value(node, to.inner(inner))?;
                 jaka_proto::python::from_json(&value.to_string()).ok().map(Value::from)
             }
-            (Type::Scalar(from_scalar), Type::Scalar(to_scalar)) => match (from_scalar, to_scalar) {
+            (Shape::Scalar(scalar), Shape::Scalar(other)) => match (scalar, other) {
                 (Scalar::Bool { .. }, Scalar::Bool { off, on }) => {
-                    let is_on = scalar::truth_value(from_scalar, value)?;
+                    let is_on = node.value().as_bool()?;
                     serde_json::from_str(if is_on { on } else { off }).ok()
                 }
-                (Scalar::Float | Scalar::Int, Scalar::Float) => number(value, from.unit, to.unit),
-                (Scalar::Float | Scalar::Int, Scalar::Int) if from.unit == to.unit => {
-                    scalar::int(value).map(|(whole, _)| whole.into())
+                (Scalar::Float | Scalar::Int, Scalar::Float) => number(value, factor(&from, &to)?),
+                (Scalar::Float | Scalar::Int, Scalar::Int) if from.limits.unit == to.limits.unit => {
+                    scalar::int(&value).map(|(whole, _)| whole.into())
                 }
-                (_, Scalar::Json) => Some(value.clone()),
-                (from_scalar, to_scalar) => (from_scalar == to_scalar && from.unit == to.unit).then(|| value.clone()),
+                (_, Scalar::Json) => Some(value),
+                (scalar, other) => (scalar == other && from.limits.unit == to.limits.unit).then_some(value),
             },
-            _ => self.parts(from, to, value),
-        }
-    }
-
-    /// Translates what has parts.
-    fn parts(&self, from: Kind<'_>, to: Kind<'_>, value: &Value) -> Option<Value> {
-        match (self.from.shape(from.ty), self.to.shape(to.ty)) {
-            (Shape::List(element, _), Shape::List(other, len)) => {
-                let elements = value.as_array()?;
-                let each = |value| self.value(from.inner(element), to.inner(other), value);
-                let elements: Option<Vec<_>> = elements.iter().map(each).collect();
-                elements.filter(|elements| len.is_none_or(|len| elements.len() == len)).map(Value::from)
-            }
-            (Shape::Object(fields), Shape::Object(others)) => {
-                let translated = self.members(fields, others, value.as_object()?);
-                (translated.lost.is_empty() && translated.unknown.is_empty()).then(|| translated.members.into())
-            }
-            (Shape::Object(fields), Shape::Tuple { fields: others, .. }) => {
-                let found = value.as_object()?;
-                let element = |other: &Field| {
-                    let field = fields.iter().find(|field| field.name == other.name)?;
-                    self.value(of(field), of(other), found.get(&field.wire).unwrap_or(&Value::Null))
-                };
-                let elements: Option<Vec<_>> = others.iter().map(element).collect();
-                elements.map(Value::from)
-            }
-            (Shape::Tuple { fields, .. }, Shape::Object(others)) => {
-                let found = value.as_array()?;
-                let mut members = Map::new();
-                for (field, value) in fields.iter().zip(found).filter(|(_, value)| !value.is_null()) {
-                    let other = others.iter().find(|other| other.name == field.name)?;
-                    members.insert(other.wire.clone(), self.value(of(field), of(other), value)?);
-                }
-                Some(members.into())
-            }
-            (Shape::Tuple { fields, .. }, Shape::Tuple { fields: others, .. }) => {
-                self.elements(fields, others, value.as_array()?).map(Value::from)
-            }
-            (Shape::Choice(choice), Shape::Choice(other)) => {
-                let (tag, rest) = value.as_array()?.split_first()?;
-                let wire = scalar::int(tag)?.0;
-                let variant = choice.variants.iter().find(|variant| variant.wire == wire)?;
-                let other = other.variants.iter().find(|other| other.name == variant.name)?;
-                let elements = self.elements(&variant.fields, &other.fields, rest)?;
-                Some([vec![other.wire.into()], elements].concat().into())
-            }
             // A raw number that a pack names, or the other way round. Enums are open.
             (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => {
-                Some(scalar::int(value)?.0.into())
+                Some(scalar::int(&value)?.0.into())
             }
             (Shape::IntEnum(values), Shape::IntEnum(others)) => {
-                translated(values, others, &scalar::int(value)?.0).map(Value::from)
+                translated(values, others, &scalar::int(&value)?.0).map(Value::from)
             }
             (Shape::TextEnum(values), Shape::TextEnum(others)) => {
                 translated(values, others, &value.as_str()?.to_owned()).map(Value::from)
             }
             (Shape::IntEnum(values), Shape::TextEnum(others)) => {
-                renamed(values, others, &scalar::int(value)?.0).map(Value::from)
+                renamed(values, others, &scalar::int(&value)?.0).map(Value::from)
             }
             (Shape::TextEnum(values), Shape::IntEnum(others)) => {
                 renamed(values, others, &value.as_str()?.to_owned()).map(Value::from)
             }
+            _ if node.is_leaf() => None,
+            (Shape::List(..), Shape::List(ty, len)) => {
+                let elements: Option<Vec<_>> = node.parts().iter().map(|part| self.value(part, to.inner(ty))).collect();
+                elements.filter(|elements| len.is_none_or(|len| elements.len() == len)).map(Value::from)
+            }
+            (Shape::Object(fields) | Shape::Tuple { fields, .. }, Shape::Object(others)) => {
+                self.object(node, fields, others).map(Value::from)
+            }
+            (Shape::Object(_), Shape::Tuple { fields: others, .. }) => {
+                let element = |other: &Field| self.value(node.part(&other.name)?, Slot::of(self.to, other));
+                others.iter().map(element).collect::<Option<_>>().map(Value::Array)
+            }
+            (Shape::Tuple { .. }, Shape::Tuple { fields: others, .. }) => {
+                self.elements(node.parts(), others).map(Value::from)
+            }
+            (Shape::Choice(_), Shape::Choice(other)) => {
+                let other = other.variants.iter().find(|other| Some(&*other.name) == node.parts()[0].value_name())?;
+                let elements = self.elements(&node.parts()[1..], &other.fields)?;
+                Some([vec![other.wire.into()], elements].concat().into())
+            }
             _ => None,
         }
+    }
+
+    /// Translates the parts of an object or of an array with names into members. A key that neither spec knows stays as
+    /// it is.
+    fn object(&self, node: &Node<'_>, fields: &[Field], others: &[Field]) -> Option<Map<String, Value>> {
+        let mut members = Map::new();
+        for part in node.parts().iter().filter(|part| !part.is_absent()) {
+            match part.label() {
+                Label::Field(field) => {
+                    let other = counterpart(field, fields, others)?;
+                    members.insert(other.wire.clone(), self.value(part, Slot::of(self.to, other))?);
+                }
+                Label::Unknown(key) if others.iter().all(|other| other.wire != *key) => {
+                    members.insert(key.clone(), part.json());
+                }
+                _ => {}
+            }
+        }
+        Some(members)
     }
 
     /// Translates the elements of an array; those beyond the fields stay as they are.
-    fn elements(&self, fields: &[Field], others: &[Field], found: &[Value]) -> Option<Vec<Value>> {
-        let each = |(at, value): (usize, &Value)| match (fields.get(at), others.get(at)) {
-            (Some(field), Some(other)) if field.name == other.name => self.value(of(field), of(other), value),
-            (None, _) => Some(value.clone()),
+    fn elements(&self, parts: &[Node<'_>], others: &[Field]) -> Option<Vec<Value>> {
+        let each = |(at, part): (usize, &Node<'_>)| match (part.label(), others.get(at)) {
+            (Label::Field(field), Some(other)) if field.name == other.name => {
+                self.value(part, Slot::of(self.to, other))
+            }
+            (Label::Element(_), _) => Some(part.json()),
             _ => None,
         };
-        found.iter().enumerate().map(each).collect()
+        parts.iter().filter(|part| !part.is_absent()).enumerate().map(each).collect()
     }
 
     /// True if values of the one can be translated into values of the other.
-    fn can(&self, from: Kind<'_>, to: Kind<'_>) -> bool {
-        if from.means(self.from, to, self.to) {
+    fn can(&self, from: Slot<'_>, to: Slot<'_>) -> bool {
+        if from.means(&to) {
             return true;
         }
-        let (from, to) = (from.unwrapped(self.from), to.unwrapped(self.to));
-        match (from.ty, to.ty) {
-            (Type::Python(inner), _) => return self.can(from.inner(inner), to),
-            (_, Type::Python(inner)) => return self.can(from, to.inner(inner)),
-            (Type::Scalar(from_scalar), Type::Scalar(to_scalar)) => {
-                return match (from_scalar, to_scalar) {
-                    (Scalar::Bool { .. }, Scalar::Bool { .. }) | (_, Scalar::Json) => true,
-                    (Scalar::Float | Scalar::Int, Scalar::Float) => factor(from.unit, to.unit).is_some(),
-                    // As far as the number is whole.
-                    (Scalar::Float, Scalar::Int) => from.unit == to.unit,
-                    (from_scalar, to_scalar) => from_scalar == to_scalar && from.unit == to.unit,
-                };
-            }
-            _ => {}
-        }
+        let is_same_unit = from.limits.unit == to.limits.unit;
         let all = |fields: &[Field], others: &[Field]| {
-            fields
-                .iter()
-                .all(|field| others.iter().any(|other| other.name == field.name && self.can(of(field), of(other))))
+            let can = |field: &Field, other: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
+            fields.iter().all(|field| others.iter().any(|other| other.name == field.name && can(field, other)))
         };
-        match (self.from.shape(from.ty), self.to.shape(to.ty)) {
+        match (from.shape, to.shape) {
+            (Shape::Python(inner), _) => self.can(from.inner(inner), to),
+            (_, Shape::Python(inner)) => self.can(from, to.inner(inner)),
+            (Shape::Scalar(scalar), Shape::Scalar(other)) => match (scalar, other) {
+                (Scalar::Bool { .. }, Scalar::Bool { .. }) | (_, Scalar::Json) => true,
+                (Scalar::Float | Scalar::Int, Scalar::Float) => factor(&from, &to).is_some(),
+                // As far as the number is whole.
+                (Scalar::Float, Scalar::Int) => is_same_unit,
+                (scalar, other) => scalar == other && is_same_unit,
+            },
             (Shape::List(element, len), Shape::List(other, other_len)) => {
                 (other_len.is_none() || len == other_len) && self.can(from.inner(element), to.inner(other))
             }
@@ -331,50 +325,19 @@ pub(crate) fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<Str
     }
 }
 
-/// Type of a value, and the unit that its field gives it.
-#[derive(Debug, Clone, Copy)]
-struct Kind<'f> {
-    ty: &'f Type,
-    unit: Option<&'f str>,
-}
-
-fn of(field: &Field) -> Kind<'_> {
-    Kind { ty: &field.ty, unit: field.unit.as_deref() }
-}
-
-impl<'f> Kind<'f> {
-    fn inner(self, ty: &'f Type) -> Self {
-        Self { ty, ..self }
-    }
-
-    /// The wrapped type with its unit, if it is a wrapper.
-    fn unwrapped<'s>(self, spec: &'s Spec) -> Kind<'s>
-    where
-        'f: 's,
-    {
-        Kind { ty: spec.unwrapped(self.ty), unit: spec.unit(self.ty).or(self.unit) }
-    }
-
-    /// True if values mean the same in both specs as they stand.
-    fn means(self, spec: &Spec, other: Kind<'_>, other_spec: &Spec) -> bool {
-        self.ty == other.ty && self.unit == other.unit && spec.defines_as(other_spec, self.ty)
-    }
-}
-
-/// A number in another unit; none where it is not known how they relate.
-fn number(value: &Value, from: Option<&str>, to: Option<&str>) -> Option<Value> {
-    let factor = factor(from, to)?;
+/// A number in another unit.
+fn number(value: Value, factor: f64) -> Option<Value> {
     #[expect(clippy::float_cmp, reason = "the factor of one unit is exactly one")]
     if factor == 1.0 {
-        return Some(value.clone());
+        return Some(value);
     }
-    let number: f64 = scalar::float_value(value)?;
-    serde_json::Number::from_f64(number * factor).map(Value::from)
+    serde_json::Number::from_f64(scalar::float_value(&value)? * factor).map(Value::from)
 }
 
-fn factor(from: Option<&str>, to: Option<&str>) -> Option<f64> {
-    match (from, to) {
-        (Some(from), Some(to)) => unit_factor(from, to),
-        (from, to) => (from == to).then_some(1.0),
+/// Factor between the units of two places; none where it is not known how they relate.
+fn factor(from: &Slot<'_>, to: &Slot<'_>) -> Option<f64> {
+    match (from.limits.unit, to.limits.unit) {
+        (from, to) if from == to => Some(1.0),
+        (from, to) => unit_factor(from, to),
     }
 }

@@ -41,6 +41,13 @@ impl FirmwareVersion {
         version
     }
 
+    /// The version with these numbers, the major one first; none unless they are one to four.
+    pub fn of(numbers: &[u32]) -> Option<Self> {
+        let mut version = Self { numbers: [0; Self::MOST], given: u8::try_from(numbers.len()).ok()? };
+        version.numbers.get_mut(..numbers.len()).filter(|_| version.given > 0)?.copy_from_slice(numbers);
+        Some(version)
+    }
+
     /// The numbers that are given, the major one first.
     pub fn numbers(&self) -> &[u32] {
         &self.numbers[..usize::from(self.given)]

@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
-use jaka_dynamic::{Message, Translation};
+use jaka_dynamic::{Message, Translation, firmware_range};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, write_refusal};
-use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec, Version, Versions};
+use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec};
 use serde_json::{Map, Value};
 
 /// A spec, indexed by `cmdName`.
@@ -215,12 +215,6 @@ fn command_not_followed(built_in: &Spec, spec: &Spec, command: &str) -> Option<S
 
 fn not_followed(key: &str) -> String {
     format!("the simulator cannot follow the pack: it has a value of another type or in another unit for `{key}`")
-}
-
-/// The versions of the firmware that has a command of a pack.
-fn firmware_range(versions: &Versions) -> FirmwareRange {
-    let bound = |version: &Option<Version>| version.as_ref().and_then(|version| version.to_string().parse().ok());
-    FirmwareRange { since: bound(&versions.since), until: bound(&versions.until) }
 }
 
 /// Reads the payload of a sample, which has the spec's own forms.

@@ -6,7 +6,7 @@ use crate::model::{Command, Field, Form, FormKind, Spec, Type, TypeDef, TypeId, 
 use crate::range::Range;
 use crate::scalar::Scalar;
 use crate::unit::Factors;
-use crate::version::{Version, Versions};
+use crate::version::Versions;
 
 impl Field {
     /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that
@@ -126,36 +126,37 @@ impl Spec {
             || def.kind.parts().any(|part| self.any_in_type(part, of_field, of_type))
     }
 
-    /// The spec as a firmware has it: each field and each type in the form of this version, and in no other. Ranges are
-    /// left out, since they are in the units of the spec's own forms.
+    /// The spec as a firmware has it: each field and each type in the form of its version, and in no other; `is_among`
+    /// says of which versions the firmware's is one. Ranges are left out, since they are in the units of the spec's own
+    /// forms.
     #[must_use]
-    pub fn of_firmware(&self, version: &Version) -> Self {
+    pub fn of_firmware(&self, is_among: impl Fn(&Versions) -> bool) -> Self {
         let mut spec = self.clone();
         for topic in &mut spec.topics {
             for command in &mut topic.commands {
-                command.request.fields_mut().for_each(|field| settle(field, version));
-                command.reply.own_fields_mut().iter_mut().for_each(|field| settle(field, version));
+                command.request.fields_mut().for_each(|field| settle(field, &is_among));
+                command.reply.own_fields_mut().iter_mut().for_each(|field| settle(field, &is_among));
             }
         }
         for def in &mut spec.types {
-            def.kind.fields_mut().for_each(|field| settle(field, version));
-            settle_type(def, version);
+            def.kind.fields_mut().for_each(|field| settle(field, &is_among));
+            settle_type(def, &is_among);
         }
         spec
     }
 }
 
-/// Gives a field the form of a version.
-fn settle(field: &mut Field, version: &Version) {
+/// Gives a field the form of a firmware.
+fn settle(field: &mut Field, is_among: &impl Fn(&Versions) -> bool) {
     (field.range, field.advised) = (Range::default(), Vec::new());
     let forms = std::mem::take(&mut field.forms);
-    let Some(form) = forms.into_iter().find(|form| form.versions.contain(version)) else { return };
+    let Some(form) = forms.into_iter().find(|form| is_among(&form.versions)) else { return };
     (field.wire, field.ty, field.unit) = (form.wire, form.ty, form.unit);
 }
 
-fn settle_type(def: &mut TypeDef, version: &Version) {
+fn settle_type(def: &mut TypeDef, is_among: &impl Fn(&Versions) -> bool) {
     let forms = std::mem::take(&mut def.forms);
-    let Some(form) = forms.into_iter().find(|form| form.versions.contain(version)) else { return };
+    let Some(form) = forms.into_iter().find(|form| is_among(&form.versions)) else { return };
     let mut fields: Vec<_> = def.kind.fields().cloned().collect();
     def.kind = match (form.kind, &def.kind) {
         (FormKind::Object(keys), _) => {
@@ -224,6 +225,7 @@ pub(crate) fn overlap(some: &Versions, others: &Versions) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::version::Version;
 
     #[test]
     fn ranges_of_versions_overlap_where_a_version_has_both() {

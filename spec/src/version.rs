@@ -16,11 +16,6 @@ impl Version {
         numbers.filter(|numbers| numbers.len() <= Self::MOST).map(Self)
     }
 
-    /// The version with these numbers, the major one first; none unless they are one to four.
-    pub fn new(numbers: &[u32]) -> Option<Self> {
-        (1..=Self::MOST).contains(&numbers.len()).then(|| Self(numbers.to_vec()))
-    }
-
     /// Its numbers, the major one first.
     pub fn numbers(&self) -> &[u32] {
         &self.0
@@ -48,15 +43,6 @@ impl Versions {
     pub(crate) fn or(self, others: &Self) -> Self {
         let Self { since, until } = others.clone();
         Self { since: self.since.or(since), until: self.until.or(until) }
-    }
-
-    /// True if the version is one of these. A number that a version does not give counts as zero.
-    pub fn contain(&self, version: &Version) -> bool {
-        let all = |version: &Version| -> Vec<u32> {
-            version.0.iter().copied().chain(std::iter::repeat(0)).take(Version::MOST).collect()
-        };
-        let is_begun = self.since.as_ref().is_none_or(|since| all(version) >= all(since));
-        is_begun && !Self { since: Some(version.clone()), until: self.until.clone() }.is_void()
     }
 
     /// True if no version lies between the two.

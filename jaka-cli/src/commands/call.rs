@@ -5,11 +5,9 @@
 
 mod consent;
 mod exchange;
-mod firmware;
 mod forms;
 mod help;
 mod lines;
-mod named;
 mod options;
 mod outline;
 mod parser;

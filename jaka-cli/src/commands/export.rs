@@ -5,10 +5,12 @@ mod columns;
 use std::collections::BTreeSet;
 
 use clap::{Args, ValueEnum};
+use jaka_dynamic::Node;
 use jaka_sync::recording::Recording;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use self::columns::{Columns, seconds};
+use crate::builtin::of_status;
 use crate::failure::Failure;
 use crate::fields::Field;
 use crate::number::count;
@@ -76,8 +78,8 @@ impl Export {
             let unix_time = recording.header.started.saturating_add(packet.time);
             let first = [seconds(packet.time), seconds(unix_time), packet.connection.to_string()];
             out.write(&match self.format {
-                Format::Csv => columns.csv(first, &status.json()?),
-                Format::Jsonl => columns.json(first, &status.json()?),
+                Format::Csv => columns.csv(first, &status.tree()?),
+                Format::Jsonl => columns.json(first, &status.tree()?),
             })?;
         }
         out.finish()?;
@@ -90,7 +92,9 @@ impl Export {
 }
 
 /// All parts that any packet has, in one.
-fn widest(recording: &Recording) -> Result<Value, Failure> {
+fn widest(recording: &Recording) -> Result<Node<'static>, Failure> {
     let mut statuses = packets(recording).filter_map(|packet| packet.status.ok());
-    statuses.try_fold(Value::Null, |widest, status| Ok(columns::wider(widest, status.json()?)))
+    let widest: Result<_, Failure> = statuses
+        .try_fold(Value::Object(Map::new()), |widest, status| Ok(columns::wider(widest, status.tree()?.found())));
+    Ok(Node::status(of_status(), widest?))
 }

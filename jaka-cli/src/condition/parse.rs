@@ -178,6 +178,6 @@ fn field(path: &str) -> Result<(Expression, Kind), String> {
     let field = Field::find(path)?;
     match field.kind() {
         Kind::Other => Err(format!("the status field `{}` is neither a truth value nor a number", field.name)),
-        kind => Ok((Expression::Field(field), kind)),
+        kind => Ok((Expression::Field(Box::new(field)), kind)),
     }
 }

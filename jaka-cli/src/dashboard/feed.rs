@@ -4,14 +4,15 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
-use jaka_robot::proto::text::visible_json;
 use jaka_robot::{Monitor, Snapshot, Subscription};
 
 use super::View;
 use super::alarms::duration;
 use super::view::{Link, STALE};
+use crate::fields::Field;
 use crate::flags::Tone;
-use crate::packed_status::PackedStatus;
+use crate::packed_status::{PackedStatus, own_fields};
+use crate::value_rows::value_rows;
 
 /// Packets of some seconds, so that no alarm is missed while a terminal is slow.
 const CAPACITY: usize = 1000;
@@ -29,6 +30,8 @@ pub(crate) struct Feed {
     silent: bool,
     /// How often the monitor had reconnected when packets last came.
     reconnects: u64,
+    /// Fields that packs add or change.
+    own_fields: Vec<Field>,
     /// Fields that were reported not to fit.
     unfit: BTreeSet<String>,
     /// The number of packets at times of the last seconds.
@@ -45,6 +48,7 @@ impl Feed {
             shown: None,
             silent: false,
             reconnects: 0,
+            own_fields: own_fields(),
             unfit: BTreeSet::new(),
             counts: VecDeque::new(),
         }
@@ -60,8 +64,9 @@ impl Feed {
         if !view.paused || self.shown.is_none() {
             self.shown.clone_from(&self.newest);
             view.status = self.shown.as_ref().map(|packet| packet.status.status.clone());
-            let own = self.shown.iter().flat_map(|packet| packet.status.own_fields());
-            view.packed = own.map(|(name, value)| (name, visible_json(&value.to_string()).into_owned())).collect();
+            let packed = self.shown.as_ref().map(|packet| packet.status.own());
+            let rows = |field: &Field| Some(value_rows(&field.name, field.value(packed.as_ref()?)?));
+            view.packed = self.own_fields.iter().filter_map(rows).flatten().collect();
         }
         view.age = self.shown.as_ref().map(|packet| packet.age());
         view.link = self.link();

@@ -7,15 +7,16 @@ use ratatui::text::{Line, Span};
 use super::joints::measured;
 use super::style::{self, number};
 use crate::output::ABSENT;
+use crate::value_rows::Row;
 
 /// The widths of the rows' names, and of the columns after them.
 const NAME: usize = 20;
 const COLUMN: usize = 9;
 
 /// A row: its name, and a joint's value.
-type Row = (&'static str, fn(&JointMonitor) -> f64);
+type JointRow = (&'static str, fn(&JointMonitor) -> f64);
 
-const ROWS: [Row; 10] = [
+const ROWS: [JointRow; 10] = [
     ("current", |joint| joint.current),
     ("voltage", |joint| joint.voltage),
     ("temperature", |joint| joint.temperature),
@@ -29,7 +30,7 @@ const ROWS: [Row; 10] = [
 ];
 
 /// All of it.
-pub(super) fn lines(status: &RobotStatus, packed: &[(&str, String)], width: u16) -> Vec<Line<'static>> {
+pub(super) fn lines(status: &RobotStatus, packed: &[Row], width: u16) -> Vec<Line<'static>> {
     let mut lines = vec![style::rule("Joints (no units stated by the protocol)", width), heading()];
     lines.push(row("position °", status.joint_actual_position.map(|joints| joints.0)));
     lines.push(row("commanded °", status.joint_commanded_position.map(|joints| joints.0)));

@@ -6,6 +6,7 @@ use jaka_sync::proto::text::visible;
 use jaka_sync::status::RobotStatus;
 
 use super::alarms::Alarms;
+use crate::value_rows::Row;
 
 /// A packet that is older than this is out of date: several periods of any firmware.
 pub(super) const STALE: Duration = Duration::from_millis(500);
@@ -17,8 +18,8 @@ pub(crate) struct View {
     pub(super) title: String,
     /// The packet that is shown.
     pub(super) status: Option<RobotStatus>,
-    /// The fields of it that packs add or change, with what came.
-    pub(super) packed: Vec<(&'static str, String)>,
+    /// Rows of the fields of it that packs add or change.
+    pub(super) packed: Vec<Row>,
     /// How long ago that packet came.
     pub(super) age: Option<Duration>,
     /// How packets come.

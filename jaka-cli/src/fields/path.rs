@@ -1,10 +1,11 @@
 //! Paths to fields, as people type them.
 
 use itertools::Itertools as _;
-use jaka_spec::Shape as Wire;
+use jaka_dynamic::Label;
+use jaka_spec::Shape;
 use jaka_spec::words::distance;
 
-use super::{Field, Step};
+use super::Field;
 
 /// How many suggestions are made at most.
 const MOST: usize = 3;
@@ -26,39 +27,33 @@ pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
 
 /// The part of this name, in Rust or on the wire.
 fn named(parent: &Field, name: &str) -> Result<Field, String> {
-    let members = parent.members();
+    let mut members = parent.members();
     if members.is_empty() {
         return Err(format!("the status field `{}` has no named parts, so it has no `{name}`", parent.name));
     }
-    let found = members.iter().find(|member| own_name(parent, member) == name);
-    let found = found.or_else(|| members.iter().find(|member| wire_key(member) == Some(name)));
-    found.cloned().ok_or_else(|| {
-        let names = members.iter().flat_map(|member| [Some(own_name(parent, member)), wire_key(member)]).flatten();
+    let by_name = members.iter().position(|member| names(member).next() == Some(name));
+    let found = by_name.or_else(|| members.iter().position(|member| names(member).any(|known| known == name)));
+    found.map(|at| members.swap_remove(at)).ok_or_else(|| {
         let of = if parent.name.is_empty() { String::new() } else { format!(" in `{}`", parent.name) };
-        format!("there is no status field `{name}`{of}; {}", hint(name, names))
+        format!("there is no status field `{name}`{of}; {}", hint(name, members.iter().flat_map(names)))
     })
 }
 
-fn own_name<'m>(parent: &Field, member: &'m Field) -> &'m str {
-    member.name[parent.name.len()..].trim_start_matches('.')
-}
-
-fn wire_key(member: &Field) -> Option<&str> {
-    match member.steps.last() {
-        Some(Step::Key(key)) => Some(key),
-        _ => None,
-    }
+/// Name in Rust, and the key on the wire if there is one.
+fn names(member: &Field) -> impl Iterator<Item = &str> {
+    let Label::Field(field) = member.place.label() else { return [None; 2].into_iter().flatten() };
+    [Some(&*field.name), Some(&*field.wire).filter(|wire| !wire.is_empty())].into_iter().flatten()
 }
 
 /// The element at an index.
 fn at(list: &Field, index: usize) -> Result<Field, String> {
-    match list.wire {
-        Wire::List(_, Some(count)) if index >= count => {
-            Err(format!("the status field `{}` has {count} elements, 0 to {}", list.name, count - 1))
-        }
-        Wire::List(..) => Ok(list.element(index)),
-        _ => Err(format!("the status field `{}` is not a list", list.name)),
-    }
+    let Some(Shape::List(_, count)) = list.place.shape() else {
+        return Err(format!("the status field `{}` is not a list", list.name));
+    };
+    list.element(index).ok_or_else(|| {
+        let count = count.unwrap_or_default();
+        format!("the status field `{}` has {count} elements, 0 to {}", list.name, count.saturating_sub(1))
+    })
 }
 
 /// The numbers of `[1][2]`.

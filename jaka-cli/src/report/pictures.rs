@@ -3,17 +3,21 @@
 use std::collections::BTreeMap;
 
 use itertools::Itertools as _;
+use jaka_sync::proto::text::visible;
 
 use super::more;
 use super::page::{escaped, figure, paragraph};
-use super::session::{Kind, Lateness, Packets, Session};
+use super::session::{Kind, Lateness, Packed, Packets, Session};
 use crate::failure::Failure;
+use crate::fields;
 use crate::number::count;
 use crate::plots::{Series, Strip, Trace, View, calls, histogram, strips, way};
 
 /// How many strips of inputs and outputs are drawn.
 const MOST_DIGITAL: usize = 24;
 const MOST_ANALOG: usize = 8;
+/// Strips that are drawn of what packs have.
+const MOST_PACKED: usize = 24;
 /// How many points of a way there may be: of longer ones, each of so many is left out.
 const MOST_POINTS: usize = 8000;
 
@@ -24,7 +28,7 @@ type Key = (&'static str, usize);
 type Content = (String, Vec<String>);
 
 /// All parts that have pictures: each with its name in links, its title, and its HTML.
-pub(super) fn sections(session: &Session<'_>) -> Result<[(&'static str, &'static str, String); 8], Failure> {
+pub(super) fn sections(session: &Session<'_>) -> Result<Vec<(&'static str, &'static str, String)>, Failure> {
     let packets = &session.packets;
     let timed = |text: String, pictures: Vec<Strip>| -> Result<Content, Failure> {
         if pictures.is_empty() {
@@ -37,7 +41,7 @@ pub(super) fn sections(session: &Session<'_>) -> Result<[(&'static str, &'static
         timed(text, strips)
     };
     let (io, io_text) = inputs_and_outputs(packets);
-    let sections = [
+    let mut sections = vec![
         ("joints", "Joints", known("Actual positions, by status packets.", joints(packets))?),
         ("speeds", "Speeds", known(SPEEDS, speeds(packets))?),
         ("path", "Path of the tool centre point", path(packets)?),
@@ -47,7 +51,12 @@ pub(super) fn sections(session: &Session<'_>) -> Result<[(&'static str, &'static
         ("events", "Events", timed("What the list at the end of this page has.".to_owned(), events(session))?),
         ("lateness", "Lateness of set-points", lateness(&session.lateness)?),
     ];
-    Ok(sections.map(|(id, title, (text, pictures))| (id, title, paragraph(&text) + &figure(&pictures))))
+    if !packets.packed.is_empty() {
+        let (text, strips) = packed(packets);
+        sections.insert(5, ("packs", "Status fields of packs", timed(text, strips)?));
+    }
+    let html = |(id, title, (text, pictures)): (_, _, Content)| (id, title, paragraph(&text) + &figure(&pictures));
+    Ok(sections.into_iter().map(html).collect())
 }
 
 const SPEEDS: &str = "Of the joints: means over 0.1 s or more, from the positions and the times at which packets arrived, so that shorter peaks are not shown. \
@@ -100,6 +109,25 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
         text[0] = String::from("None changes.");
     }
     (strips, text.join(" "))
+}
+
+/// Numbers and truth values of what packs have, and in words how many more there are.
+fn packed(packets: &Packets) -> (String, Vec<Strip>) {
+    let known: Vec<_> = packets.packed.iter().filter(|(_, packed)| packed.series.range().is_some()).collect();
+    let strip = |(name, packed): &(&String, &Packed)| {
+        let unit = packed.field.unit().map(|unit| format!(" ({unit})"));
+        let trace = match packed.field.kind() {
+            fields::Kind::Truth => Trace::Level,
+            fields::Kind::Number | fields::Kind::Other => Trace::Steps,
+        };
+        Strip {
+            title: visible(&format!("{name}{}", unit.unwrap_or_default())).into_owned(),
+            trace: trace(packed.series.clone()),
+        }
+    };
+    let text = "Numbers and truth values; high is true. Changes of others are in the list of events.".to_owned();
+    let more = more(known.len(), MOST_PACKED, "one").map(|more| format!(" {more}"));
+    (text + &more.unwrap_or_default(), known.iter().take(MOST_PACKED).map(strip).collect())
 }
 
 fn changing(all: &BTreeMap<Key, Series>) -> Vec<(&Key, &Series)> {

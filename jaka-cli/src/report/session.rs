@@ -12,7 +12,7 @@ use jaka_sync::recording::{Entry, Port, Recording};
 pub(super) use self::calls::{Calls, CommandCount};
 pub(super) use self::happenings::{Happening, Kind};
 pub(super) use self::lateness::Lateness;
-pub(super) use self::packets::Packets;
+pub(super) use self::packets::{Packed, Packets};
 
 /// Longer than any session: times are drawn up to this.
 const LONGEST_S: f64 = 1e9;

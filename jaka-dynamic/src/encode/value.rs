@@ -1,7 +1,7 @@
 //! Values into JSON.
 
 use jaka_proto::check::AdvisoryRanges;
-use jaka_spec::{EnumValue, Field, Shape, Type};
+use jaka_spec::{EnumValue, Field, Shape};
 use serde_json::Value;
 
 use super::{Encoder, Outer, is_value, variant};
@@ -14,32 +14,32 @@ use crate::slot::Slot;
 type Written = Result<(), bool>;
 
 impl Encoder<'_> {
-    pub(super) fn value(&mut self, slot: &Slot<'_>, value: &Value) {
-        if let Err(advisory) = self.write(slot, value) {
-            let problem = Problem::new(slot.place, ProblemKind::Forbidden, value, slot.words());
+    pub(super) fn value(&mut self, place: &str, slot: &Slot<'_>, value: &Value) {
+        if let Err(advisory) = self.write(place, slot, value) {
+            let problem = Problem::new(place, ProblemKind::Forbidden, value, slot.words());
             self.problems.push(Problem { advisory, ..problem });
         }
     }
 
-    fn write(&mut self, slot: &Slot<'_>, value: &Value) -> Written {
+    fn write(&mut self, place: &str, slot: &Slot<'_>, value: &Value) -> Written {
         match slot.shape {
             Shape::Scalar(scalar) => scalar::write(scalar, &slot.limits, self.ranges, value, &mut self.out)?,
             Shape::Python(_) => {
                 let text = value.as_str().filter(|text| slot.limits.allow_text(text));
                 self.out.text(text.ok_or(false)?);
             }
-            Shape::List(element, len) => self.list(slot, element, value, len)?,
+            Shape::List(element, len) => self.list(place, &slot.inner(element), value, len)?,
             Shape::Object(fields) => {
                 let given = value.as_object().ok_or(false)?;
                 self.out.raw("{");
-                self.object(Outer::of(slot), fields, given, "");
+                self.object(Outer::of(place, slot), fields, given, "");
                 self.out.raw("}");
             }
             Shape::Tuple { fields, .. } => {
                 self.out.raw("[");
                 match value {
-                    Value::Object(given) => self.object(Outer::of(slot), fields, given, ""),
-                    Value::Array(elements) => self.elements(slot, fields, elements)?,
+                    Value::Object(given) => self.object(Outer::of(place, slot), fields, given, ""),
+                    Value::Array(elements) => self.elements(Outer::of(place, slot), fields, elements)?,
                     _ => return Err(false),
                 }
                 self.out.raw("]");
@@ -60,7 +60,7 @@ impl Encoder<'_> {
                 let variant = variant(choice, tag).ok_or(false)?;
                 self.out.raw("[");
                 self.out.int(variant.wire);
-                self.elements(slot, &variant.fields, rest)?;
+                self.elements(Outer::of(place, slot), &variant.fields, rest)?;
                 self.out.raw("]");
             }
         }
@@ -68,23 +68,22 @@ impl Encoder<'_> {
     }
 
     /// Writes the elements of a struct that is an array on the wire.
-    fn elements(&mut self, slot: &Slot<'_>, fields: &[Field], elements: &[Value]) -> Written {
+    fn elements(&mut self, outer: Outer<'_>, fields: &[Field], elements: &[Value]) -> Written {
         let required = fields.iter().filter(|field| !field.optional).count();
         if elements.len() < required || elements.len() > fields.len() {
             return Err(false);
         }
         let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
-        self.members(Outer::of(slot), fields, &values);
+        self.members(outer, fields, &values);
         Ok(())
     }
 
-    fn list(&mut self, slot: &Slot<'_>, ty: &Type, value: &Value, len: Option<usize>) -> Written {
+    fn list(&mut self, outer: &str, slot: &Slot<'_>, value: &Value, len: Option<usize>) -> Written {
         let items = value.as_array().filter(|items| len.is_none_or(|len| items.len() == len)).ok_or(false)?;
         self.out.raw("[");
         for (index, item) in items.iter().enumerate() {
             self.out.comma();
-            let place = element(slot.place, index);
-            self.value(&slot.inner(&place, ty), item);
+            self.value(&element(outer, index), slot, item);
         }
         self.out.raw("]");
         Ok(())

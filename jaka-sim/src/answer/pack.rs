@@ -1,5 +1,6 @@
 //! Commands that a pack adds or changes: checked and answered as the pack describes.
 
+use jaka_dynamic::Node;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Envelope, ErrorCode};
 use jaka_spec::{Command, Field, Spec};
@@ -10,7 +11,7 @@ use crate::spec_index::SpecIndex;
 /// True if the spec allows the request.
 pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     let message: Result<Map<_, _>, _> = serde_json::from_str(request);
-    message.is_ok_and(|message| jaka_dynamic::check_request(spec, command, &message).is_empty())
+    message.is_ok_and(|message| Node::request(spec, command, message).problems().is_empty())
 }
 
 /// Gives a reply the keys and forms that the pack describes, which the handlers do not know. False where the state has
@@ -19,7 +20,9 @@ pub(super) fn complete(spec_index: &SpecIndex, command: &Command, out: &mut Writ
     let Some(written) = accepted(out.as_str()) else { return true };
     let (spec, mut reply) = (&spec_index.spec, written.clone());
     let is_translated = spec_index.with_packs(&command.wire, &mut reply);
-    let fits = |field: &Field| reply.get(&field.wire).is_none_or(|value| jaka_dynamic::is_readable(spec, field, value));
+    let fits = |field: &Field| {
+        reply.get(&field.wire).is_none_or(|value| Node::field(spec, field, value.clone()).is_readable())
+    };
     if !is_translated || !spec.reply_fields(command).iter().all(fits) {
         out.clear();
         return false;

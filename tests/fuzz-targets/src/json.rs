@@ -1,6 +1,6 @@
 //! Messages by the model at run time, against the generated code.
 
-use jaka_dynamic::{AdvisoryRanges, Reading};
+use jaka_dynamic::{AdvisoryRanges, Node, Reading};
 use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Envelope, ErrorCode, Request, Visit, read_payload};
 use jaka_spec::Command;
@@ -30,7 +30,7 @@ pub fn json(data: &[u8]) {
 
 fn check_request(command: &Command, message: &Map<String, Value>) {
     let text = Value::from(message.clone()).to_string();
-    let problems = jaka_dynamic::check_request(&SPEC, command, message);
+    let problems = Node::request(&SPEC, command, message.clone()).problems();
     let request = Request::read(&text);
     let is_allowed = request.as_ref().is_ok_and(|request| request.check(AdvisoryRanges::Ignored).is_ok());
     assert_eq!(problems.is_empty(), is_allowed, "{problems:?} {request:?}");
@@ -39,7 +39,7 @@ fn check_request(command: &Command, message: &Map<String, Value>) {
 fn check_reply(command: &Command, message: &Map<String, Value>) {
     let reply = Value::from(message.clone());
     let text = reply.to_string();
-    let departures = jaka_dynamic::departures(&SPEC, command, &reply);
+    let departures = Node::reply(&SPEC, command, reply).departures();
     let envelope = Envelope::read(&text).expect("it is a JSON object");
     if envelope.code.is_ok_and(ErrorCode::is_success) {
         let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);

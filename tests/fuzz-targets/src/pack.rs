@@ -24,7 +24,7 @@ pub fn pack(data: &[u8]) {
         jaka_dynamic::arguments(&pack.spec, command);
         let mut reply = jaka_dynamic::sample_reply(&pack.spec, command);
         reply.extend([("errorCode".to_owned(), json!("0")), ("cmdName".to_owned(), command.wire.clone().into())]);
-        jaka_dynamic::departures(&pack.spec, command, &reply.into());
+        jaka_dynamic::Node::reply(&pack.spec, command, reply.into()).departures();
     }
     if let Err(errors) = load_pack(&pack.spec, source) {
         panic!("upon its own result: {errors}");

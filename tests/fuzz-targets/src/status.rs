@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use jaka_dynamic::{Reading, status_departures};
+use jaka_dynamic::{Node, Reading};
 use jaka_proto::framing;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Encode, Reader, Value, Writer};
@@ -51,7 +51,10 @@ fn over<T: Decode + Clone + PartialEq + std::fmt::Debug>(value: &mut T, text: &s
 fn by_the_model(value: &Value) {
     let text = value.to_string();
     let packet = read::<RobotStatus>(&text);
-    let unreadable = status_departures(&SPEC, value).into_iter().filter(|found| found.reading == Reading::Unreadable);
+    let unreadable = Node::status(&SPEC, value.clone())
+        .departures()
+        .into_iter()
+        .filter(|found| found.reading == Reading::Unreadable);
     let unreadable: BTreeSet<_> = unreadable.map(|departure| rust_name(&departure.field)).collect();
     let Ok((packet, unfit)) = packet else {
         assert!(!value.is_object(), "{text}");

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use expect_test::expect;
-use jaka_dynamic::Reading;
+use jaka_dynamic::{Node, Reading};
 use jaka_pack_user::strange::{self, StrangeCommands as _};
 use jaka_proto::check::{AdvisoryRanges, NotSent};
 use jaka_proto::wire::{Reader, Writer};
@@ -142,7 +142,7 @@ fn replies_are_read_and_written_again() {
         let mut runner = TestRunner::new(ProptestConfig::with_cases(100));
         let round_trip = |fields: Map<String, Value>| {
             let message = success(info, fields);
-            let departures = jaka_dynamic::departures(&SPEC, model(info), &message);
+            let departures = Node::reply(&SPEC, model(info), message.clone()).departures();
             let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
             prop_assert!(is_readable, "{departures:?}");
             let written = reply(&message.to_string());

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use jaka_dynamic::AdvisoryRanges;
+use jaka_dynamic::{AdvisoryRanges, Node};
 use jaka_spec::{BUILTIN, Errors, Source, Spec, load, load_pack, tools};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -176,18 +176,18 @@ fn used(spec: &Spec) -> Result<(), TestCaseError> {
     for command in spec.commands() {
         let mut reply = jaka_dynamic::sample_reply(spec, command);
         reply.extend([("errorCode".to_owned(), "0".into()), ("cmdName".to_owned(), command.wire.clone().into())]);
-        let departures = jaka_dynamic::departures(spec, command, &reply.into());
+        let departures = Node::reply(spec, command, reply.into()).departures();
         let is_readable = departures.iter().all(|departure| departure.reading == jaka_dynamic::Reading::Lenient);
         prop_assert!(is_readable, "{}: {departures:?}", command.wire);
         let fields =
             jaka_dynamic::arguments(spec, command).iter().map(|argument| (argument.field.clone(), 1.into())).collect();
         let _ = jaka_dynamic::request(spec, command, &fields, AdvisoryRanges::Enforced);
-        let _ = jaka_dynamic::check_request(spec, command, &Map::new());
+        let _ = Node::request(spec, command, Map::new()).problems();
         for field in command.fields() {
             let _ = jaka_dynamic::value(spec, &field.ty, "[1, \"a\"]");
         }
     }
-    let _ = jaka_dynamic::status_departures(spec, &Value::Null);
+    let _ = Node::status(spec, Value::Null).departures();
     let _ = tools::diff(&SPEC, spec);
     let _ = tools::reference(spec);
     let _ = tools::schema(spec);

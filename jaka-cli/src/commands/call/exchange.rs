@@ -1,17 +1,17 @@
 //! Sending a request, and showing what comes back.
 
-use jaka_dynamic::{DepartureKind, Reading, departures};
+use jaka_dynamic::{Departure, DepartureKind, Node, Reading, not_in_firmware};
 use jaka_robot::Explanation;
 use jaka_robot::proto::text::visible_json_line;
 use jaka_robot::proto::wire::DecodeError;
-use jaka_spec::{Command, Spec};
+use jaka_spec::Spec;
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
-use serde_json::json;
+use serde_json::{Map, Value, json};
 
 use super::forms::{self, FirmwareForms};
 use super::options::{Keys, Options};
 use super::request::Request;
-use super::{consent, firmware, named, reply, wait};
+use super::{consent, reply, wait};
 use crate::failure::Failure;
 use crate::interrupt::{Stage, UnderWay};
 use crate::motion::{self, Form};
@@ -36,7 +36,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     consent::obtain(protocol, request, options, target.title())?;
     let mut connection = Connection::open(&target, options)?;
     if options.check_firmware {
-        firmware::check(connection.client(), &protocol.spec, request)?;
+        check_firmware(connection.client(), &protocol.spec, request)?;
     }
     let mut forms = FirmwareForms::default();
     let outgoing = forms.of(protocol, connection.client(), request)?;
@@ -62,6 +62,15 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
             Err(explained(&protocol.spec, &target, error))
         }
     }
+}
+
+/// Asks the controller for its version, and refuses what that firmware does not have.
+fn check_firmware(client: &mut Client, spec: &Spec, request: &Request<'_>) -> Result<(), Failure> {
+    let firmware = client.check_firmware()?;
+    let Some(command) = request.command else { return Ok(()) };
+    let message: Map<String, Value> = serde_json::from_str(&request.text).unwrap_or_default();
+    let missing = not_in_firmware(command, &Node::request(spec, command, message), firmware);
+    missing.map_or(Ok(()), |missing| Err(Error::from(missing).into()))
 }
 
 /// The connection for requests.
@@ -130,15 +139,16 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
 
 /// Prints a reply, which is given in the spec's own forms, unless it was printed as it came.
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
+    let reply = reply::read(spec, request.command, text);
     match options.json {
         Some(Keys::Wire) => {}
         Some(Keys::Names) => {
-            let line = json!({"command": request.name, "reply": named::reply(spec, request.command, text)});
+            let line = json!({"command": request.name, "reply": reply.named()});
             output::json(&format!("{line}\n"))?;
         }
-        None => output::lines(&reply::table(spec, request.command, text))?,
+        None => output::lines(&reply::table(&reply))?,
     }
-    request.command.map_or(Ok(()), |command| must_fit(spec, command, text))
+    must_fit(request, &reply)
 }
 
 /// The controller's own JSON in one line, with escapes for what cannot be seen.
@@ -147,9 +157,9 @@ fn json_line(text: &str) -> Result<(), Failure> {
 }
 
 /// Fails if the reply cannot be read as the spec has it.
-pub(super) fn must_fit(spec: &Spec, command: &Command, text: &str) -> Result<(), Failure> {
-    let departures = departures(spec, command, &reply::json(text));
-    let Some(first) = departures.into_iter().find(|departure| departure.reading == Reading::Unreadable) else {
+pub(super) fn must_fit(request: &Request<'_>, reply: &Node<'_>) -> Result<(), Failure> {
+    let is_unreadable = |departure: &Departure| departure.reading == Reading::Unreadable;
+    let Some((command, first)) = request.command.zip(reply.departures().into_iter().find(is_unreadable)) else {
         return Ok(());
     };
     let source = match first.kind {

@@ -10,7 +10,7 @@ use super::exchange::Connection;
 use super::forms::FirmwareForms;
 use super::options::Options;
 use super::request::Request;
-use super::{consent, exchange, named, request, wait};
+use super::{consent, exchange, reply, request, wait};
 use crate::exit;
 use crate::failure::{Failure, chain};
 use crate::interrupt::{Stage, UnderWay};
@@ -96,9 +96,13 @@ impl Session<'_> {
                     exchange::send(connection.client(), (&request, &outgoing.text), &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
                 let reply = reply.map(|text| outgoing.reply(&text).map(Cow::into_owned)).transpose()?;
-                let text = reply.as_deref();
-                answer["reply"] = text.map_or(Value::Null, |text| named::reply(spec, request.command, text));
-                text.zip(request.command).map_or(Ok(()), |(text, command)| exchange::must_fit(spec, command, text))
+                let Some(text) = reply else {
+                    answer["reply"] = Value::Null;
+                    return Ok(());
+                };
+                let reply = reply::read(spec, request.command, &text);
+                answer["reply"] = reply.named();
+                exchange::must_fit(&request, &reply)
             }
         }
     }

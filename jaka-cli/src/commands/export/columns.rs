@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use itertools::Itertools as _;
+use jaka_dynamic::Node;
 use jaka_robot::proto::text::visible_json;
 use serde_json::Value;
 
@@ -18,7 +19,7 @@ pub(super) struct Columns(Vec<(String, Field)>);
 
 impl Columns {
     /// The columns of these fields, as many as the widest of all packets needs.
-    pub(super) fn new(fields: Vec<Field>, widest: &Value) -> Self {
+    pub(super) fn new(fields: Vec<Field>, widest: &Node<'_>) -> Self {
         Self(fields.into_iter().flat_map(|field| field.leaves(widest)).map(|leaf| (titled(&leaf), leaf)).collect())
     }
 
@@ -31,13 +32,13 @@ impl Columns {
     }
 
     /// A packet as a line of CSV, after its first cells.
-    pub(super) fn csv(&self, first: [String; 3], packet: &Value) -> String {
+    pub(super) fn csv(&self, first: [String; 3], packet: &Node<'_>) -> String {
         let cells = self.0.iter().map(|(_, field)| cell(field.named_value(packet)));
         row(first.into_iter().chain(cells))
     }
 
     /// A packet as a line of JSON.
-    pub(super) fn json(&self, first: [String; 3], packet: &Value) -> String {
+    pub(super) fn json(&self, first: [String; 3], packet: &Node<'_>) -> String {
         let first = FIRST.into_iter().zip(first).map(|(title, text)| format!("\"{title}\":{text}"));
         let fields = self.0.iter().map(|(title, field)| {
             let value = field.named_value(packet).unwrap_or_default();
@@ -48,7 +49,7 @@ impl Columns {
 }
 
 fn titled(field: &Field) -> String {
-    match &field.unit {
+    match field.unit() {
         Some(unit) => format!("{} ({unit})", field.name),
         None => field.name.clone(),
     }

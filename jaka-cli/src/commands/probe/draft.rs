@@ -4,7 +4,7 @@ mod samples;
 
 use std::fmt::Write;
 
-use jaka_dynamic::{Departure, DepartureKind, Reading, is_readable, notation, sample_value};
+use jaka_dynamic::{Departure, DepartureKind, Node, Reading, notation, sample_value};
 use jaka_spec::{Field, Shape, Source, Spec, Type, TypeKind, load_pack};
 use jaka_sync::FirmwareVersion;
 use jaka_sync::proto::text::{is_visible, visible};
@@ -128,7 +128,8 @@ impl<'f> Draft<'f> {
             other => other.to_owned(),
         };
         let own = kind(&sample_value(self.spec, field));
-        !values.is_empty() && values.iter().all(|value| is_readable(self.spec, field, value) && kind(value) == own)
+        let is_readable = |value: &Value| Node::field(self.spec, field, value.clone()).is_readable();
+        !values.is_empty() && values.iter().all(|value| is_readable(value) && kind(value) == own)
     }
 
     /// Proposes that a field has another key, where the draft loads with it.

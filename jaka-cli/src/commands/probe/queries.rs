@@ -1,7 +1,7 @@
 //! The queries of the command port.
 
 use itertools::Itertools as _;
-use jaka_dynamic::{AdvisoryRanges, Forms, Message, departures};
+use jaka_dynamic::{AdvisoryRanges, Forms, Message, Node};
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
@@ -72,7 +72,10 @@ impl Connection<'_> {
             Some(forms) => forms.own_text(Message::Reply(name), reply).unwrap_or_else(|_| reply.to_owned()),
             None => reply.to_owned(),
         };
-        let finding = |reply: String| Finding::of(name, departures(spec, command, &reply_json(&own(&reply))), reply);
+        let finding = |reply: String| {
+            let departures = Node::reply(spec, command, reply_json(&own(&reply))).departures();
+            Finding::of(name, departures, reply)
+        };
         let Err(error) = asked else {
             self.has_answered = true;
             return Ok(finding(reply));

@@ -1,6 +1,6 @@
 //! Packets of the status port.
 
-use jaka_dynamic::{Departure, Forms, Message, status_departures};
+use jaka_dynamic::{Departure, Forms, Message, Node};
 use jaka_spec::Spec;
 use jaka_sync::{ErrorKind, StatusStream};
 
@@ -39,7 +39,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress
         let sample = reply_json(&packet);
         let own = forms.as_ref().and_then(|forms| forms.own_text(Message::Status, &packet).ok());
         let own = own.map(|text| reply_json(&text));
-        add_new(&mut departures, status_departures(spec, own.as_ref().unwrap_or(&sample)));
+        add_new(&mut departures, Node::status(spec, own.unwrap_or_else(|| sample.clone())).departures());
         samples.push(sample);
         // The packet that is shown is one that departs.
         if found.is_none() || departures.len() > before {

@@ -28,12 +28,12 @@ impl Columns {
     pub(super) fn lines(&mut self, packet: &Packet) -> String {
         let mut text = String::new();
         if let Self::Wanted(fields) = self {
-            let columns: Vec<_> = fields.drain(..).flat_map(|field| field.leaves(&packet.json)).collect();
+            let columns: Vec<_> = fields.drain(..).flat_map(|field| field.leaves(&packet.tree)).collect();
             text = row(once("time_s".to_owned()).chain(columns.iter().map(|column| column.name.clone())));
             *self = Self::Found(columns);
         }
         let (Self::Wanted(columns) | Self::Found(columns)) = self;
-        let cells = columns.iter().map(|column| cell(column.named_value(&packet.json)));
+        let cells = columns.iter().map(|column| cell(column.named_value(&packet.tree)));
         text + &row(once(format!("{:.3}", packet.time)).chain(cells))
     }
 }
@@ -45,7 +45,7 @@ pub(super) fn json(fields: &[Field], packet: &Packet) -> String {
     let time = format!("\"time_s\":{}", packet.time);
     let mut entries = vec![time];
     for field in fields {
-        let value = field.named_value(&packet.json);
+        let value = field.named_value(&packet.tree);
         let code = (field.name == event::CODE).then(|| event::read(value.as_ref()));
         entries.push(entry(&field.name, value));
         if let Some(event) = code {

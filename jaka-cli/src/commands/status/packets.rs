@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
+use jaka_dynamic::Node;
 use jaka_sync::{Config, Error, ErrorKind, StatusStream};
-use serde_json::Value;
 
 use super::now;
 use super::until::Until;
@@ -20,8 +20,8 @@ use crate::utc;
 pub(super) struct Packet {
     /// The Unix time at which it was read, in seconds.
     pub(super) time: f64,
-    /// Its JSON as the codec writes it, whatever form the controller used.
-    pub(super) json: Value,
+    /// The packet as the spec has it, with packs.
+    pub(super) tree: Node<'static>,
 }
 
 /// What is due to be printed.
@@ -107,13 +107,13 @@ impl Packets {
                 continue;
             }
             self.tell_unfit(&status);
-            let json = status.json()?;
+            let tree = status.tree()?;
             let may_be_old = self.stream.follows_silence();
             if let Some(until) = self.until.as_mut().filter(|_| !may_be_old) {
-                until.packet(&json)?;
+                until.packet(&tree)?;
             }
             if is_due || self.is_last() {
-                return Ok(Due::Packet(Packet { time: unix_time(), json }));
+                return Ok(Due::Packet(Packet { time: unix_time(), tree }));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
+use jaka_dynamic::Node;
 
 use super::now;
 use crate::condition::Condition;
@@ -36,7 +36,7 @@ impl Until {
     ///
     /// # Errors
     /// It does not show the condition, and the time is over.
-    pub(super) fn packet(&mut self, packet: &Value) -> Result<(), Failure> {
+    pub(super) fn packet(&mut self, packet: &Node<'_>) -> Result<(), Failure> {
         self.is_met = self.condition.holds(packet);
         if self.is_met {
             return Ok(());
@@ -69,6 +69,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::tests::packet;
 
     #[test]
     fn what_was_last_shown_is_told_when_the_time_is_over() {
@@ -78,8 +79,8 @@ mod tests {
         expect!["`enabled || rapid_rate > 1` did not hold within 0ns; no status packet came"]
             .assert_eq(&text(until.check_time()));
         expect!["`enabled || rapid_rate > 1` did not hold within 0ns; the last packet: enabled false, rapid_rate 1"]
-            .assert_eq(&text(until.packet(&json!({"enabled": false, "rapidrate": 1}))));
-        until.packet(&json!({"enabled": true, "rapidrate": 1})).expect("it holds, however late");
+            .assert_eq(&text(until.packet(&packet(json!({"enabled": false, "rapidrate": 1})))));
+        until.packet(&packet(json!({"enabled": true, "rapidrate": 1}))).expect("it holds, however late");
         assert!(until.is_met());
         Until::new(condition(), None).check_time().expect("it is waited for for ever");
     }

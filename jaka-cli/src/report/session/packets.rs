@@ -3,15 +3,19 @@
 mod changes;
 mod speeds;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
+use jaka_dynamic::Node;
 use jaka_sync::recording::Recording;
 use jaka_sync::status::RobotStatus;
+use serde_json::Value;
 
 use self::changes::Changes;
 use self::speeds::Speeds;
-use super::happenings::{Happening, Kind};
+use super::happenings::{self, Happening};
+use crate::fields::{Field, Kind};
+use crate::packed_status::own_fields;
 use crate::plots::Series;
 use crate::recorded::{RecordedPacket, packets};
 
@@ -43,6 +47,15 @@ pub(in crate::report) struct Packets {
     /// Digital and analog inputs and outputs, by name and index.
     pub(in crate::report) digital: BTreeMap<(&'static str, usize), Series>,
     pub(in crate::report) analog: BTreeMap<(&'static str, usize), Series>,
+    /// Numbers and truth values of fields that packs add or change, by their paths.
+    pub(in crate::report) packed: BTreeMap<String, Packed>,
+}
+
+/// Value of a field that packs add or change, over time.
+#[derive(Debug)]
+pub(in crate::report) struct Packed {
+    pub(in crate::report) field: Field,
+    pub(in crate::report) series: Series,
 }
 
 impl Packets {
@@ -51,7 +64,7 @@ impl Packets {
         let mut all: Vec<_> = packets(recording).collect();
         all.sort_by_key(|packet| packet.time);
         let gap = gap(&all);
-        let (mut this, mut changes) = (Self::default(), Changes::default());
+        let (mut this, mut changes, own_fields) = (Self::default(), Changes::default(), own_fields());
         let mut last: Option<Duration> = None;
         for packet in all {
             let time = packet.time;
@@ -61,6 +74,9 @@ impl Packets {
                     last = Some(time);
                     this.add(time.as_secs_f64(), &status.status);
                     changes.see(time, status);
+                    if !own_fields.is_empty() {
+                        this.add_packed(time, &own_fields, &status.own(), &mut changes);
+                    }
                 }
                 Err(error) => {
                     this.unreadable += 1;
@@ -80,7 +96,7 @@ impl Packets {
         if without > gap {
             self.interrupt(Some(last));
             let what = format!("no status packet for {:.3} s", without.as_secs_f64());
-            changes.happenings.push(Happening::wrong(last, Kind::Packets, what));
+            changes.happenings.push(Happening::wrong(last, happenings::Kind::Packets, what));
         }
     }
 
@@ -91,7 +107,8 @@ impl Packets {
         self.speeds.interrupt(last);
         self.tcp.push(Vec::new());
         let levels = self.digital.values_mut().chain(self.analog.values_mut()).chain(self.state.values_mut());
-        levels.for_each(|series| series.interrupt(last));
+        let packed = self.packed.values_mut().map(|packed| &mut packed.series);
+        levels.chain(packed).for_each(|series| series.interrupt(last));
     }
 
     fn add(&mut self, time: f64, status: &RobotStatus) {
@@ -116,6 +133,29 @@ impl Packets {
             let values: Vec<_> = values.into_iter().flatten().map(|value| self.drawn(*value)).collect();
             add_list(&mut self.analog, name, time, values);
         }
+    }
+
+    /// Adds what packs have: numbers and truth values are drawn, and of others changes are told.
+    fn add_packed(&mut self, time: Duration, fields: &[Field], own: &Node<'_>, changes: &mut Changes) {
+        let mut rest: BTreeSet<_> = self.packed.keys().cloned().collect();
+        for field in fields.iter().flat_map(|field| field.clone().leaves(own)) {
+            let value = field.named_value(own);
+            rest.remove(&field.name);
+            let number = match (field.kind(), &value) {
+                (Kind::Truth, Some(Value::Bool(is_on))) => Some(level(*is_on)),
+                (Kind::Number, Some(Value::Number(number))) => number.as_f64().and_then(|number| self.drawn(number)),
+                (Kind::Other, Some(value)) => {
+                    changes.see_value(time, &field.name, value);
+                    continue;
+                }
+                _ => None,
+            };
+            let new = || Packed { field: field.clone(), series: Series::default() };
+            let packed = self.packed.entry(field.name.clone()).or_insert_with(new);
+            packed.series.push_change(time.as_secs_f64(), number);
+        }
+        let gone = self.packed.iter_mut().filter(|(name, _)| rest.contains(*name));
+        gone.for_each(|(_, packed)| packed.series.interrupt(time.as_secs_f64()));
     }
 
     fn add_pose(&mut self, position: Option<[f64; 3]>) {

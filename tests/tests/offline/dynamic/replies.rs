@@ -1,6 +1,7 @@
 //! Replies and status packets, held against the spec.
 
 use expect_test::{Expect, expect};
+use jaka_dynamic::Node;
 use jaka_tests::{Printed, printed};
 use serde_json::{Value, json};
 
@@ -22,12 +23,12 @@ fn departures(message: &Printed) -> Vec<String> {
     let section = Some(message.section.as_str());
     let command = SPEC.commands().find(|command| command.section.as_deref() == section).expect("a section of the spec");
     let reply = serde_json::from_str(&message.text).expect("the document prints JSON");
-    let departures = jaka_dynamic::departures(&SPEC, command, &reply);
+    let departures = Node::reply(&SPEC, command, reply).departures();
     departures.iter().map(|departure| format!("{}: {departure}", message.section)).collect()
 }
 
 fn check_reply(wire: &str, reply: &Value, expected: &Expect) {
-    expected.assert_eq(&lines(&jaka_dynamic::departures(&SPEC, command(wire), reply)));
+    expected.assert_eq(&lines(&Node::reply(&SPEC, command(wire), reply.clone()).departures()));
 }
 
 #[test]
@@ -199,11 +200,11 @@ fn status_packets_are_held_against_their_type() {
         lenient: `enabled` is 1; expected is false or true
         lenient: `funcdi[0].kind` is "0"; expected is -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus) (and 1 more like it)
         lenient: `funcdi[1].index` is "2"; expected is a whole number
-    "#]].assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &packet)));
+    "#]].assert_eq(&lines(&Node::status(&SPEC, packet).departures()));
     expect![[r"
         unreadable: the message is 1; expected is an object
     "]]
-    .assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &json!(1))));
+    .assert_eq(&lines(&Node::status(&SPEC, json!(1)).departures()));
 }
 
 #[test]
@@ -213,5 +214,5 @@ fn an_array_that_is_too_long_is_shown_whole() {
     expect![[r#"
         lenient: `torqsensor.settings` has another length; expected is an array that begins with 0 (Tcp) or 1 (Serial): [0,["10.0.0.1",5],[0.0,[0.0,0.0,0.0]],7]
     "#]]
-    .assert_eq(&lines(&jaka_dynamic::status_departures(&SPEC, &packet)));
+    .assert_eq(&lines(&Node::status(&SPEC, packet).departures()));
 }

@@ -1,6 +1,6 @@
 //! Random replies, read by the model and by the generated code.
 
-use jaka_dynamic::Reading;
+use jaka_dynamic::{Node, Reading};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{Envelope, ErrorCode, Request, Visit, read_payload};
 use jaka_spec::Command;
@@ -46,7 +46,7 @@ proptest! {
     })) {
         let text = reply.to_string();
         let is_success = Envelope::read(&text).expect("JSON").code.is_ok_and(ErrorCode::is_success);
-        let departures = jaka_dynamic::departures(&SPEC, command, &reply);
+        let departures = Node::reply(&SPEC, command, reply).departures();
         let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
         if is_success {
             prop_assert_eq!(is_readable, decodes(command, &text), "{:?} {}", departures, text);
@@ -57,7 +57,7 @@ proptest! {
 proptest! {
     #[test]
     fn packets_are_unreadable_where_they_do_not_decode(packet in any_packet().prop_flat_map(damaged)) {
-        let departures = jaka_dynamic::status_departures(&SPEC, &packet);
+        let departures = Node::status(&SPEC, packet.clone()).departures();
         let is_readable = departures.iter().all(|departure| departure.reading == Reading::Lenient);
         let decoded = serde_json::from_value::<RobotStatus>(packet);
         prop_assert_eq!(is_readable, decoded.is_ok(), "{:?} {:?}", departures, decoded);
@@ -76,7 +76,7 @@ fn samples_are_replies_without_departures() {
         bare.examples.clear();
         for command in [command, &bare] {
             let reply = success(&command.wire, jaka_dynamic::sample_reply(&SPEC, command).into());
-            assert_eq!(jaka_dynamic::departures(&SPEC, command, &reply), []);
+            assert_eq!(Node::reply(&SPEC, command, reply.clone()).departures(), []);
             assert!(decodes(command, &reply.to_string()), "{reply}");
         }
     }

@@ -1,7 +1,7 @@
 //! Requests, written and checked by the model.
 
 use expect_test::expect;
-use jaka_dynamic::{AdvisoryRanges, Problem};
+use jaka_dynamic::{AdvisoryRanges, Node, Problem};
 use jaka_proto::Request;
 use jaka_proto::check::NotSent;
 use jaka_proto::wire::Writer;
@@ -138,7 +138,7 @@ fn commands_that_were_not_compiled_in_are_written() {
     expect![[r#"{"cmdName":"everything","flag":"in","Limited Int":4,"tool":"grip","size":{"a":[1,2,3]},"pairs":[[false],[true,0,"\u0001\"\u0008é"],[true]],"link":[1,"host"],"note":"(True,)","rest":{"a":null,"b":[1.0]}}"#]].assert_eq(&text);
 
     let message = object(serde_json::from_str(&text).expect("a request is JSON"));
-    assert_eq!(jaka_dynamic::check_request(&pack, everything, &message), []);
+    assert_eq!(Node::request(&pack, everything, message).problems(), []);
 
     let mut wrong = object(fields);
     for (key, value) in [
@@ -167,7 +167,7 @@ fn commands_that_were_not_compiled_in_are_written() {
         field `note` is [true]; allowed is text with a Python literal
     "#]]
     .assert_eq(&lines(&problems));
-    let problems = jaka_dynamic::check_request(&pack, everything, &wrong);
+    let problems = Node::request(&pack, everything, wrong).problems();
     expect![[r#"
         field `flag` is "inside"; allowed is "out" or "in"
         field `Limited Int` is missing; allowed is a whole number, 1 to 3
@@ -190,7 +190,7 @@ proptest! {
         message in any_request(&SPEC).prop_map(|message| tamed(&message)).prop_flat_map(damaged)
     ) {
         let generated = Request::read(&message.to_string()).map(|request| request.check(AdvisoryRanges::Ignored));
-        let problems = jaka_dynamic::check_request(&SPEC, command_of(&message), &object(message));
+        let problems = Node::request(&SPEC, command_of(&message), object(message)).problems();
         prop_assert_eq!(problems.is_empty(), matches!(generated, Ok(Ok(()))), "{:?} {:?}", problems, generated);
     }
 }

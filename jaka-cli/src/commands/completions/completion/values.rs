@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use clap::Arg;
+use jaka_dynamic::Node;
 use jaka_sim::{Firmware, Model};
 use jaka_spec::words::first_sentence;
 use jaka_sync::recording::Recording;
@@ -73,15 +74,14 @@ fn fields(line: &Words<'_>) -> Vec<Candidate> {
     let all = Field::all();
     let recorded = line.positionals.first().and_then(|file| first_packets(Path::new(&*file.word))).unwrap_or_default();
     let has = |field: &&Field| recorded.is_empty() || recorded.iter().any(|packet| field.value(packet).is_some());
-    let unit = |field: &Field| field.unit.clone().unwrap_or_default();
-    all.iter().filter(has).map(|field| Candidate::new(&field.name, unit(field))).collect()
+    all.iter().filter(has).map(|field| Candidate::new(&field.name, field.unit().unwrap_or_default())).collect()
 }
 
-/// The packets at the beginning of a recording, as JSON.
-fn first_packets(file: &Path) -> Option<Vec<serde_json::Value>> {
+/// The packets at the beginning of a recording.
+fn first_packets(file: &Path) -> Option<Vec<Node<'static>>> {
     let mut text = Vec::new();
     File::open(file).ok()?.take(GLANCE).read_to_end(&mut text).ok()?;
     text.truncate(text.iter().rposition(|byte| *byte == b'\n')? + 1);
     let recording = Recording::read(&text).ok()?;
-    Some(recorded::packets(&recording).filter_map(|packet| packet.status.ok()?.json().ok()).collect())
+    Some(recorded::packets(&recording).filter_map(|packet| packet.status.ok()?.tree().ok()).collect())
 }

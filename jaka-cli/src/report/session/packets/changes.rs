@@ -1,13 +1,15 @@
 //! What changed from one status packet to the next.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use jaka_sync::proto::wire::DecodeError;
+use serde_json::Value;
 
 use super::super::happenings::{Happening, Kind};
 use crate::event;
 use crate::failure::chain;
+use crate::fields::plain;
 use crate::flags::{Flags, Tone};
 use crate::packed_status::PackedStatus;
 
@@ -17,6 +19,8 @@ pub(super) struct Changes {
     pub(super) happenings: Vec<Happening>,
     flags: Flags,
     error_code: Option<String>,
+    /// Values of fields that are not drawn.
+    values: BTreeMap<String, Value>,
     /// Fields that were told not to fit.
     unfit: BTreeSet<String>,
     /// Whether the last message could not be read.
@@ -47,6 +51,14 @@ impl Changes {
         let severity = event::severity(&event);
         let is_wrong = severity.is_some_and(|severity| !matches!(severity, jaka_sync::Severity::Information));
         self.happenings.push(Happening { time, kind: Kind::ControllerEvent, what, is_wrong });
+    }
+
+    /// Value of a field that is not drawn: it is told where it is another one than before.
+    pub(super) fn see_value(&mut self, time: Duration, name: &str, value: &Value) {
+        if self.values.get(name) != Some(value) {
+            self.values.insert(name.to_owned(), value.clone());
+            self.happenings.push(Happening::usual(time, Kind::State, format!("{name} {}", plain(value))));
+        }
     }
 
     fn see_unfit(&mut self, time: Duration, unfit: &[DecodeError]) {

@@ -1,0 +1,348 @@
+//! Messages read by the spec, once, as leniently as the generated code reads them: every view of a message is a walk
+//! over its tree.
+
+mod read;
+
+pub(crate) use self::read::is_success;
+
+use jaka_spec::{EnumValue, Field, Scalar, Shape, Variant, Versions};
+use serde_json::{Map, Value};
+
+use super::departure::{Departure, DepartureKind, Reading};
+use super::problem::{Problem, ProblemKind, element, member};
+use super::scalar;
+use super::slot::Slot;
+
+/// A message, or one of the parts of which it consists.
+#[derive(Debug, Clone)]
+pub struct Node<'s> {
+    label: Label<'s>,
+    /// Its type and limits; none where the spec describes nothing.
+    slot: Option<Slot<'s>>,
+    body: Body<'s>,
+    /// Text of the Python literal that was read as this value.
+    literal: Option<String>,
+    /// Departures from the spec that are not those of a part, by paths inside the node.
+    departures: Vec<Departure>,
+}
+
+/// Place of a node in the one around it.
+#[derive(Debug, Clone)]
+pub enum Label<'s> {
+    /// The message as a whole.
+    Message,
+    /// Tag of a choice.
+    Tag {
+        /// Its key; empty in an array.
+        key: &'s str,
+        /// The variant that it selects; none where there is no such.
+        variant: Option<&'s Variant>,
+    },
+    /// A field.
+    Field(&'s Field),
+    /// An element of an array. One that the spec does not describe stands beyond the fields of an array.
+    Element(usize),
+    /// A key that is not in the spec.
+    Unknown(String),
+}
+
+/// Content of a node.
+#[derive(Debug, Clone)]
+enum Body<'s> {
+    /// There is none: the message does not have it.
+    Absent,
+    /// JSON without parts that the spec describes, as it came.
+    Leaf(Value),
+    /// Parts, those without a description first.
+    Parts(Vec<Node<'s>>),
+}
+
+impl Label<'_> {
+    /// True for the same place in another message.
+    fn is(&self, other: &Label<'_>) -> bool {
+        match (self, other) {
+            (Label::Field(one), Label::Field(other)) => one.name == other.name,
+            (Label::Element(one), Label::Element(other)) => one == other,
+            _ => false,
+        }
+    }
+
+    /// Path of the part inside what stands at `outer`, by names in Rust.
+    pub fn path(&self, outer: &str) -> String {
+        match self {
+            Self::Field(field) => member(outer, &field.name),
+            _ => self.wire_path(outer),
+        }
+    }
+
+    /// Path by keys on the wire, and by names where there are none.
+    fn wire_path(&self, outer: &str) -> String {
+        match self {
+            Self::Message | Self::Tag { key: "", .. } => outer.to_owned(),
+            Self::Element(index) => element(outer, *index),
+            _ => member(outer, self.key()),
+        }
+    }
+
+    /// Key in an object on the wire; of an element of an array its name.
+    fn key(&self) -> &str {
+        match self {
+            Self::Tag { key, .. } => key,
+            Self::Field(field) if field.wire.is_empty() => &field.name,
+            Self::Field(field) => &field.wire,
+            Self::Unknown(key) => key,
+            Self::Message | Self::Element(_) => "",
+        }
+    }
+}
+
+/// The spec's view of the node.
+impl<'s> Node<'s> {
+    /// Place in the node around it.
+    pub fn label(&self) -> &Label<'s> {
+        &self.label
+    }
+
+    /// Its type on the wire; none where the spec describes nothing. A Python literal that was read has the type inside.
+    pub fn shape(&self) -> Option<Shape<'s>> {
+        self.slot.map(|slot| slot.shape)
+    }
+
+    pub(crate) fn slot(&self) -> Option<Slot<'s>> {
+        self.slot
+    }
+
+    /// Unit of its number or numbers, if there is one.
+    pub fn unit(&self) -> Option<&'s str> {
+        self.slot.map(|slot| slot.limits.unit).filter(|unit| !unit.is_empty())
+    }
+
+    /// True for what the spec describes.
+    pub fn is_described(&self) -> bool {
+        self.slot.is_some() || matches!(self.label, Label::Tag { .. })
+    }
+
+    /// Firmware that has the field; none of what is no field.
+    pub(crate) fn versions(&self) -> Option<&'s Versions> {
+        if let Label::Field(field) = self.label { Some(&field.versions) } else { None }
+    }
+
+    /// True if its type has parts with names or elements.
+    pub fn is_nested(&self) -> bool {
+        !matches!(self.shape(), None | Some(Shape::Scalar(_) | Shape::IntEnum(_) | Shape::TextEnum(_)))
+    }
+
+    /// Fields that its type names, each without a value.
+    pub fn members(&self) -> Vec<Self> {
+        match self.slot {
+            Some(Slot { spec, shape: Shape::Object(fields) | Shape::Tuple { fields, .. }, .. }) => {
+                fields.iter().map(|field| Self::blank(Label::Field(field), Slot::of(spec, field))).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// An element of the array that its type is, without a value; none of another type, and beyond a fixed length.
+    pub fn element(&self, index: usize) -> Option<Self> {
+        let (slot, Shape::List(ty, len)) = (self.slot?, self.shape()?) else { return None };
+        let is_there = len.is_none_or(|len| index < len);
+        is_there.then(|| Self::blank(Label::Element(index), slot.inner(ty)))
+    }
+
+    fn blank(label: Label<'s>, slot: Slot<'s>) -> Self {
+        Self { label, slot: Some(slot), body: Body::Absent, literal: None, departures: Vec::new() }
+    }
+}
+
+/// The message's view of the node.
+impl<'s> Node<'s> {
+    /// Its parts without the envelope: keys without a description first, then all that the spec describes, also those
+    /// that are absent.
+    pub fn parts(&self) -> &[Self] {
+        if let Body::Parts(parts) = &self.body { parts } else { &[] }
+    }
+
+    /// The part that is the field of this name.
+    pub(crate) fn part(&self, name: &str) -> Option<&Self> {
+        self.parts().iter().find(|part| matches!(part.label, Label::Field(field) if field.name == name))
+    }
+
+    /// True if the message does not have it.
+    pub fn is_absent(&self) -> bool {
+        matches!(self.body, Body::Absent)
+    }
+
+    /// True where the message has a value without the parts that its type has.
+    pub fn is_leaf(&self) -> bool {
+        matches!(self.body, Body::Leaf(_))
+    }
+
+    /// The part at a path of labels, if the message has one that is not null.
+    pub fn at(&self, path: &[Label<'_>]) -> Option<&Self> {
+        let mut found = self;
+        for label in path {
+            found = found.parts().iter().find(|part| part.label.is(label))?;
+        }
+        (!matches!(found.body, Body::Absent | Body::Leaf(Value::Null))).then_some(found)
+    }
+
+    /// JSON as it came, without the envelope; null where the message has none.
+    pub fn found(&self) -> Value {
+        self.literal.as_deref().map_or_else(|| self.json(), Value::from)
+    }
+
+    /// JSON as it came; of a Python literal its value.
+    pub(crate) fn json(&self) -> Value {
+        let parts = match &self.body {
+            Body::Absent => return Value::Null,
+            Body::Leaf(value) => return value.clone(),
+            Body::Parts(parts) => parts.iter().filter(|part| !part.is_absent()),
+        };
+        match self.shape() {
+            Some(Shape::Object(_)) => {
+                parts.map(|part| (part.label.key().to_owned(), part.found())).collect::<Map<_, _>>().into()
+            }
+            _ => parts.map(Self::found).collect(),
+        }
+    }
+
+    /// JSON by the names in Rust, without the envelope, and with values as [`value`](Self::value) has them.
+    ///
+    /// A key without a description is as it came, and so is an array with an element without one.
+    pub fn named(&self) -> Value {
+        let Body::Parts(parts) = &self.body else { return self.value() };
+        let is_beyond = |part: &Self| !part.is_described() && matches!(part.label, Label::Element(_));
+        match self.shape() {
+            Some(Shape::List(..)) => parts.iter().map(Self::named).collect(),
+            Some(Shape::Object(_) | Shape::Tuple { .. }) if !parts.iter().any(is_beyond) => {
+                let present = parts.iter().filter(|part| !part.is_absent());
+                present.map(|part| (part.label.path(""), part.named())).collect::<Map<_, _>>().into()
+            }
+            _ => self.found(),
+        }
+    }
+
+    /// A value without parts in one form, whatever form the controller used: a truth value as true or false, a number
+    /// as such. What does not fit its type is as it came, and what has parts is [`found`](Self::found).
+    pub fn value(&self) -> Value {
+        let Body::Leaf(value) = &self.body else { return self.found() };
+        let read = match self.shape() {
+            Some(Shape::Scalar(scalar)) => scalar::read(scalar, value),
+            Some(Shape::IntEnum(_)) => scalar::read(&Scalar::Int, value),
+            _ => None,
+        };
+        read.unwrap_or_else(|| value.clone())
+    }
+
+    /// Name of the value of an enum or of the tag of a choice, if there is one.
+    pub fn value_name(&self) -> Option<&'s str> {
+        match &self.label {
+            Label::Tag { variant, .. } => variant.map(|variant| &*variant.name),
+            _ => self.listed().map(|listed| listed.name),
+        }
+    }
+
+    /// What the spec says of the value of an enum, if it lists it.
+    pub(crate) fn listed(&self) -> Option<Listed<'s>> {
+        let value = self.value();
+        match self.shape()? {
+            Shape::IntEnum(values) => values.iter().find(|listed| Some(listed.wire) == value.as_i64()).map(Listed::of),
+            Shape::TextEnum(values) => {
+                values.iter().find(|listed| Some(&*listed.wire) == value.as_str()).map(Listed::of)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Value of an enum that the spec lists.
+pub(crate) struct Listed<'s> {
+    name: &'s str,
+    pub(crate) versions: &'s Versions,
+}
+
+impl<'s> Listed<'s> {
+    fn of<T>(listed: &'s EnumValue<T>) -> Self {
+        Self { name: &listed.name, versions: &listed.versions }
+    }
+}
+
+/// Departures from the spec.
+impl Node<'_> {
+    /// Differences between the message and the spec: of each object those of unknown keys first, then in the order of
+    /// the spec.
+    pub fn departures(&self) -> Vec<Departure> {
+        self.departures_at(&self.label.wire_path(""))
+    }
+
+    /// The same, where the node stands at this path.
+    pub fn departures_at(&self, place: &str) -> Vec<Departure> {
+        let mut found = Vec::new();
+        self.collect(place, &mut found);
+        found
+    }
+
+    /// True if the generated code can read it, if leniently.
+    pub fn is_readable(&self) -> bool {
+        let is_unreadable = |departure: &Departure| departure.reading == Reading::Unreadable;
+        self.is_kept_raw() || !self.departures.iter().any(is_unreadable) && self.parts().iter().all(Self::is_readable)
+    }
+
+    /// True for a value that the generated code keeps as raw JSON where it does not fit.
+    fn is_kept_raw(&self) -> bool {
+        let is_raw = matches!(self.label, Label::Field(field) if field.or_raw);
+        is_raw && !matches!(self.body, Body::Absent | Body::Leaf(Value::Null))
+    }
+
+    /// What a controller must refuse in a request: unknown keys are skipped, numbers may be strings, truth values may have
+    /// any of their forms. Ranges and values of enums that newer firmware has widened are not enforced. Fields are named
+    /// by their keys on the wire.
+    pub fn problems(&self) -> Vec<Problem> {
+        let is_refused = |departure: &Departure| {
+            let forbidden = matches!(departure.kind, DepartureKind::Range | DepartureKind::Unlisted);
+            departure.reading == Reading::Unreadable || forbidden && !departure.advisory
+        };
+        let problem = |departure: Departure| {
+            let Departure { field, kind, found, expected, advisory, .. } = departure;
+            let kind = if kind == DepartureKind::Missing { ProblemKind::Missing } else { ProblemKind::Forbidden };
+            Problem { field, kind, value: found, allowed: expected, advisory }
+        };
+        self.departures().into_iter().filter(is_refused).map(problem).collect()
+    }
+
+    fn collect(&self, place: &str, found: &mut Vec<Departure>) {
+        let own = found.len();
+        found.extend(self.departures.iter().cloned().map(|own| {
+            let field = if own.field.is_empty() { place.to_owned() } else { member(place, &own.field) };
+            Departure { field, ..own }
+        }));
+        let first = found.len();
+        for part in self.parts() {
+            let before = found.len();
+            part.collect(&part.label.wire_path(place), found);
+            if matches!(self.shape(), Some(Shape::List(..))) {
+                for departure in found.split_off(before) {
+                    add_or_count(place, first, departure, found);
+                }
+            }
+        }
+        if self.is_kept_raw() {
+            found[own..].iter_mut().for_each(|departure| departure.reading = Reading::Lenient);
+        }
+    }
+}
+
+/// Adds a departure of an element, or counts it where an element before differs in the same way.
+fn add_or_count(array: &str, first: usize, new: Departure, found: &mut Vec<Departure>) {
+    /// The path inside the element.
+    fn inner<'f>(array: &str, field: &'f str) -> &'f str {
+        field[array.len()..].split_once(']').map_or("", |(_, inner)| inner)
+    }
+    let is_same = |old: &&mut Departure| {
+        (old.kind, old.reading) == (new.kind, new.reading) && inner(array, &old.field) == inner(array, &new.field)
+    };
+    match found[first..].iter_mut().find(is_same) {
+        Some(old) => old.more += new.more + 1,
+        None => found.push(new),
+    }
+}

@@ -1,0 +1,261 @@
+//! Trees of messages and of values.
+
+use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
+use serde_json::{Map, Value};
+
+use super::{Body, Label, Node};
+use crate::departure::{Departure, DepartureKind, Reading};
+use crate::notation::notation;
+use crate::problem::shown;
+use crate::scalar::{self, Fit};
+use crate::slot::{Slot, variants};
+
+/// Messages.
+impl<'s> Node<'s> {
+    /// Packet of port 10000.
+    pub fn status(spec: &'s Spec, packet: Value) -> Self {
+        let Value::Object(found) = packet else { return Self::no_object(packet) };
+        Self::message(spec, spec.status_fields(), object(spec, spec.status_fields(), found))
+    }
+
+    /// Reply to a command.
+    ///
+    /// Of a refusal only the envelope is compared with the spec, for it carries no payload. A bare Python tuple, which
+    /// some firmware sends in place of a reply, is given as a JSON string.
+    ///
+    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the
+    /// reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync never gets a
+    /// reply in which one of the three keys of the envelope comes twice and says different things.
+    pub fn reply(spec: &'s Spec, command: &'s Command, reply: Value) -> Self {
+        let fields = spec.reply_fields(command);
+        if let Some(found) = bare_reply(command, &reply) {
+            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, an_object);
+            return Self { departures, ..Self::message(spec, fields, object(spec, fields, found)) };
+        }
+        let Value::Object(mut found) = reply else { return Self::no_object(reply) };
+        let has_payload = command.reply != Reply::Raw && is_success(&found);
+        let departures = envelope(command, &mut found);
+        let parts = if has_payload { object(spec, fields, found) } else { undescribed(found) };
+        Self { departures, ..Self::message(spec, fields, parts) }
+    }
+
+    /// Reply to a command that is not known: the spec describes none of its keys.
+    pub fn of_unknown_command(spec: &'s Spec, reply: Value) -> Self {
+        let Value::Object(mut found) = reply else { return Self::no_object(reply) };
+        found.retain(|key, _| !ENVELOPE.contains(&key.as_str()));
+        Self::message(spec, &[], undescribed(found))
+    }
+
+    /// Request for a command, `cmdName` and all.
+    pub fn request(spec: &'s Spec, command: &'s Command, mut found: Map<String, Value>) -> Self {
+        found.remove(COMMAND_NAME);
+        let choice = match &command.request {
+            Request::Fields(fields) => return Self::message(spec, fields, object(spec, fields, found)),
+            Request::Choice(choice) => choice,
+        };
+        let tag = found.remove(&choice.tag).unwrap_or_default();
+        let variant = choice.variants.iter().find(|variant| Some(variant.wire) == wire(&tag));
+        let fit = match variant {
+            Some(_) => Fit::Plain,
+            None if tag.is_null() => Fit::Unreadable(DepartureKind::Missing),
+            None => Fit::Unreadable(DepartureKind::Unlisted),
+        };
+        let departures = departures("", fit, &tag, || variants(&choice.variants));
+        let tag = Self { departures, ..Self::undescribed(Label::Tag { key: &choice.tag, variant }, tag) };
+        let Some(variant) = variant else { return Self::message(spec, &[], vec![tag]) };
+        let members = object(spec, &variant.fields, found);
+        Self::message(spec, &variant.fields, std::iter::once(tag).chain(members).collect())
+    }
+
+    fn message(spec: &'s Spec, fields: &'s [Field], parts: Vec<Self>) -> Self {
+        Self { body: Body::Parts(parts), ..Self::blank(Label::Message, Slot::of_object(spec, fields)) }
+    }
+
+    /// A message that is no object.
+    fn no_object(found: Value) -> Self {
+        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, an_object);
+        Self { departures, ..Self::undescribed(Label::Message, found) }
+    }
+
+    fn undescribed(label: Label<'s>, found: Value) -> Self {
+        Self { label, slot: None, body: Body::Leaf(found), literal: None, departures: Vec::new() }
+    }
+}
+
+/// Values.
+impl<'s> Node<'s> {
+    /// Value of a field; null where there is none.
+    pub fn field(spec: &'s Spec, field: &'s Field, value: Value) -> Self {
+        let (label, slot) = (Label::Field(field), Slot::of(spec, field));
+        if !value.is_null() {
+            return Self::value_of(label, slot, value);
+        }
+        let fit = if field.optional { Fit::Plain } else { Fit::Unreadable(DepartureKind::Missing) };
+        let departures = departures("", fit, &value, || slot.words());
+        Self { departures, body: Body::Leaf(value), ..Self::blank(label, slot) }
+    }
+
+    fn value_of(label: Label<'s>, slot: Slot<'s>, value: Value) -> Self {
+        if let Shape::Python(inner) = slot.shape
+            && let Some(found) = value.as_str().and_then(scalar::literal)
+        {
+            return Self {
+                literal: value.as_str().map(str::to_owned),
+                ..Self::value_of(label, slot.inner(inner), found)
+            };
+        }
+        let mut departures = departures("", fit(&slot, &value), &value, || slot.words());
+        for departure in &mut departures {
+            departure.advisory = departure.kind == DepartureKind::Range && slot.limits.advisory;
+        }
+        Self { departures, body: body(&slot, value), ..Self::blank(label, slot) }
+    }
+
+    /// Value of a field, if the message has it.
+    fn member(spec: &'s Spec, field: &'s Field, found: Option<Value>) -> Self {
+        let is_absent = found.is_none();
+        let node = Self::field(spec, field, found.unwrap_or_default());
+        if is_absent { Self { body: Body::Absent, ..node } } else { node }
+    }
+}
+
+/// Parts of a value, if it has those of its type.
+fn body<'s>(slot: &Slot<'s>, value: Value) -> Body<'s> {
+    match (slot.shape, value) {
+        (Shape::List(ty, _), Value::Array(found)) => {
+            let element = |(index, value)| Node::value_of(Label::Element(index), slot.inner(ty), value);
+            Body::Parts(found.into_iter().enumerate().map(element).collect())
+        }
+        (Shape::Object(fields), Value::Object(found)) => Body::Parts(object(slot.spec, fields, found)),
+        (Shape::Tuple { fields, .. }, Value::Array(found)) => {
+            Body::Parts(elements(slot.spec, fields, found.into_iter()).collect())
+        }
+        (Shape::Choice(choice), Value::Array(found)) => {
+            let tag = found.first().and_then(wire);
+            let Some(variant) = choice.variants.iter().find(|variant| Some(variant.wire) == tag) else {
+                return Body::Leaf(found.into());
+            };
+            let (mut found, label) = (found.into_iter(), Label::Tag { key: "", variant: Some(variant) });
+            let tag = found.next().map(|tag| Node::undescribed(label, tag));
+            Body::Parts(tag.into_iter().chain(elements(slot.spec, &variant.fields, found)).collect())
+        }
+        (_, value) => Body::Leaf(value),
+    }
+}
+
+/// Keys of an object without a description, then its fields.
+fn object<'s>(spec: &'s Spec, fields: &'s [Field], mut found: Map<String, Value>) -> Vec<Node<'s>> {
+    let fields: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.remove(&field.wire))).collect();
+    let unknown = found.into_iter().map(|(key, value)| Node {
+        departures: departures("", Fit::Lenient(DepartureKind::Unknown), &value, || notation(&value)),
+        ..Node::undescribed(Label::Unknown(key), value)
+    });
+    unknown.chain(fields).collect()
+}
+
+fn undescribed<'s>(found: Map<String, Value>) -> Vec<Node<'s>> {
+    found.into_iter().map(|(key, value)| Node::undescribed(Label::Unknown(key), value)).collect()
+}
+
+/// Elements of a struct that is an array on the wire, and those beyond its fields.
+fn elements<'s>(
+    spec: &'s Spec,
+    fields: &'s [Field],
+    mut found: impl Iterator<Item = Value>,
+) -> impl Iterator<Item = Node<'s>> {
+    let members: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.next())).collect();
+    let beyond = found.enumerate();
+    let beyond = beyond.map(|(index, value)| Node::undescribed(Label::Element(fields.len() + index), value));
+    members.into_iter().chain(beyond)
+}
+
+/// Tag of a choice.
+fn wire(tag: &Value) -> Option<i64> {
+    scalar::int(tag).map(|(wire, _)| wire)
+}
+
+/// Departures of a value that fits so, without those of its parts.
+fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> String) -> Vec<Departure> {
+    let (kind, reading) = match fit {
+        Fit::Plain => return Vec::new(),
+        Fit::Lenient(kind) => (kind, Reading::Lenient),
+        Fit::Unreadable(kind) => (kind, Reading::Unreadable),
+    };
+    let found = if kind == DepartureKind::Missing { String::new() } else { shown(value) };
+    let (field, expected) = (field.to_owned(), expected());
+    vec![Departure { field, kind, found, expected, reading, advisory: false, more: 0 }]
+}
+
+fn an_object() -> String {
+    "an object".to_owned()
+}
+
+/// Fit of a value, without its parts.
+fn fit(slot: &Slot<'_>, value: &Value) -> Fit {
+    let fit = match slot.shape {
+        Shape::Scalar(scalar) => Some(scalar::fit(scalar, &slot.limits, value)),
+        Shape::Python(_) => None,
+        Shape::List(_, len) => value.as_array().map(|found| match len {
+            Some(len) if len != found.len() => Fit::Unreadable(DepartureKind::Length),
+            _ => Fit::Plain,
+        }),
+        Shape::Object(_) => value.is_object().then_some(Fit::Plain),
+        Shape::Tuple { fields, exact } => value.as_array().map(|found| match found.len() > fields.len() {
+            true if exact => Fit::Unreadable(DepartureKind::Length),
+            true => Fit::Lenient(DepartureKind::Length),
+            false => Fit::Plain,
+        }),
+        Shape::IntEnum(values) => scalar::int(value).map(|(wire, fit)| {
+            let is_listed = values.iter().any(|listed| listed.wire == wire);
+            if is_listed { fit } else { Fit::Lenient(DepartureKind::Unlisted) }
+        }),
+        Shape::TextEnum(values) => value.as_str().map(|text| {
+            let is_listed = values.iter().any(|listed| listed.wire == text);
+            if is_listed { Fit::Plain } else { Fit::Lenient(DepartureKind::Unlisted) }
+        }),
+        Shape::Choice(choice) => value.as_array().and_then(|found| {
+            let tag = wire(found.first()?)?;
+            Some(match choice.variants.iter().find(|variant| variant.wire == tag) {
+                None => Fit::Lenient(DepartureKind::Unlisted),
+                Some(variant) if found.len() - 1 > variant.fields.len() => Fit::Lenient(DepartureKind::Length),
+                Some(_) => Fit::Plain,
+            })
+        }),
+    };
+    fit.unwrap_or(Fit::Unreadable(DepartureKind::Form))
+}
+
+/// The reply that a bare Python tuple stands for.
+fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
+    let name = command.bare_reply.as_ref()?;
+    let field = command.reply.own_fields().iter().find(|field| field.name == *name)?;
+    let is_tuple = reply.as_str()?.trim_start().starts_with('(');
+    is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
+}
+
+/// Takes from a reply the keys that every reply has: their departures.
+fn envelope(command: &Command, found: &mut Map<String, Value>) -> Vec<Departure> {
+    let [code, message, name] =
+        [ERROR_CODE, ERROR_MESSAGE, COMMAND_NAME].map(|key| found.remove(key).unwrap_or_default());
+    let kind = |value: &Value| if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
+    let code_fit = match scalar::error_code(&code) {
+        Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,
+        Some(_) => Fit::Lenient(kind(&code)),
+        None => Fit::Unreadable(kind(&code)),
+    };
+    let message_fit = if message.is_string() { Fit::Plain } else { Fit::Lenient(kind(&message)) };
+    let name_fit = match name.as_str() {
+        Some(text) if text == command.wire => Fit::Plain,
+        Some(text) if text.trim() != command.wire => Fit::Unreadable(kind(&name)),
+        _ => Fit::Lenient(kind(&name)),
+    };
+    let code = departures(ERROR_CODE, code_fit, &code, || "text of decimal digits".to_owned());
+    let message = departures(ERROR_MESSAGE, message_fit, &message, || "text".to_owned());
+    [code, message, departures(COMMAND_NAME, name_fit, &name, || format!("`{}`", command.wire))].concat()
+}
+
+/// True for the reply to a command that was carried out.
+pub(crate) fn is_success(reply: &Map<String, Value>) -> bool {
+    let code = reply.get(ERROR_CODE).and_then(scalar::error_code);
+    code.is_some_and(jaka_proto::ErrorCode::is_success)
+}
