@@ -15,7 +15,7 @@ pub(crate) use self::channel::Channel;
 use self::hold_up::HoldUps;
 use self::parker::Parker;
 pub use self::presence::Participant;
-use self::state::{MovesTime, Reason, State};
+use self::state::{ClockState, MovesTime, Reason};
 pub use self::stream::{Listener, Stream};
 
 /// Clock whose time goes on when all that take part in it wait. Its clones are the same clock.
@@ -45,7 +45,7 @@ struct Inner {
     origin: Instant,
     /// Real time for which this stands still for an end that does not take part.
     grace: Duration,
-    state: Mutex<State>,
+    state: Mutex<ClockState>,
     hold_ups: HoldUps,
 }
 
@@ -166,7 +166,7 @@ impl SimulatedClock {
     }
 
     /// Waits. `state` is the state by which it must; `begun` is called once others see that it waits.
-    fn wait(&self, state: MutexGuard<'_, State>, reason: Reason, until: Option<Duration>, begun: impl FnOnce()) {
+    fn wait(&self, state: MutexGuard<'_, ClockState>, reason: Reason, until: Option<Duration>, begun: impl FnOnce()) {
         let parker = presence::parker();
         let (number, is_member) = self.begin(state, reason, until, &parker);
         begun();
@@ -191,7 +191,7 @@ impl SimulatedClock {
     /// Begins a wait of this thread. Returns the wait's number, and true if the thread takes part.
     fn begin(
         &self,
-        mut state: MutexGuard<'_, State>,
+        mut state: MutexGuard<'_, ClockState>,
         reason: Reason,
         until: Option<Duration>,
         parker: &Arc<Parker>,
@@ -230,7 +230,7 @@ impl SimulatedClock {
     }
 
     /// Every change is made whole before the lock is left.
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, ClockState> {
         self.0.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

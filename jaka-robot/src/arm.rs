@@ -21,7 +21,7 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal};
 use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
 
-pub(crate) use self::guards::{PacketObserver, Progress};
+pub(crate) use self::guards::{GuardProgress, PacketObserver};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
 use self::state::not_acknowledged;
 pub(crate) use self::state::{ArmState, Sending};

@@ -1,7 +1,7 @@
 //! Motions that are sent one by one, and waited for.
 
 mod batch;
-mod goal;
+mod destination;
 mod guard_thread;
 mod guarded;
 mod rule;
@@ -14,8 +14,8 @@ use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::recording::MotionStep;
 use jaka_sync::layer::ClientParts as _;
 
-use self::batch::{Batch, Begin, Frames};
-use self::goal::Goal;
+use self::batch::{Batch, Begin, SelectedFrames};
+use self::destination::Destination;
 use self::guarded::GuardedRun;
 use self::rule::EndRule;
 pub(crate) use self::rule::Grace;
@@ -55,7 +55,7 @@ impl Planned {
         self.batch.take().is_some()
     }
 
-    fn accepted(&mut self, arm: &Arm, goal: Goal, begin: Begin) {
+    fn accepted(&mut self, arm: &Arm, goal: Destination, begin: Begin) {
         // Packets that came before the reply may be older than the motion.
         let now = arm.clock().now();
         self.batch = Some(match self.batch.take() {
@@ -106,7 +106,7 @@ impl Moving<'_> {
         self.planned.frame_changes = begin.frames.changes;
         match sent {
             Ok(()) => {
-                let goal = Goal::new(motion.target, motion.tolerance_mm, begin.start);
+                let goal = Destination::new(motion.target, motion.tolerance_mm, begin.start);
                 self.planned.accepted(self.arm, goal, begin);
                 self.limits.plan(self.arm, end);
             }
@@ -114,7 +114,7 @@ impl Moving<'_> {
                 let error = Error::from(error);
                 // It can still be waited for.
                 if error.may_have_run() {
-                    self.planned.accepted(self.arm, Goal::Unknown, begin);
+                    self.planned.accepted(self.arm, Destination::Unknown, begin);
                     self.limits.forget_plan();
                 }
                 let explained = self.arm.explained(error, left());
@@ -131,7 +131,7 @@ impl Moving<'_> {
             return Ok(Begin::default());
         };
         let changes = self.arm.link().frame_changes();
-        let frames = Frames::new(&newest.status, changes, self.planned.frame_changes);
+        let frames = SelectedFrames::new(&newest.status, changes, self.planned.frame_changes);
         let mut begin = Begin::new(&newest.status, frames);
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
         if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {

@@ -156,11 +156,11 @@ impl Link {
 
     /// Fails where the connection is broken, for a command that is not sent.
     pub fn check_open(&self, command: &str) -> Result<(), Error> {
-        self.check(&self.state.lock(), command, Progress::NotSent)
+        self.check(&self.state.lock(), command, Transmission::NotSent)
     }
 
     /// Fails where the connection is broken.
-    fn check(&self, state: &LinkState, command: &str, progress: Progress) -> Result<(), Error> {
+    fn check(&self, state: &LinkState, command: &str, progress: Transmission) -> Result<(), Error> {
         let broken = state.broken.clone();
         broken.map_or(Ok(()), |cause| Err(self.attach(self.disconnected(command, progress, cause))))
     }
@@ -280,8 +280,8 @@ impl Link {
     }
 
     /// Error for a command whose connection is broken.
-    fn disconnected(&self, command: &str, progress: Progress, cause: Arc<Disconnect>) -> Error {
-        let (command, sent) = (Some(command.to_owned()), progress == Progress::Sent);
+    fn disconnected(&self, command: &str, progress: Transmission, cause: Arc<Disconnect>) -> Error {
+        let (command, sent) = (Some(command.to_owned()), progress == Transmission::Sent);
         ErrorKind::Disconnected { address: self.address(), command, sent, cause }.into()
     }
 
@@ -322,7 +322,7 @@ impl Drop for Link {
 
 /// Position of a command when its connection was broken: on the wire, or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Progress {
+enum Transmission {
     Sent,
     NotSent,
 }

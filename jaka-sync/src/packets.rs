@@ -18,7 +18,7 @@ pub(crate) struct Packets {
     pub(crate) stream: Arc<Socket>,
     pub(crate) tap: Tap,
     framer: Framer,
-    timeout: receive::Timeout,
+    timeout: receive::ReadTimeout,
     /// The text of the newest one.
     pub(crate) text: String,
     /// Whether one has come. The first message shows whether this is the status port.
@@ -65,7 +65,7 @@ impl Packets {
             stream: Arc::new(stream),
             tap,
             framer: Framer::for_status(config.max_frame),
-            timeout: receive::Timeout::default(),
+            timeout: receive::ReadTimeout::default(),
             text: String::new(),
             has_come: false,
             between: Between::default(),

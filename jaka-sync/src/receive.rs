@@ -26,7 +26,7 @@ pub(crate) enum Chunk {
 
 /// The read timeout that the socket has, so that it is set only where it must change.
 #[derive(Debug, Default)]
-pub(crate) struct Timeout(Duration);
+pub(crate) struct ReadTimeout(Duration);
 
 /// The shortest timeout: a read ends late by no more than this.
 const SHORTEST: Duration = Duration::from_millis(1);
@@ -34,7 +34,7 @@ const SHORTEST: Duration = Duration::from_millis(1);
 /// The longest: systems do not take all that a `Duration` can hold. Who waits longer reads again.
 const LONGEST: Duration = Duration::from_secs(3600);
 
-impl Timeout {
+impl ReadTimeout {
     /// Sets a timeout that is no longer than the time left, and at least half of it.
     ///
     /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it reads: a call that
@@ -56,7 +56,7 @@ pub(crate) fn chunk(
     stream: &Socket,
     tap: &Tap,
     framer: &mut Framer,
-    timeout: &mut Timeout,
+    timeout: &mut ReadTimeout,
     left: Duration,
 ) -> Result<Chunk, Disconnect> {
     if left.is_zero() {
@@ -123,7 +123,7 @@ mod tests {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let stream = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
         let stream = Socket::from(stream);
-        let mut timeout = Timeout::default();
+        let mut timeout = ReadTimeout::default();
         let mut set = |left: u64| {
             timeout.set(&stream, Duration::from_millis(left)).expect("the socket is open");
             assert!((left / 2..=left).contains(&u64::try_from(timeout.0.as_millis()).expect("it is short")));

@@ -17,7 +17,7 @@ use jaka_clock::{Clock, lock};
 use jaka_proto::recording::{Entry, Event, Header, Message, Port};
 use jaka_proto::wire::Writer;
 
-use self::queue::Queue;
+use self::queue::EntryQueue;
 use self::sampling::Sampler;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
@@ -77,7 +77,7 @@ pub struct Recorder(Arc<Shared>);
 
 /// What the clones of a recorder share. Dropping it ends the thread.
 struct Shared {
-    queue: Arc<Queue>,
+    queue: Arc<EntryQueue>,
     started: Instant,
     connections: AtomicU32,
     thread: Option<JoinHandle<()>>,
@@ -109,7 +109,7 @@ impl Recorder {
     /// # Errors
     /// A thread cannot be started.
     pub fn new(writer: impl Write + Send + 'static) -> io::Result<Self> {
-        let (queue, started) = (Arc::new(Queue::new(LIMIT)), Clock::default().now());
+        let (queue, started) = (Arc::new(EntryQueue::new(LIMIT)), Clock::default().now());
         let theirs = Arc::clone(&queue);
         let thread = thread::Builder::new().name("jaka-recorder".to_owned());
         let thread = Some(thread.spawn(move || theirs.serve(|queue| write(queue, &header(), writer)))?);
@@ -163,7 +163,7 @@ fn header() -> Header {
 }
 
 /// Writes what comes through the queue, to its end.
-fn write(queue: &Queue, header: &Header, mut writer: impl Write) -> io::Result<()> {
+fn write(queue: &EntryQueue, header: &Header, mut writer: impl Write) -> io::Result<()> {
     let mut out = Writer::new();
     header.write(&mut out);
     while let Some(batch) = queue.next_batch() {

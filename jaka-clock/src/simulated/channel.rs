@@ -9,7 +9,7 @@ use std::net::{Shutdown, SocketAddr, TcpStream};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use super::state::{Found, Reason, Room, State, Way};
+use super::state::{ClockState, Found, Reason, Room, Way};
 use super::{SimulatedClock, Work};
 
 /// End of a connection that takes part in the time of a clock. It knows which bytes are on their way if the other end
@@ -101,7 +101,7 @@ impl Channel {
                 }
                 Found::Stranger => {
                     drop(state);
-                    let is_stranger = |state: &mut State| state.found(way) == Found::Stranger;
+                    let is_stranger = |state: &mut ClockState| state.found(way) == Found::Stranger;
                     match self.ask_system(Reason::Readable(way), until, is_stranger, || stream.read(space)) {
                         Some(read) => break read?,
                         None => self.fail_if_over(&self.clock.lock(), until)?,
@@ -156,7 +156,7 @@ impl Channel {
                 }
                 Room::Stranger => {
                     drop(state);
-                    let is_stranger = |state: &mut State| state.room(way) == Room::Stranger;
+                    let is_stranger = |state: &mut ClockState| state.room(way) == Room::Stranger;
                     match self.ask_system(Reason::Writable(way), until, is_stranger, || stream.write(bytes)) {
                         Some(written) => break written?,
                         None => self.fail_if_over(&self.clock.lock(), until)?,
@@ -206,7 +206,7 @@ impl Channel {
     }
 
     /// Fails if a wait until then is over, or none is wanted.
-    fn fail_if_over(&self, state: &State, until: Option<Duration>) -> io::Result<()> {
+    fn fail_if_over(&self, state: &ClockState, until: Option<Duration>) -> io::Result<()> {
         let is_over = self.is_nonblocking() || until.is_some_and(|until| until <= state.now);
         if is_over { Err(ErrorKind::WouldBlock.into()) } else { Ok(()) }
     }
@@ -227,7 +227,7 @@ impl Channel {
         &self,
         reason: Reason,
         until: Option<Duration>,
-        is_stranger: impl Fn(&mut State) -> bool,
+        is_stranger: impl Fn(&mut ClockState) -> bool,
         mut attempt: impl FnMut() -> io::Result<T>,
     ) -> Option<io::Result<T>> {
         let mut ask = || match attempt() {

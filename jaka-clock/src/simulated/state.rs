@@ -25,7 +25,7 @@ pub(super) enum Reason {
 
 /// State of a clock: the time, and the work that keeps it from going on.
 #[derive(Debug, Default)]
-pub(super) struct State {
+pub(super) struct ClockState {
     /// Since the clock was made.
     pub(super) now: Duration,
     /// Number of threads and promises at work. Time stands still while there are some.
@@ -99,7 +99,7 @@ pub(super) enum Room {
 /// loopback, so that what a write takes depends on the reader alone.
 pub(super) const WINDOW: i64 = 1 << 20;
 
-impl State {
+impl ClockState {
     pub(super) fn begin_work(&mut self) {
         self.at_work += 1;
     }

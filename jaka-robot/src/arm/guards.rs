@@ -20,7 +20,7 @@ pub(crate) trait PacketObserver: fmt::Debug + Send + Sync {
 #[derive(Debug, Default)]
 pub(super) struct Guards {
     observers: BTreeMap<u64, Weak<dyn PacketObserver>>,
-    progress: BTreeMap<u64, Progress>,
+    progress: BTreeMap<u64, GuardProgress>,
     next: u64,
 }
 
@@ -37,7 +37,7 @@ impl Guards {
     }
 
     /// Removes one, which is dropped without a lock.
-    pub(super) fn remove(&mut self, number: u64) -> (Option<Weak<dyn PacketObserver>>, Option<Progress>) {
+    pub(super) fn remove(&mut self, number: u64) -> (Option<Weak<dyn PacketObserver>>, Option<GuardProgress>) {
         (self.observers.remove(&number), self.progress.remove(&number))
     }
 
@@ -51,14 +51,14 @@ impl Guards {
     }
 
     /// Progress of one.
-    pub(super) fn progress(&mut self, number: u64) -> &mut Progress {
+    pub(super) fn progress(&mut self, number: u64) -> &mut GuardProgress {
         self.progress.entry(number).or_default()
     }
 }
 
 /// How far a guard has come with its motion.
 #[derive(Debug, Default)]
-pub(crate) struct Progress {
+pub(crate) struct GuardProgress {
     trip: Option<GuardTrip>,
     /// Reason why the status was not known before the motion was let out, if that was so: then it is not any more.
     blind: Option<StatusProblem>,
@@ -70,7 +70,7 @@ pub(crate) struct Progress {
     is_abandoned: bool,
 }
 
-impl Progress {
+impl GuardProgress {
     /// Why the guard has tripped, if it has.
     pub(crate) fn trip(&self) -> Option<&GuardTrip> {
         self.trip.as_ref()
@@ -134,9 +134,9 @@ mod tests {
 
     #[test]
     fn what_nobody_watches_is_not_let_out() {
-        let mut watched = Progress::default();
+        let mut watched = GuardProgress::default();
         assert!(watched.let_out().is_ok() && watched.abandon(), "it is out");
-        let mut abandoned = Progress::default();
+        let mut abandoned = GuardProgress::default();
         assert!(!abandoned.abandon());
         let error = abandoned.let_out().expect_err("nobody watches it");
         assert!(matches!(error.kind(), ErrorKind::Thread { .. }) && !error.may_have_run(), "{error:?}");

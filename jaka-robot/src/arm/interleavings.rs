@@ -14,7 +14,7 @@ use jaka_sync::layer::StatusNews;
 use shuttle::sync::Mutex;
 use shuttle::thread::{self, JoinHandle};
 
-use super::guards::{PacketObserver, Progress};
+use super::guards::{GuardProgress, PacketObserver};
 use super::state::{ArmState, Sending};
 use super::stop_handle::UnderWay;
 use crate::{Cause, Disconnect, GuardTrip, Occurrence, Snapshot, TripReason};
@@ -407,7 +407,8 @@ fn a_trip_keeps_the_motion_back_or_calls_for_its_stop() {
                 assert!(matches!(found, Ok(Some(()))), "{found:?}");
                 state.progress(guard, |progress| progress.shut(None))
             });
-            let sent = state.may_send(Sending::Motion, None).and_then(|()| state.progress(guard, Progress::let_out));
+            let sent =
+                state.may_send(Sending::Motion, None).and_then(|()| state.progress(guard, GuardProgress::let_out));
             join(trips);
             assert_eq!(sent.is_ok(), observer.calls_for_stop.holds(), "{sent:?}");
             assert_eq!(sent.is_ok(), join(watches), "{sent:?}");

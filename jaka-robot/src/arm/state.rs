@@ -10,7 +10,7 @@ use jaka_sync::layer::{MonitorParts as _, StatusNews};
 #[cfg(not(all(test, shuttle)))]
 use jaka_sync::layer::{Wakeup, Watched};
 
-use super::guards::{Guards, PacketObserver, Progress};
+use super::guards::{GuardProgress, Guards, PacketObserver};
 use super::status::{Status, check_stops, unknown};
 use super::stops::Stops;
 use super::trouble;
@@ -291,7 +291,7 @@ impl ArmState {
     }
 
     /// Progress of an armed guard.
-    pub(crate) fn progress<R>(&self, guard: u64, act: impl FnOnce(&mut Progress) -> R) -> R {
+    pub(crate) fn progress<R>(&self, guard: u64, act: impl FnOnce(&mut GuardProgress) -> R) -> R {
         act(self.lock().guards.progress(guard))
     }
 

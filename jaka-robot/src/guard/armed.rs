@@ -9,7 +9,7 @@ use jaka_proto::wire::DecodeError;
 
 use super::Guard;
 use super::condition::Judging;
-use crate::arm::{ArmState, PacketObserver, Progress, Written};
+use crate::arm::{ArmState, GuardProgress, PacketObserver, Written};
 use crate::{Error, GuardTrip, RobotStop, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion
@@ -17,11 +17,11 @@ use crate::{Error, GuardTrip, RobotStop, Snapshot, StatusProblem};
 ///
 /// A clone is the same guard.
 #[derive(Debug, Clone)]
-pub(crate) struct Armed(Arc<Shared>);
+pub(crate) struct Armed(Arc<SharedGuard>);
 
 /// The order of locks stands at [`ArmState`].
 #[derive(Debug)]
-struct Shared {
+struct SharedGuard {
     state: Arc<ArmState>,
     /// Number of the guard in the state of the arm, which has its progress.
     number: u64,
@@ -45,7 +45,7 @@ impl Armed {
     /// a little for one.
     pub(crate) fn new(guard: &Guard, state: &Arc<ArmState>, timeout: Duration) -> Result<Self, StatusProblem> {
         state.status_within(timeout)?;
-        let shared = Arc::new(Shared {
+        let shared = Arc::new(SharedGuard {
             state: Arc::clone(state),
             number: state.guard_number(),
             judging: Mutex::new(Judging::of(&guard.conditions)),
@@ -53,7 +53,7 @@ impl Armed {
         });
         // Locked until the newest packet is judged: those that come meanwhile wait for it.
         let mut judging = lock(&shared.judging);
-        let observer: Arc<dyn PacketObserver> = Arc::<Shared>::clone(&shared);
+        let observer: Arc<dyn PacketObserver> = Arc::<SharedGuard>::clone(&shared);
         state.arm_guard(shared.number, Arc::downgrade(&observer));
         drop(observer);
         let trip = judging.judge(&state.fresh_status()?);
@@ -88,7 +88,7 @@ impl Armed {
     /// Lets the motion out, unless the guard has tripped: from here on, a trip calls for a stop. Blocks nothing and
     /// uses no connection, as a gate must.
     pub(crate) fn let_out(&self) -> Result<(), Error> {
-        self.0.state.progress(self.0.number, Progress::let_out)
+        self.0.state.progress(self.0.number, GuardProgress::let_out)
     }
 
     /// Does not let the motion out any more, and says whether it was. `blind` is why the status is not known, where
@@ -99,7 +99,7 @@ impl Armed {
 
     /// Nobody watches the guard any more: does not let the motion out, and says whether it was.
     pub(crate) fn abandon(&self) -> bool {
-        self.0.state.progress(self.0.number, Progress::abandon)
+        self.0.state.progress(self.0.number, GuardProgress::abandon)
     }
 
     /// True if the motion was let out.
@@ -108,7 +108,7 @@ impl Armed {
     }
 }
 
-impl Shared {
+impl SharedGuard {
     /// Judges a packet, unless that cannot be done.
     fn judgement(&self, packet: &Arc<Snapshot>) -> Result<Option<GuardTrip>, DecodeError> {
         match packet.panicked() {
@@ -119,7 +119,7 @@ impl Shared {
     }
 }
 
-impl PacketObserver for Shared {
+impl PacketObserver for SharedGuard {
     /// Stops the arm after the first judgement that calls for it. Whoever learns of it waits for `early` to learn
     /// whether the stop was written.
     fn observe(&self, packet: &Arc<Snapshot>) {
@@ -135,7 +135,7 @@ impl PacketObserver for Shared {
     }
 }
 
-impl Drop for Shared {
+impl Drop for SharedGuard {
     fn drop(&mut self) {
         self.state.disarm(self.number);
     }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use jaka_proto::messages::status::RobotStatus;
 
-use super::goal::Goal;
+use super::destination::Destination;
 use crate::arm;
 use crate::place::Place;
 
@@ -13,7 +13,7 @@ use crate::place::Place;
 pub(super) struct Batch {
     /// When the last one was accepted: packets and answers from before say nothing about it.
     pub(super) accepted: Instant,
-    pub(super) goal: Goal,
+    pub(super) goal: Destination,
     /// The event that the status showed before; only another one counts.
     pub(super) code_before: Option<String>,
     /// Whether a packet has said since that the arm is not in position: only after that can one say that the motion has
@@ -21,7 +21,7 @@ pub(super) struct Batch {
     pub(super) has_left: bool,
     count: u32,
     begin: Begin,
-    frames: Frames,
+    frames: SelectedFrames,
 }
 
 /// What was known of the arm when the first motion was sent.
@@ -32,19 +32,19 @@ pub(super) struct Begin {
     pub(super) places: [Option<Place>; 2],
     /// By a query.
     pub(super) start: Option<Place>,
-    pub(super) frames: Frames,
+    pub(super) frames: SelectedFrames,
     pub(super) code: Option<String>,
 }
 
 /// The ids of the selected frames, as the status shows them, and how often this program has changed any.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Frames {
+pub(super) struct SelectedFrames {
     tool: Option<i64>,
     user: Option<i64>,
     pub(super) changes: u64,
 }
 
-impl Frames {
+impl SelectedFrames {
     /// As the status shows them; not those of a status that may be older than a change of this program.
     pub(super) fn new(status: &RobotStatus, changes: u64, before: u64) -> Self {
         let shown = |id: Option<i64>| id.filter(|_| changes == before);
@@ -59,7 +59,7 @@ impl Frames {
 
 impl Begin {
     /// By the newest packet.
-    pub(super) fn new(status: &RobotStatus, frames: Frames) -> Self {
+    pub(super) fn new(status: &RobotStatus, frames: SelectedFrames) -> Self {
         Self {
             at_rest: status.in_position == Some(true) && status.paused != Some(true),
             places: [status.joint_actual_position.map(Place::Joints), status.actual_position.map(Place::Pose)],
@@ -72,27 +72,27 @@ impl Begin {
 
 impl Batch {
     /// A first motion that was accepted.
-    pub(super) fn new(accepted: Instant, goal: Goal, begin: Begin) -> Self {
+    pub(super) fn new(accepted: Instant, goal: Destination, begin: Begin) -> Self {
         Self { accepted, goal, code_before: begin.code.clone(), has_left: false, count: 1, frames: begin.frames, begin }
     }
 
     /// One more that was accepted after it.
-    pub(super) fn then(self, accepted: Instant, goal: Goal, frames: Frames) -> Self {
+    pub(super) fn then(self, accepted: Instant, goal: Destination, frames: SelectedFrames) -> Self {
         Self { accepted, goal, count: self.count.saturating_add(1), frames, ..self }
     }
 
     /// True for one motion that began at rest away from its goal: it is there only at its end.
     pub(super) fn is_simple(&self) -> bool {
-        let Goal::At(goal, _) = self.goal else { return false };
+        let Destination::At(goal, _) = self.goal else { return false };
         let mut places = self.begin.places.iter().chain([&self.begin.start]).flatten();
         self.count == 1 && self.begin.at_rest && !places.any(|place| goal.is_at(place))
     }
 
     /// The goal, unless it is a pose and the frames have changed since it was given.
-    pub(super) fn goal_now(&self, newest: &RobotStatus, changes: u64) -> Goal {
+    pub(super) fn goal_now(&self, newest: &RobotStatus, changes: u64) -> Destination {
         let has_changed = self.frames.changes != changes || self.frames.differ_from(newest);
         match self.goal {
-            Goal::At(Place::Pose(_), _) if has_changed => Goal::Unknown,
+            Destination::At(Place::Pose(_), _) if has_changed => Destination::Unknown,
             goal => goal,
         }
     }

@@ -16,7 +16,7 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::JointPosition;
 
 use super::batch::Batch;
-use super::goal::{Goal, Nearness};
+use super::destination::{Destination, Nearness};
 use crate::arm::{self, News, QUERY_PERIOD};
 use crate::place::{Place, Quantity};
 use crate::{Cause, Error, Occurrence, Rest, Snapshot};
@@ -206,7 +206,7 @@ impl EndRule {
 
     /// True for a place that is exactly the goal, where a motion comes to rest and does not pass.
     fn is_exact(&self, place: &Place) -> bool {
-        matches!(&self.batch.goal, Goal::At(goal, _) if goal.is_exactly(place))
+        matches!(&self.batch.goal, Destination::At(goal, _) if goal.is_exactly(place))
     }
 
     /// True if an answer some time before was the same.
@@ -232,7 +232,8 @@ impl EndRule {
 
     fn nearness(&self, place: &Place) -> Nearness {
         let newest = self.packets.back();
-        let goal = newest.map_or(Goal::Unknown, |newest| self.batch.goal_now(&newest.status, self.frame_changes));
+        let goal =
+            newest.map_or(Destination::Unknown, |newest| self.batch.goal_now(&newest.status, self.frame_changes));
         goal.nearness(place)
     }
 }

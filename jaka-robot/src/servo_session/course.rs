@@ -3,7 +3,7 @@
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::set_point::turned;
-use super::set_point::{SetPoint, Step};
+use super::set_point::{SetPoint, SetPointStep};
 
 /// The last set-points, in joints and in poses, as far as they are known.
 #[derive(Debug, Clone)]
@@ -13,7 +13,7 @@ pub(crate) struct Course {
     /// The last one; none while nothing was sent.
     sent: Option<SetPoint>,
     /// How far it was from the one before, where that is known.
-    step: Option<Step>,
+    step: Option<SetPointStep>,
 }
 
 /// The last but one and the last, where they are known.
@@ -71,24 +71,27 @@ impl Course {
     }
 
     /// How far a set-point is from the last one, where that is known.
-    pub(super) fn step_to(&self, next: &SetPoint) -> Option<Step> {
+    pub(super) fn step_to(&self, next: &SetPoint) -> Option<SetPointStep> {
         match next {
-            SetPoint::Joints(target) => self.joints.last.map(|last| Step::between_joints(last, *target)),
-            SetPoint::JointOffset(offset) => Some(Step::Joints(offset.0)),
-            SetPoint::Pose(target) => self.poses.last.map(|last| Step::between_poses(last, *target)),
+            SetPoint::Joints(target) => self.joints.last.map(|last| SetPointStep::between_joints(last, *target)),
+            SetPoint::JointOffset(offset) => Some(SetPointStep::Joints(offset.0)),
+            SetPoint::Pose(target) => self.poses.last.map(|last| SetPointStep::between_poses(last, *target)),
             // The angles are taken as a turn, which they are where they are small.
-            SetPoint::PoseOffset(offset) => Some(Step::Pose((*offset).into())),
+            SetPoint::PoseOffset(offset) => Some(SetPointStep::Pose((*offset).into())),
         }
     }
 
     /// How far the last set-point was from the one before, as a step of the same kind: none where that is not known.
-    pub(super) fn last_step(&self, like: &Step) -> Option<Step> {
+    pub(super) fn last_step(&self, like: &SetPointStep) -> Option<SetPointStep> {
         match (self.step, like) {
             (None, like) if self.sent.is_none() => Some(like.scaled(0.0)),
             // What stands, stands in joints and in poses.
             (Some(step), like) if step.is_none() => Some(like.scaled(0.0)),
-            (Some(step @ Step::Joints(_)), Step::Joints(_)) | (Some(step @ Step::Pose(_)), Step::Pose(_)) => Some(step),
-            (_, Step::Joints(_)) => self.joints.both().map(|[before, last]| Step::between_joints(before, last)),
+            (Some(step @ SetPointStep::Joints(_)), SetPointStep::Joints(_))
+            | (Some(step @ SetPointStep::Pose(_)), SetPointStep::Pose(_)) => Some(step),
+            (_, SetPointStep::Joints(_)) => {
+                self.joints.both().map(|[before, last]| SetPointStep::between_joints(before, last))
+            }
             _ => None,
         }
     }
@@ -107,7 +110,7 @@ impl Course {
     /// The next set-points are in joints, where these are known.
     pub(super) fn go_on_in_joints(&mut self) {
         if let (Some(SetPoint::Pose(_)), Some([before, last])) = (self.sent, self.joints.both()) {
-            (self.sent, self.step) = (Some(SetPoint::Joints(last)), Some(Step::between_joints(before, last)));
+            (self.sent, self.step) = (Some(SetPoint::Joints(last)), Some(SetPointStep::between_joints(before, last)));
         }
     }
 
@@ -115,7 +118,7 @@ impl Course {
     pub(super) fn paused(&mut self) {
         self.joints = LastTwo::at(self.joints.last);
         self.poses = LastTwo::at(self.poses.last);
-        self.step = self.sent.map(|_| Step::Joints([0.0; 6]));
+        self.step = self.sent.map(|_| SetPointStep::Joints([0.0; 6]));
     }
 
     /// A reply was lost: where offsets have led is not known.
@@ -137,25 +140,25 @@ impl Course {
 
     /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or
     /// that is not known.
-    pub(super) fn step(&self) -> Option<Step> {
+    pub(super) fn step(&self) -> Option<SetPointStep> {
         self.step.filter(|step| !step.is_none())
     }
 
     /// The step to the last set-point, in joints where these are known; none where the step is not known.
-    pub(super) fn step_of_joints(&self) -> Option<Step> {
-        self.joints.both().map(|[before, last]| Step::between_joints(before, last)).or(self.step)
+    pub(super) fn step_of_joints(&self) -> Option<SetPointStep> {
+        self.joints.both().map(|[before, last]| SetPointStep::between_joints(before, last)).or(self.step)
     }
 
     /// The set-point this far from the last one, of the same kind as that.
-    pub(super) fn after(&self, step: &Step) -> Option<SetPoint> {
+    pub(super) fn after(&self, step: &SetPointStep) -> Option<SetPoint> {
         match (self.sent?, step) {
-            (SetPoint::Joints(last), Step::Joints(step)) => Some(SetPoint::Joints(moved(last, step))),
-            (SetPoint::JointOffset(_), Step::Joints(step)) => Some(SetPoint::JointOffset(JointPosition(*step))),
-            (SetPoint::Pose(last), Step::Pose([x, y, z, rx, ry, rz])) => {
+            (SetPoint::Joints(last), SetPointStep::Joints(step)) => Some(SetPoint::Joints(moved(last, step))),
+            (SetPoint::JointOffset(_), SetPointStep::Joints(step)) => Some(SetPoint::JointOffset(JointPosition(*step))),
+            (SetPoint::Pose(last), SetPointStep::Pose([x, y, z, rx, ry, rz])) => {
                 let moved = Pose { x: last.x + x, y: last.y + y, z: last.z + z, ..last };
                 Some(SetPoint::Pose(turned(moved, [*rx, *ry, *rz])))
             }
-            (SetPoint::PoseOffset(_), Step::Pose(step)) => Some(SetPoint::PoseOffset(Pose::from(*step))),
+            (SetPoint::PoseOffset(_), SetPointStep::Pose(step)) => Some(SetPoint::PoseOffset(Pose::from(*step))),
             _ => None,
         }
     }

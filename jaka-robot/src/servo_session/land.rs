@@ -9,7 +9,7 @@ use super::ServoSession;
 use super::braking::Braking;
 use super::course::Course;
 use super::rates::Rates;
-use super::set_point::{SetPoint, Step};
+use super::set_point::{SetPoint, SetPointStep};
 use crate::arm::{Sending, Stillness};
 use crate::cause::Occurrence;
 use crate::{Cause, Error, ErrorKind, Rest};
@@ -28,7 +28,7 @@ pub(crate) struct StraightOn {
     period: Duration,
     /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first
     /// one.
-    begun: Option<(Option<Step>, u32, u32)>,
+    begun: Option<(Option<SetPointStep>, u32, u32)>,
 }
 
 impl StraightOn {
@@ -49,7 +49,7 @@ impl StraightOn {
     }
 
     /// A set-point that no arm reaches in a period is not a speed.
-    fn step(&self, course: &Course) -> Option<Step> {
+    fn step(&self, course: &Course) -> Option<SetPointStep> {
         course.step().filter(|step| self.rates.is_reachable(step, self.period))
     }
 }

@@ -7,7 +7,7 @@ use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
 use super::set_point::length;
-use super::set_point::{SetPoint, Step};
+use super::set_point::{SetPoint, SetPointStep};
 use crate::Error;
 use crate::error::OptionName;
 
@@ -49,7 +49,12 @@ impl Default for Rates {
 impl Rates {
     /// Checks a step, and how it differs from the one before. Each set-point is judged by its nominal period, as the
     /// controller does (4.15).
-    pub(super) fn check(&self, step: &Step, before: &Step, period: Duration) -> Result<(), InvalidArgument> {
+    pub(super) fn check(
+        &self,
+        step: &SetPointStep,
+        before: &SetPointStep,
+        period: Duration,
+    ) -> Result<(), InvalidArgument> {
         if !self.are_checked {
             return Ok(());
         }
@@ -87,7 +92,7 @@ impl Rates {
     }
 
     /// Whether the arm can be as fast as a step asks.
-    pub(super) fn is_reachable(&self, step: &Step, period: Duration) -> bool {
+    pub(super) fn is_reachable(&self, step: &SetPointStep, period: Duration) -> bool {
         let (speeds, _) = self.of(step);
         first_beyond(&sizes(step), &speeds.map(|speed| speed * period.as_secs_f64())).is_none()
     }
@@ -107,7 +112,7 @@ impl Rates {
 
     /// In how many periods the arm is braked from this step: the n-th set-point of them goes on by `1 - n / count` of
     /// it.
-    pub(super) fn periods_to_brake(&self, step: &Step, period: Duration) -> u32 {
+    pub(super) fn periods_to_brake(&self, step: &SetPointStep, period: Duration) -> u32 {
         let time = period.as_secs_f64();
         let (_, accelerations) = self.of(step);
         let periods = sizes(step).into_iter().zip(accelerations).map(|(size, most)| size / (most * time * time));
@@ -121,10 +126,10 @@ impl Rates {
     }
 
     /// The greatest speeds and accelerations of a step of this kind.
-    fn of(&self, step: &Step) -> (Sizes, Sizes) {
+    fn of(&self, step: &SetPointStep) -> (Sizes, Sizes) {
         match step {
-            Step::Joints(_) => ([JOINT_SPEED; 6], self.joint_acceleration),
-            Step::Pose(_) => {
+            SetPointStep::Joints(_) => ([JOINT_SPEED; 6], self.joint_acceleration),
+            SetPointStep::Pose(_) => {
                 let (mut speeds, mut accelerations) = ([f64::INFINITY; 6], [f64::INFINITY; 6]);
                 (speeds[0], speeds[1]) = (self.tcp_speed, TURN_SPEED);
                 (accelerations[0], accelerations[1]) = (self.tcp_acceleration, TURN_ACCELERATION);
@@ -134,10 +139,12 @@ impl Rates {
     }
 }
 
-fn sizes(step: &Step) -> Sizes {
+fn sizes(step: &SetPointStep) -> Sizes {
     match step {
-        Step::Joints(step) => step.map(f64::abs),
-        Step::Pose([x, y, z, rx, ry, rz]) => [length([*x, *y, *z]), length([*rx, *ry, *rz]), 0.0, 0.0, 0.0, 0.0],
+        SetPointStep::Joints(step) => step.map(f64::abs),
+        SetPointStep::Pose([x, y, z, rx, ry, rz]) => {
+            [length([*x, *y, *z]), length([*rx, *ry, *rz]), 0.0, 0.0, 0.0, 0.0]
+        }
     }
 }
 
@@ -146,14 +153,14 @@ fn first_beyond(sizes: &Sizes, most: &Sizes) -> Option<(usize, f64, f64)> {
     (0..6).find(|index| sizes[*index] > most[*index] + ROUNDING).map(|index| (index, sizes[index], most[index]))
 }
 
-fn unit(step: &Step, index: usize) -> &'static str {
-    if matches!(step, Step::Pose(_)) && index == 0 { "mm" } else { "deg" }
+fn unit(step: &SetPointStep, index: usize) -> &'static str {
+    if matches!(step, SetPointStep::Pose(_)) && index == 0 { "mm" } else { "deg" }
 }
 
-fn refused(step: &Step, index: usize, value: String, allowed: String) -> InvalidArgument {
+fn refused(step: &SetPointStep, index: usize, value: String, allowed: String) -> InvalidArgument {
     let (command, field) = match step {
-        Step::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
-        Step::Pose(_) => (ServoP::INFO.name, "pose".to_owned()),
+        SetPointStep::Joints(_) => (ServoJ::INFO.name, format!("joint_position[{index}]")),
+        SetPointStep::Pose(_) => (ServoP::INFO.name, "pose".to_owned()),
     };
     InvalidArgument::new(command, field, value, allowed)
 }

@@ -17,7 +17,7 @@ use super::course::Course;
 use super::pace::{Cycle, Pace};
 use super::rates::Rates;
 use super::realtime::RealtimePriority;
-use super::set_point::{SetPoint, Step};
+use super::set_point::{SetPoint, SetPointStep};
 use crate::arm::{Arm, Sending};
 use crate::error::SessionEnd;
 use crate::limits::LimitChecks;
@@ -246,7 +246,7 @@ impl ServoSession<'_> {
     /// without a set-point is taken to stand.
     fn stands_within_a_period(&self) -> bool {
         let rates = &self.rates;
-        let brakes_at_once = |step: Step| rates.periods_to_brake(&step, self.config.period()) <= 1;
+        let brakes_at_once = |step: SetPointStep| rates.periods_to_brake(&step, self.config.period()) <= 1;
         !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
     }
 
@@ -301,7 +301,7 @@ impl ServoSession<'_> {
     /// True if an arm that stands at the last set-point can go on with this one.
     fn can_begin_with(&self, next: &SetPoint, joints: Option<JointPosition>) -> bool {
         let in_joints = self.course.last_joints().zip(joints);
-        let step = in_joints.map(|([_, last], joints)| Step::between_joints(last, joints));
+        let step = in_joints.map(|([_, last], joints)| SetPointStep::between_joints(last, joints));
         let step = step.or_else(|| self.course.step_to(next));
         step.is_none_or(|step| self.rates.check(&step, &step.scaled(0.0), self.config.period()).is_ok())
     }

@@ -14,7 +14,7 @@ pub(crate) enum SetPoint {
 
 /// How far a set-point is from the one before.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Step {
+pub(crate) enum SetPointStep {
     /// Of the joints, in degrees.
     Joints([f64; 6]),
     /// Of the tool centre point: a position in millimetres, and a [turn](super::turn) in degrees.
@@ -27,7 +27,7 @@ impl SetPoint {
     }
 }
 
-impl Step {
+impl SetPointStep {
     pub(super) fn between_joints(from: JointPosition, to: JointPosition) -> Self {
         Self::Joints(difference(&to.0, &from.0))
     }

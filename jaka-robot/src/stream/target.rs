@@ -16,7 +16,7 @@ use crate::error::SessionEnd;
 pub(super) struct Targets {
     /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until the arm has come to rest, or the
     /// stream has ended.
-    state: Watched<State>,
+    state: Watched<TargetState>,
     /// Why the stream lands, once it does.
     landing: OnceLock<SessionEnd>,
 }
@@ -46,7 +46,7 @@ impl Order {
 }
 
 #[derive(Debug)]
-struct State {
+struct TargetState {
     /// Numbered by how many were given.
     order: Order,
     /// Where the joints are to be, and whether that is where the last order leads.
@@ -60,7 +60,7 @@ struct State {
 impl Targets {
     pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
         let order = Order { goal: Goal::Rest, until: None, number: 0 };
-        let state = State { order, joints: start, is_at_rest: true, bound: None, ended: None };
+        let state = TargetState { order, joints: start, is_at_rest: true, bound: None, ended: None };
         Self { state: Watched::new(clock, state), landing: OnceLock::new() }
     }
 
@@ -99,7 +99,7 @@ impl Targets {
     }
 
     /// Why the stream takes no more goals, if so.
-    fn ends_because(&self, state: &State) -> Option<SessionEnd> {
+    fn ends_because(&self, state: &TargetState) -> Option<SessionEnd> {
         state.ended.as_ref().or_else(|| self.landing.get()).cloned()
     }
 

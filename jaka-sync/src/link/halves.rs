@@ -88,14 +88,14 @@ type Panic = Box<dyn Any + Send>;
 #[derive(Debug)]
 pub(super) struct Inbound {
     pub(super) framer: Framer,
-    timeout: receive::Timeout,
+    timeout: receive::ReadTimeout,
     /// A panic of a logger, or of what reads a reply for its caller. It goes on once the receiving half is back in its place.
     pub(super) panic: Option<Panic>,
 }
 
 impl Inbound {
     pub(super) fn new(max_frame: usize) -> Self {
-        Self { framer: Framer::new(max_frame), timeout: receive::Timeout::default(), panic: None }
+        Self { framer: Framer::new(max_frame), timeout: receive::ReadTimeout::default(), panic: None }
     }
 
     pub(super) fn read(&mut self, stream: &Socket, tap: &Tap, left: Duration) -> Result<Chunk, Disconnect> {

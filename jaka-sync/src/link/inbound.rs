@@ -9,7 +9,7 @@ use jaka_proto::wire::Writer;
 
 use super::halves::Inbound;
 use super::state::{LinkState, Mode};
-use super::{Handle, Link, Outgoing, Progress, Sent, failed, timed_out};
+use super::{Handle, Link, Outgoing, Sent, Transmission, failed, timed_out};
 use crate::receive::{self, Chunk};
 use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
@@ -123,7 +123,7 @@ impl Link {
                 return (state, Some(outcome.map_err(|failure| failed(command, failure))));
             }
             if let Some(cause) = state.broken.clone() {
-                return (state, Some(Err(self.disconnected(command, Progress::Sent, cause))));
+                return (state, Some(Err(self.disconnected(command, Transmission::Sent, cause))));
             }
             let left = timeout.saturating_sub(self.clock.elapsed(since));
             if left.is_zero() {
@@ -172,7 +172,7 @@ impl Link {
             Ok(()) => timed_out(sent.command, sent.timeout),
             Err(out_of_sync) => {
                 let cause = self.break_off(state, Disconnect::OutOfSync(out_of_sync));
-                self.disconnected(sent.command, Progress::Sent, cause)
+                self.disconnected(sent.command, Transmission::Sent, cause)
             }
         }
     }

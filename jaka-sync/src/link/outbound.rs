@@ -11,7 +11,7 @@ use jaka_proto::wire::Writer;
 use super::halves::Outbound;
 use super::outgoing::{Gate, Outgoing, Right, SendError};
 use super::state::{LinkState, Mode};
-use super::{Link, Progress, WIRE};
+use super::{Link, Transmission, WIRE};
 use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
 
@@ -175,7 +175,7 @@ impl Link {
             )),
             Err(source) => Disconnect::Write(source),
         };
-        Err(self.disconnected(outgoing.command, Progress::Sent, self.break_off(state, cause)))
+        Err(self.disconnected(outgoing.command, Transmission::Sent, self.break_off(state, cause)))
     }
 
     /// Waits until no other thread sends, and no stop waits to.
@@ -189,7 +189,7 @@ impl Link {
             if let Err(cause) = self.attribute_read(&mut state) {
                 self.break_off(&mut state, cause);
             }
-            self.check(&state, outgoing.command, Progress::NotSent)?;
+            self.check(&state, outgoing.command, Transmission::NotSent)?;
             let lets_pass = outgoing.right == Right::Usual && self.stops.load(Ordering::SeqCst) > 0;
             if !lets_pass && state.outbound.is_some() {
                 return Ok((Turn { link: self, outbound: state.outbound.take() }, state));

@@ -5,7 +5,7 @@ use std::time::Duration;
 use jaka_proto::exchange::Waiter;
 
 use super::state::LinkState;
-use super::{Link, Progress, failed, not_sent_in_time};
+use super::{Link, Transmission, failed, not_sent_in_time};
 use crate::{Disconnect, Error};
 
 /// How many requests may be outstanding on a connection when a command is posted, with those that were given up: a stop after more
@@ -26,7 +26,7 @@ impl Link {
     /// broken. Where another thread is reading, what it has read so far has to do.
     pub fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
-        (self.take_answers(&mut state), self.check(&state, command, Progress::Sent))
+        (self.take_answers(&mut state), self.check(&state, command, Transmission::Sent))
     }
 
     /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
@@ -44,7 +44,7 @@ impl Link {
             } else if state.broken.is_none() {
                 state = self.turn(state, left, &mut Waiter::nobody());
             }
-            checked = self.check(&state, oldest.command, Progress::Sent);
+            checked = self.check(&state, oldest.command, Transmission::Sent);
         }
         (self.take_answers(&mut state), checked)
     }
@@ -59,7 +59,7 @@ impl Link {
         let since = self.clock.stopwatch();
         let mut state = self.state.lock();
         while state.exchange.outstanding() >= MOST_OUTSTANDING {
-            self.check(&state, command, Progress::NotSent)?;
+            self.check(&state, command, Transmission::NotSent)?;
             let left = since.left_of(timeout);
             if left.is_zero() {
                 return Err(self.attach(not_sent_in_time(command, timeout)));

@@ -20,7 +20,7 @@ const OVERHEAD: usize = 128;
 
 /// The entries that wait for the writer. Adding one never waits for the file.
 #[derive(Debug)]
-pub(super) struct Queue {
+pub(super) struct EntryQueue {
     state: Mutex<QueueState>,
     /// Signalled when the writer has something to do, and when it has ended.
     changed: Condvar,
@@ -38,7 +38,7 @@ struct QueueState {
     ended: Option<Result<(), (io::ErrorKind, String)>>,
 }
 
-impl Queue {
+impl EntryQueue {
     /// A queue of at most this many bytes.
     pub(super) fn new(limit: usize) -> Self {
         Self { state: Mutex::default(), changed: Condvar::new(), limit }
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_counted_in_its_place() {
-        let queue = Queue::new(2 * OVERHEAD + 2);
+        let queue = EntryQueue::new(2 * OVERHEAD + 2);
         for (connection, text) in [(1, "a"), (2, "b"), (1, "c"), (2, "d"), (1, "e")] {
             queue.push(&entry(connection, text));
         }
@@ -171,12 +171,12 @@ mod tests {
 
     #[test]
     fn a_writer_that_fails_or_panics_leaves_no_thread_waiting() {
-        let queue = Queue::new(1000);
+        let queue = EntryQueue::new(1000);
         queue.serve(|_| Err(io::Error::new(io::ErrorKind::StorageFull, "no space left")));
         queue.push(&entry(1, "a"));
         let error = queue.wait_until_done().expect_err("the writer has failed");
         assert_eq!((error.kind(), error.to_string()), (io::ErrorKind::StorageFull, "no space left".to_owned()));
-        let queue = Queue::new(1000);
+        let queue = EntryQueue::new(1000);
         queue.serve(|_| panic!("as the test wants"));
         assert_eq!(queue.wait_until_done().expect_err("the writer has panicked").to_string(), "the writer panicked");
     }

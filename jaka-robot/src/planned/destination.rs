@@ -6,7 +6,7 @@ use crate::place::{Place, Quantity};
 
 /// Where a batch of motions ends, once it has been accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Goal {
+pub(super) enum Destination {
     /// Here, or this many millimetres before, where the controller may blend into a motion that follows.
     At(Place, f64),
     Unknown,
@@ -22,7 +22,7 @@ pub(super) enum Nearness {
     Unknown,
 }
 
-impl Goal {
+impl Destination {
     /// The goal of a motion to `target` that begins at `start`, if that is known.
     pub(super) fn new(target: Target, tolerance: f64, start: Option<Place>) -> Self {
         Place::of(target, start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn there_is_a_tenth_of_a_degree_and_half_a_millimetre() {
-        let at = |x, rz| Goal::At(Place::Pose(pose(0.0, 180.0)), 3.0).nearness(&Place::Pose(pose(x, rz)));
+        let at = |x, rz| Destination::At(Place::Pose(pose(0.0, 180.0)), 3.0).nearness(&Place::Pose(pose(x, rz)));
         assert_eq!(at(0.5, 180.0), Nearness::There);
         // The same orientation, written otherwise.
         assert_eq!(at(0.0, -180.0), Nearness::There);
@@ -69,11 +69,11 @@ mod tests {
         assert_eq!(at(0.51, 180.0), Nearness::Within);
         assert_eq!(at(3.1, 180.0), Nearness::Elsewhere);
         let joints = |angle| Place::Joints(JointPosition([angle, 0.0, 0.0, 0.0, 0.0, 0.0]));
-        let goal = Goal::At(joints(10.0), 0.0);
+        let goal = Destination::At(joints(10.0), 0.0);
         assert_eq!(goal.nearness(&joints(10.09)), Nearness::There);
         assert_eq!(goal.nearness(&joints(9.8)), Nearness::Elsewhere);
         assert_eq!(goal.nearness(&joints(f64::NAN)), Nearness::Elsewhere);
-        assert_eq!(Goal::Unknown.nearness(&joints(0.0)), Nearness::Unknown);
+        assert_eq!(Destination::Unknown.nearness(&joints(0.0)), Nearness::Unknown);
     }
 
     #[test]
@@ -87,10 +87,13 @@ mod tests {
     fn a_goal_follows_from_a_start_of_its_own_kind_alone() {
         let joints = Place::Joints(JointPosition([1.0; 6]));
         let by = Target::JointOffset(JointPosition([2.0; 6]));
-        assert_eq!(Goal::new(by, 0.0, Some(joints)), Goal::At(Place::Joints(JointPosition([3.0; 6])), 0.0));
-        assert_eq!(Goal::new(by, 0.0, None), Goal::Unknown);
-        assert_eq!(Goal::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(joints)), Goal::Unknown);
-        let along = Goal::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(Place::Pose(pose(1.0, 90.0))));
-        assert_eq!(along, Goal::At(Place::Pose(pose(2.0, 90.0)), 0.0));
+        assert_eq!(
+            Destination::new(by, 0.0, Some(joints)),
+            Destination::At(Place::Joints(JointPosition([3.0; 6])), 0.0)
+        );
+        assert_eq!(Destination::new(by, 0.0, None), Destination::Unknown);
+        assert_eq!(Destination::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(joints)), Destination::Unknown);
+        let along = Destination::new(Target::Offset([1.0, 0.0, 0.0]), 0.0, Some(Place::Pose(pose(1.0, 90.0))));
+        assert_eq!(along, Destination::At(Place::Pose(pose(2.0, 90.0)), 0.0));
     }
 }
