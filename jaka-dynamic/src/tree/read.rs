@@ -1,6 +1,6 @@
 //! Trees of messages and of values.
 
-use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
+use jaka_spec::{COMMAND_NAME, Command, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
 use serde_json::{Map, Value};
 
 use super::{Body, Label, Node};
@@ -18,7 +18,7 @@ impl<'s> Node<'s> {
         Self::message(spec, spec.status_fields(), object(spec, spec.status_fields(), found))
     }
 
-    /// Reply to a command.
+    /// Reply to a command; to one that is not known, the spec describes nothing of it.
     ///
     /// Of a refusal only the envelope is compared with the spec, for it carries no payload. A bare Python tuple, which
     /// some firmware sends in place of a reply, is given as a JSON string.
@@ -26,24 +26,18 @@ impl<'s> Node<'s> {
     /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the
     /// reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync never gets a
     /// reply in which one of the three keys of the envelope comes twice and says different things.
-    pub fn reply(spec: &'s Spec, command: &'s Command, reply: Value) -> Self {
-        let fields = spec.reply_fields(command);
-        if let Some(found) = bare_reply(command, &reply) {
+    pub fn reply(spec: &'s Spec, command: impl Into<Option<&'s Command>>, reply: Value) -> Self {
+        let command = command.into();
+        let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
+        if let Some(found) = command.and_then(|command| bare_reply(command, &reply)) {
             let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, an_object);
             return Self { departures, ..Self::message(spec, fields, object(spec, fields, found)) };
         }
         let Value::Object(mut found) = reply else { return Self::no_object(reply) };
-        let has_payload = command.reply != Reply::Raw && is_success(&found);
+        let has_payload = command.is_some_and(|command| command.reply != Reply::Raw) && is_success(&found);
         let departures = envelope(command, &mut found);
         let parts = if has_payload { object(spec, fields, found) } else { undescribed(found) };
         Self { departures, ..Self::message(spec, fields, parts) }
-    }
-
-    /// Reply to a command that is not known: the spec describes none of its keys.
-    pub fn of_unknown_command(spec: &'s Spec, reply: Value) -> Self {
-        let Value::Object(mut found) = reply else { return Self::no_object(reply) };
-        found.retain(|key, _| !ENVELOPE.contains(&key.as_str()));
-        Self::message(spec, &[], undescribed(found))
     }
 
     /// Request for a command, `cmdName` and all.
@@ -233,10 +227,11 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }
 
-/// Takes from a reply the keys that every reply has: their departures.
-fn envelope(command: &Command, found: &mut Map<String, Value>) -> Vec<Departure> {
+/// Takes from a reply the keys that every reply has: their departures, where the command is known.
+fn envelope(command: Option<&Command>, found: &mut Map<String, Value>) -> Vec<Departure> {
     let [code, message, name] =
         [ERROR_CODE, ERROR_MESSAGE, COMMAND_NAME].map(|key| found.remove(key).unwrap_or_default());
+    let Some(command) = command else { return Vec::new() };
     let kind = |value: &Value| if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
     let code_fit = match scalar::error_code(&code) {
         Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,

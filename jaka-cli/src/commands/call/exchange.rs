@@ -139,7 +139,7 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
 
 /// Prints a reply, which is given in the spec's own forms, unless it was printed as it came.
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
-    let reply = reply::read(spec, request.command, text);
+    let reply = Node::reply(spec, request.command, reply::json(text));
     match options.json {
         Some(Keys::Wire) => {}
         Some(Keys::Names) => {
