@@ -165,7 +165,7 @@ fn packed(
         let node = Node::field(spec, field, packet.get(&field.wire).cloned().unwrap_or_default());
         for misfit in node.departures_at(&field.name).iter().filter(|found| found.reading == Reading::Unreadable) {
             packet.remove(&field.wire);
-            unfit.push(DecodeError::unfit(misfit.expected.as_str(), &misfit.found).in_field(&misfit.field));
+            unfit.push(misfit.error());
         }
     }
     unfit.extend(of_program(spec));

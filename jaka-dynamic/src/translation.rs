@@ -161,8 +161,16 @@ impl<'s> Translation<'s> {
                 let elements: Option<Vec<_>> = node.parts().iter().map(|part| self.value(part, to.inner(ty))).collect();
                 elements.filter(|elements| len.is_none_or(|len| elements.len() == len)).map(Value::from)
             }
-            (Shape::Object(fields) | Shape::Tuple { fields, .. }, Shape::Object(others)) => {
-                self.object(node, fields, others).map(Value::from)
+            (Shape::Object(fields), Shape::Object(others)) => {
+                let translated = self.members(fields, others, value.as_object()?);
+                (translated.lost.is_empty() && translated.unknown.is_empty()).then(|| translated.members.into())
+            }
+            (Shape::Tuple { .. }, Shape::Object(others)) => {
+                let member = |other: &Field| {
+                    let part = node.part(&other.name).filter(|part| !part.json().is_null())?;
+                    Some(self.value(part, Slot::of(self.to, other)).map(|value| (other.wire.clone(), value)))
+                };
+                others.iter().filter_map(member).collect::<Option<_>>().map(Value::Object)
             }
             (Shape::Object(_), Shape::Tuple { fields: others, .. }) => {
                 let element = |other: &Field| self.value(node.part(&other.name)?, Slot::of(self.to, other));
@@ -178,25 +186,6 @@ impl<'s> Translation<'s> {
             }
             _ => None,
         }
-    }
-
-    /// Translates the parts of an object or of an array with names into members. A key that neither spec knows stays as
-    /// it is.
-    fn object(&self, node: &Node<'_>, fields: &[Field], others: &[Field]) -> Option<Map<String, Value>> {
-        let mut members = Map::new();
-        for part in node.parts().iter().filter(|part| !part.is_absent()) {
-            match part.label() {
-                Label::Field(field) => {
-                    let other = counterpart(field, fields, others)?;
-                    members.insert(other.wire.clone(), self.value(part, Slot::of(self.to, other))?);
-                }
-                Label::Unknown(key) if others.iter().all(|other| other.wire != *key) => {
-                    members.insert(key.clone(), part.json());
-                }
-                _ => {}
-            }
-        }
-        Some(members)
     }
 
     /// Translates the elements of an array; those beyond the fields stay as they are.

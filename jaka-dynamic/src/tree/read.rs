@@ -98,11 +98,15 @@ impl<'s> Node<'s> {
                 ..Self::value_of(label, slot.inner(inner), found)
             };
         }
-        let mut departures = departures("", fit(&slot, &value), &value, || slot.words());
-        for departure in &mut departures {
+        let (body, fit) = read(&slot, value);
+        let mut node = Self { body, ..Self::blank(label, slot) };
+        if fit != Fit::Plain {
+            node.departures = departures("", fit, &node.json(), || slot.words());
+        }
+        for departure in &mut node.departures {
             departure.advisory = departure.kind == DepartureKind::Range && slot.limits.advisory;
         }
-        Self { departures, body: body(&slot, value), ..Self::blank(label, slot) }
+        node
     }
 
     /// Value of a field, if the message has it.
@@ -113,28 +117,55 @@ impl<'s> Node<'s> {
     }
 }
 
-/// Parts of a value, if it has those of its type.
-fn body<'s>(slot: &Slot<'s>, value: Value) -> Body<'s> {
+/// Parts of a value, if it has those of its type, and the fit of the value without them.
+fn read<'s>(slot: &Slot<'s>, value: Value) -> (Body<'s>, Fit) {
+    let (too_long, unlisted) = (Fit::Lenient(DepartureKind::Length), Fit::Lenient(DepartureKind::Unlisted));
     match (slot.shape, value) {
-        (Shape::List(ty, _), Value::Array(found)) => {
+        (Shape::List(ty, len), Value::Array(found)) => {
+            let fits = len.is_none_or(|len| len == found.len());
+            let fit = if fits { Fit::Plain } else { Fit::Unreadable(DepartureKind::Length) };
             let element = |(index, value)| Node::value_of(Label::Element(index), slot.inner(ty), value);
-            Body::Parts(found.into_iter().enumerate().map(element).collect())
+            (Body::Parts(found.into_iter().enumerate().map(element).collect()), fit)
         }
-        (Shape::Object(fields), Value::Object(found)) => Body::Parts(object(slot.spec, fields, found)),
-        (Shape::Tuple { fields, .. }, Value::Array(found)) => {
-            Body::Parts(elements(slot.spec, fields, found.into_iter()).collect())
+        (Shape::Object(fields), Value::Object(found)) => (Body::Parts(object(slot.spec, fields, found)), Fit::Plain),
+        (Shape::Tuple { fields, exact }, Value::Array(found)) => {
+            let fit = match found.len() > fields.len() {
+                true if exact => Fit::Unreadable(DepartureKind::Length),
+                true => too_long,
+                false => Fit::Plain,
+            };
+            (Body::Parts(elements(slot.spec, fields, found.into_iter()).collect()), fit)
         }
         (Shape::Choice(choice), Value::Array(found)) => {
-            let tag = found.first().and_then(wire);
-            let Some(variant) = choice.variants.iter().find(|variant| Some(variant.wire) == tag) else {
-                return Body::Leaf(found.into());
+            let Some(tag) = found.first().and_then(wire) else { return misfit(found.into()) };
+            let Some(variant) = choice.variants.iter().find(|variant| variant.wire == tag) else {
+                return (Body::Leaf(found.into()), unlisted);
             };
+            let fit = if found.len() - 1 > variant.fields.len() { too_long } else { Fit::Plain };
             let (mut found, label) = (found.into_iter(), Label::Tag { key: "", variant: Some(variant) });
             let tag = found.next().map(|tag| Node::undescribed(label, tag));
-            Body::Parts(tag.into_iter().chain(elements(slot.spec, &variant.fields, found)).collect())
+            (Body::Parts(tag.into_iter().chain(elements(slot.spec, &variant.fields, found)).collect()), fit)
         }
-        (_, value) => Body::Leaf(value),
+        (Shape::IntEnum(values), value) => {
+            let Some((wire, fit)) = scalar::int(&value) else { return misfit(value) };
+            let is_listed = values.iter().any(|listed| listed.wire == wire);
+            (Body::Leaf(value), if is_listed { fit } else { unlisted })
+        }
+        (Shape::TextEnum(values), Value::String(text)) => {
+            let is_listed = values.iter().any(|listed| listed.wire == text);
+            (Body::Leaf(text.into()), if is_listed { Fit::Plain } else { unlisted })
+        }
+        (Shape::Scalar(scalar), value) => {
+            let fit = scalar::fit(scalar, &slot.limits, &value);
+            (Body::Leaf(value), fit)
+        }
+        (_, value) => misfit(value),
     }
+}
+
+/// A value of another JSON type.
+fn misfit<'s>(value: Value) -> (Body<'s>, Fit) {
+    (Body::Leaf(value), Fit::Unreadable(DepartureKind::Form))
 }
 
 /// Keys of an object without a description, then its fields.
@@ -182,41 +213,6 @@ fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> S
 
 fn an_object() -> String {
     "an object".to_owned()
-}
-
-/// Fit of a value, without its parts.
-fn fit(slot: &Slot<'_>, value: &Value) -> Fit {
-    let fit = match slot.shape {
-        Shape::Scalar(scalar) => Some(scalar::fit(scalar, &slot.limits, value)),
-        Shape::Python(_) => None,
-        Shape::List(_, len) => value.as_array().map(|found| match len {
-            Some(len) if len != found.len() => Fit::Unreadable(DepartureKind::Length),
-            _ => Fit::Plain,
-        }),
-        Shape::Object(_) => value.is_object().then_some(Fit::Plain),
-        Shape::Tuple { fields, exact } => value.as_array().map(|found| match found.len() > fields.len() {
-            true if exact => Fit::Unreadable(DepartureKind::Length),
-            true => Fit::Lenient(DepartureKind::Length),
-            false => Fit::Plain,
-        }),
-        Shape::IntEnum(values) => scalar::int(value).map(|(wire, fit)| {
-            let is_listed = values.iter().any(|listed| listed.wire == wire);
-            if is_listed { fit } else { Fit::Lenient(DepartureKind::Unlisted) }
-        }),
-        Shape::TextEnum(values) => value.as_str().map(|text| {
-            let is_listed = values.iter().any(|listed| listed.wire == text);
-            if is_listed { Fit::Plain } else { Fit::Lenient(DepartureKind::Unlisted) }
-        }),
-        Shape::Choice(choice) => value.as_array().and_then(|found| {
-            let tag = wire(found.first()?)?;
-            Some(match choice.variants.iter().find(|variant| variant.wire == tag) {
-                None => Fit::Lenient(DepartureKind::Unlisted),
-                Some(variant) if found.len() - 1 > variant.fields.len() => Fit::Lenient(DepartureKind::Length),
-                Some(_) => Fit::Plain,
-            })
-        }),
-    };
-    fit.unwrap_or(Fit::Unreadable(DepartureKind::Form))
 }
 
 /// The reply that a bare Python tuple stands for.
