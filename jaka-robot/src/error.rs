@@ -93,38 +93,38 @@ impl Error {
     /// A call that sends several commands, such as [`Robot::power_up`](crate::Robot::power_up), tells of the one that
     /// failed: those before it were carried out.
     pub fn may_have_run(&self) -> bool {
-        self.kind().meaning().1
+        self.kind().meaning().may_have_run
     }
 
     /// True if the connection can no longer be used.
     pub fn is_disconnected(&self) -> bool {
-        self.kind().meaning().0 == Group::Disconnected
+        self.kind().meaning().group == Group::Disconnected
     }
 
     /// True if a reply, a status packet or a state did not come in time, or the command could not be sent in time.
     pub fn is_timeout(&self) -> bool {
-        self.kind().meaning().0 == Group::Timeout
+        self.kind().meaning().group == Group::Timeout
     }
 
     /// True if the controller refused the command.
     pub fn is_refused(&self) -> bool {
-        self.kind().meaning().0 == Group::Refused
+        self.kind().meaning().group == Group::Refused
     }
 
     /// True if the spec forbids the request, or an option of this crate does not take its value. Nothing that moves the
     /// arm was sent.
     pub fn is_invalid_argument(&self) -> bool {
-        self.kind().meaning().0 == Group::InvalidArgument
+        self.kind().meaning().group == Group::InvalidArgument
     }
 
     /// True if nothing was sent because the controller's firmware does not have the command or one of its fields.
     pub fn is_not_in_firmware(&self) -> bool {
-        self.kind().meaning().0 == Group::NotInFirmware
+        self.kind().meaning().group == Group::NotInFirmware
     }
 
     /// True if no connection could be made.
     pub fn is_connect(&self) -> bool {
-        self.kind().meaning().0 == Group::Connect
+        self.kind().meaning().group == Group::Connect
     }
 
     /// The controller's code and message, if it refused the command.
@@ -190,7 +190,7 @@ impl fmt::Display for Error {
 
 impl StdError for Error {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
-        self.kind().meaning().2
+        self.kind().meaning().source
     }
 }
 

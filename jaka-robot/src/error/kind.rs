@@ -261,9 +261,14 @@ pub(super) enum Group {
     Other,
 }
 
-/// What a kind means: what it is to the predicates, whether the command may have run, and the error below it; where the
-/// text of that is part of its own, the error below that.
-pub(super) type Meaning<'k> = (Group, bool, Option<&'k (dyn StdError + 'static)>);
+/// Meaning of a kind to the predicates of an error.
+pub(super) struct Meaning<'k> {
+    pub(super) group: Group,
+    /// True if the command may have run.
+    pub(super) may_have_run: bool,
+    /// Error below it; where the text of that is part of its own, the error below that.
+    pub(super) source: Option<&'k (dyn StdError + 'static)>,
+}
 
 impl ErrorKind {
     /// Cause of the end of moving, or why it is kept back; of several errors in one, the first by precedence.
@@ -380,7 +385,7 @@ impl ErrorKind {
 
     /// Each kind is named, so that a new one does not compile before it is decided what it means.
     pub(super) fn meaning(&self) -> Meaning<'_> {
-        match self {
+        let (group, may_have_run, source): (_, _, Option<&(dyn StdError + 'static)>) = match self {
             Self::Connection(error) => (Group::of_connection(error), error.may_have_run(), error.source()),
             Self::InvalidOption { .. } => (Group::InvalidArgument, false, None),
             Self::PortInAddress { .. } => (Group::Connect, false, None),
@@ -416,7 +421,8 @@ impl ErrorKind {
             Self::ModelMismatch { source } => (Group::Other, false, Some(source)),
             Self::Trajectory { source } => (Group::Other, false, source.source()),
             Self::Thread { source } | Self::RealtimePriority { source, .. } => (Group::Other, false, Some(source)),
-        }
+        };
+        Meaning { group, may_have_run, source }
     }
 }
 
