@@ -162,8 +162,8 @@ fn packed(
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
     }
     for field in &layout.own {
-        let node = Node::field(spec, field, packet.get(&field.wire).cloned().unwrap_or_default());
-        for misfit in node.departures_at(&field.name).iter().filter(|found| found.reading == Reading::Unreadable) {
+        let node = Node::field(spec, field, packet.get(&field.wire).cloned());
+        for misfit in node.departures().iter().filter(|found| found.reading == Reading::Unreadable) {
             packet.remove(&field.wire);
             unfit.push(misfit.error());
         }

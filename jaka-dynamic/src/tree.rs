@@ -250,16 +250,11 @@ impl<'s> Node<'s> {
 
 /// Departures from the spec.
 impl Node<'_> {
-    /// Differences between the message and the spec: of each object those of unknown keys first, then in the order of
-    /// the spec.
+    /// Differences from the spec: of each object those of unknown keys first, then in the order of the spec. Paths are
+    /// those inside the message; of a field alone they begin with its name in Rust.
     pub fn departures(&self) -> Vec<Departure> {
-        self.departures_at(&self.label.wire_path(""))
-    }
-
-    /// The same, where the node stands at this path.
-    pub fn departures_at(&self, place: &str) -> Vec<Departure> {
         let mut found = Vec::new();
-        self.collect(place, &mut found);
+        self.collect(&self.label.path(""), &mut found);
         found
     }
 

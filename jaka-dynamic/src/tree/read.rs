@@ -30,7 +30,7 @@ impl<'s> Node<'s> {
         let command = command.into();
         let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
         if let Some(found) = command.and_then(|command| bare_reply(command, &reply)) {
-            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, an_object);
+            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, || "an object".to_owned());
             return Self { departures, ..Self::message(spec, fields, object(spec, fields, found)) };
         }
         let Value::Object(mut found) = reply else { return Self::no_object(reply) };
@@ -67,7 +67,7 @@ impl<'s> Node<'s> {
 
     /// A message that is no object.
     fn no_object(found: Value) -> Self {
-        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, an_object);
+        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, || "an object".to_owned());
         Self { departures, ..Self::undescribed(Label::Message, found) }
     }
 
@@ -78,15 +78,16 @@ impl<'s> Node<'s> {
 
 /// Values.
 impl<'s> Node<'s> {
-    /// Value of a field; null where there is none.
-    pub fn field(spec: &'s Spec, field: &'s Field, value: Value) -> Self {
+    /// Value of a field, if the message has it.
+    pub fn field(spec: &'s Spec, field: &'s Field, found: impl Into<Option<Value>>) -> Self {
         let (label, slot) = (Label::Field(field), Slot::of(spec, field));
-        if !value.is_null() {
-            return Self::value_of(label, slot, value);
-        }
+        let found = match found.into() {
+            Some(value) if !value.is_null() => return Self::value_of(label, slot, value),
+            found => found,
+        };
         let fit = if field.optional { Fit::Plain } else { Fit::Unreadable(DepartureKind::Missing) };
-        let departures = departures("", fit, &value, || slot.words());
-        Self { departures, body: Body::Leaf(value), ..Self::blank(label, slot) }
+        let departures = departures("", fit, &Value::Null, || slot.words());
+        Self { departures, body: found.map_or(Body::Absent, Body::Leaf), ..Self::blank(label, slot) }
     }
 
     fn value_of(label: Label<'s>, slot: Slot<'s>, value: Value) -> Self {
@@ -107,13 +108,6 @@ impl<'s> Node<'s> {
             departure.advisory = departure.kind == DepartureKind::Range && slot.limits.advisory;
         }
         node
-    }
-
-    /// Value of a field, if the message has it.
-    fn member(spec: &'s Spec, field: &'s Field, found: Option<Value>) -> Self {
-        let is_absent = found.is_none();
-        let node = Self::field(spec, field, found.unwrap_or_default());
-        if is_absent { Self { body: Body::Absent, ..node } } else { node }
     }
 }
 
@@ -170,7 +164,7 @@ fn misfit<'s>(value: Value) -> (Body<'s>, Fit) {
 
 /// Keys of an object without a description, then its fields.
 fn object<'s>(spec: &'s Spec, fields: &'s [Field], mut found: Map<String, Value>) -> Vec<Node<'s>> {
-    let fields: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.remove(&field.wire))).collect();
+    let fields: Vec<_> = fields.iter().map(|field| Node::field(spec, field, found.remove(&field.wire))).collect();
     let unknown = found.into_iter().map(|(key, value)| Node {
         departures: departures("", Fit::Lenient(DepartureKind::Unknown), &value, || notation(&value)),
         ..Node::undescribed(Label::Unknown(key), value)
@@ -188,7 +182,7 @@ fn elements<'s>(
     fields: &'s [Field],
     mut found: impl Iterator<Item = Value>,
 ) -> impl Iterator<Item = Node<'s>> {
-    let members: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.next())).collect();
+    let members: Vec<_> = fields.iter().map(|field| Node::field(spec, field, found.next())).collect();
     let beyond = found.enumerate();
     let beyond = beyond.map(|(index, value)| Node::undescribed(Label::Element(fields.len() + index), value));
     members.into_iter().chain(beyond)
@@ -209,10 +203,6 @@ fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> S
     let found = if kind == DepartureKind::Missing { String::new() } else { shown(value) };
     let (field, expected) = (field.to_owned(), expected());
     vec![Departure { field, kind, found, expected, reading, advisory: false, more: 0 }]
-}
-
-fn an_object() -> String {
-    "an object".to_owned()
 }
 
 /// The reply that a bare Python tuple stands for.
