@@ -50,8 +50,8 @@ struct Encoder<'s> {
 
 /// Fields of structs, of arrays and of choices.
 impl Encoder<'_> {
-    /// Writes the fields of an object at a path, without braces; numbers in it are advised of this, where their fields do
-    /// not say otherwise. `tag` is a key that is not a field.
+    /// Writes the fields of an object, without braces. What is advised of outer numbers holds where a field does not
+    /// say otherwise. `tag` is a key that is not a field.
     fn object(&mut self, (place, advised): Outer<'_>, fields: &[Field], given: &Map<String, Value>, tag: &str) {
         for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
             let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));

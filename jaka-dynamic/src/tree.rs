@@ -233,7 +233,7 @@ impl<'s> Node<'s> {
         }
     }
 
-    /// What the spec says of the value of an enum, if it lists it.
+    /// Entry of the spec for the value of an enum, if it lists it.
     pub(crate) fn listed<T>(
         &self,
         of_int: impl Fn(&'s EnumValue<i64>) -> T,
@@ -270,9 +270,9 @@ impl Node<'_> {
         is_raw && !matches!(self.body, Body::Absent | Body::Leaf(Value::Null))
     }
 
-    /// What a controller must refuse in a request: unknown keys are skipped, numbers may be strings, truth values may have
-    /// any of their forms. Ranges and values of enums that newer firmware has widened are not enforced. Fields are named
-    /// by their keys on the wire.
+    /// Problems for which a controller must refuse a request. Unknown keys are skipped, numbers may be strings, and
+    /// truth values may have any of their forms. Ranges and values of enums that newer firmware has widened are not
+    /// enforced. Fields are named by their keys on the wire.
     pub fn problems(&self) -> Vec<Problem> {
         let is_refused = |departure: &Departure| {
             let forbidden = matches!(departure.kind, DepartureKind::Range | DepartureKind::Unlisted);

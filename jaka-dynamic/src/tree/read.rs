@@ -23,9 +23,9 @@ impl<'s> Node<'s> {
     /// Of a refusal only the envelope is compared with the spec, for it carries no payload. A bare Python tuple, which
     /// some firmware sends in place of a reply, is given as a JSON string.
     ///
-    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the
-    /// reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync never gets a
-    /// reply in which one of the three keys of the envelope comes twice and says different things.
+    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses
+    /// the reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync
+    /// never gets a reply in which one of the three keys of the envelope comes twice and says different things.
     pub fn reply(spec: &'s Spec, command: impl Into<Option<&'s Command>>, reply: Value) -> Self {
         let command = command.into();
         let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
