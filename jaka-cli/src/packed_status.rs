@@ -161,23 +161,20 @@ fn packed(
         let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
         unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
     }
-    let mut own = Map::new();
     for field in &layout.own {
-        let node = Node::field(spec, field, packet.get(&field.wire).cloned().unwrap_or_default());
-        if node.is_readable() {
-            own.extend(packet.remove_entry(&field.wire));
-            continue;
+        let node = Node::field(spec, field, packet.get(&field.wire).cloned());
+        for misfit in node.departures().iter().filter(|found| found.reading == Reading::Unreadable) {
+            packet.remove(&field.wire);
+            unfit.push(misfit.error());
         }
-        let misfits = node.departures_at(&field.name).into_iter().filter(|found| found.reading == Reading::Unreadable);
-        unfit.extend(misfits.map(|misfit| DecodeError::unfit(misfit.expected, &misfit.found).in_field(&misfit.field)));
-        packet.remove(&field.wire);
     }
     unfit.extend(of_program(spec));
-    let text = Value::Object(as_built_in(spec, &packet, &own)).to_string();
+    let text = Value::Object(as_built_in(spec, &packet)).to_string();
     let mut reader = Reader::in_own_form(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
-    Ok(PackedStatus { status, own, unfit, is_by_packs: true })
+    packet.retain(|key, _| layout.own.iter().any(|field| field.wire == *key));
+    Ok(PackedStatus { status, own: packet, unfit, is_by_packs: true })
 }
 
 /// Errors of the fields that packs leave to a program: this one has none.
@@ -191,25 +188,19 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
 
 /// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
 /// not convert, is left out.
-fn as_built_in(spec: &Spec, packet: &Map<String, Value>, own: &Map<String, Value>) -> Map<String, Value> {
+fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
     let member = |known: &Field| {
         let field = spec.status_field_as(known)?;
-        let value = own.get(&field.wire).or_else(|| packet.get(&field.wire))?;
-        Some((known.wire.clone(), translation.field(field, known, value)?))
+        Some((known.wire.clone(), translation.field(field, known, packet.get(&field.wire)?)?))
     };
     builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
-/// True if a field is read in every firmware as the built-in one.
+/// True if a field is read in every firmware as the built-in one: key, type, unit, and all that the type is made of.
 fn is_as_built_in(spec: &Spec, field: &Field, known: &Field) -> bool {
-    known.wire == field.wire && !spec.has_forms(from_ref(field)) && means_same(spec, field, known)
-}
-
-/// True if the values of a field mean what those of the built-in field mean: type, unit, and all that the type is made
-/// of.
-fn means_same(spec: &Spec, field: &Field, known: &Field) -> bool {
-    field.ty == known.ty && field.unit == known.unit && spec.defines_as(builtin::spec(), &field.ty)
+    let is_same = (&known.wire, &known.ty, &known.unit) == (&field.wire, &field.ty, &field.unit);
+    is_same && !spec.has_forms(from_ref(field)) && spec.defines_as(builtin::spec(), &field.ty)
 }
 
 #[cfg(test)]

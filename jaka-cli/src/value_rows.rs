@@ -30,16 +30,12 @@ pub(crate) fn value_rows(path: &str, node: &Node<'_>) -> Vec<Row> {
 
 /// True for a value whose parts have rows of their own: they have names, or parts themselves.
 fn has_rows(node: &Node<'_>) -> bool {
+    let has_parts =
+        |node: &Node<'_>| matches!(node.shape(), Some(Shape::Object(_) | Shape::Tuple { .. } | Shape::List(..)));
     match node.shape() {
-        Some(Shape::Object(_) | Shape::Tuple { .. }) => !node.is_leaf(),
-        Some(Shape::List(..)) => node.parts().iter().any(|part| !is_single(part)),
-        _ => false,
+        Some(Shape::List(..)) => node.parts().iter().any(has_parts),
+        _ => has_parts(node) && !node.is_leaf(),
     }
-}
-
-/// True for a value that stands in one cell.
-fn is_single(node: &Node<'_>) -> bool {
-    !matches!(node.shape(), Some(Shape::Object(_) | Shape::Tuple { .. } | Shape::List(..)))
 }
 
 fn text(name: &str, node: &Node<'_>) -> String {

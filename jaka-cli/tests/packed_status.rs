@@ -146,6 +146,27 @@ fn conditions_judge_them() {
     .assert_eq(&run("status --until note", &arm));
 }
 
+#[test]
+fn a_key_that_is_that_of_another_field_is_not_read_as_that() {
+    let changed =
+        |field: &str, wire: &str| format!("[[override]]\ntarget = 'RobotStatus'\nfield = '{field}'\nwire = '{wire}'\n");
+    let text = changed("protective_stop", "demo_stop") + &changed("drag_status", "protective_stop");
+    fs::write(scratch("brakes.toml"), "title = 'T'\n".to_owned() + &text).expect("the folder is there");
+    let pack = scratch("brakes.toml");
+    let arm = Arm::real_time().without_power().controller(|controller| controller.pack(&pack)).start();
+    let keys = [("demo_stop", json!(1)), ("protective_stop", json!("perhaps"))];
+    arm.set_status(keys.map(|(key, value)| (key.to_owned(), value)));
+    let words = ["status", "--fields", "protective_stop,drag_status", "--pack"].map(str::to_owned);
+    let words = words.into_iter().chain([pack.display().to_string()]).chain(address_of(&arm));
+    expect![[r#"
+        protective_stop  true
+        drag_status      –
+        warning: field `drag_status`: expected false or true, found `"perhaps"`; it is left out
+        exit code 0
+    "#]]
+    .assert_eq(&jaka(words).text());
+}
+
 /// Recording of a session in which the brakes close.
 fn recording() -> PathBuf {
     let ((), recording) = recorded(packed(Arm::simulated().no_packets()), |arm| {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use jaka_proto::wire::DecodeError;
+
 /// One thing in which a message differs from the spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -21,6 +23,17 @@ pub struct Departure {
     pub advisory: bool,
     /// How many further elements of the same array differ in the same way.
     pub more: usize,
+}
+
+impl Departure {
+    /// Error of the decoder for it.
+    pub fn error(&self) -> DecodeError {
+        if self.kind == DepartureKind::Missing {
+            let key = self.field.rsplit('.').next().unwrap_or_default().to_owned();
+            return DecodeError::missing(&self.field, key);
+        }
+        DecodeError::unfit(self.expected.as_str(), &self.found).in_field(&self.field)
+    }
 }
 
 /// What differs.

@@ -31,29 +31,15 @@ pub fn request(
     let mut encoder = Encoder { spec, ranges, out: Writer::new(), problems: Vec::new() };
     encoder.out.raw(&command.head());
     match &command.request {
-        Request::Fields(known) => encoder.object(Outer::REQUEST, known, fields, ""),
+        Request::Fields(known) => encoder.object(("", Advised::NONE), known, fields, ""),
         Request::Choice(choice) => encoder.object_choice(choice, fields),
     }
     encoder.out.raw("}");
     if encoder.problems.is_empty() { Ok(encoder.out.into_string()) } else { Err(encoder.problems) }
 }
 
-/// What fields stand in.
-#[derive(Clone, Copy)]
-struct Outer<'a> {
-    /// Its path, such as `pose`; empty for the message as a whole.
-    place: &'a str,
-    /// What is advised of the numbers in it, where their fields do not say otherwise.
-    advised: Advised<'a>,
-}
-
-impl<'a> Outer<'a> {
-    const REQUEST: Self = Self { place: "", advised: Advised::NONE };
-
-    fn of(place: &'a str, slot: &Slot<'a>) -> Self {
-        Self { place, advised: slot.limits.advised }
-    }
-}
+/// Path of what fields stand in, and what is advised of the numbers in it.
+type Outer<'a> = (&'a str, Advised<'a>);
 
 struct Encoder<'s> {
     spec: &'s Spec,
@@ -64,14 +50,15 @@ struct Encoder<'s> {
 
 /// Fields of structs, of arrays and of choices.
 impl Encoder<'_> {
-    /// Writes the fields of an object, without braces. `tag` is a key that is not a field.
-    fn object(&mut self, outer: Outer<'_>, fields: &[Field], given: &Map<String, Value>, tag: &str) {
+    /// Writes the fields of an object, without braces. What is advised of outer numbers holds where a field does not
+    /// say otherwise. `tag` is a key that is not a field.
+    fn object(&mut self, (place, advised): Outer<'_>, fields: &[Field], given: &Map<String, Value>, tag: &str) {
         for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
             let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));
-            self.problem(&member(outer.place, key), ProblemKind::Unknown, value, known);
+            self.problem(&member(place, key), ProblemKind::Unknown, value, known);
         }
-        let values: Vec<_> = fields.iter().map(|field| self.given(outer.place, fields, field, given)).collect();
-        self.members(outer, fields, &values);
+        let values: Vec<_> = fields.iter().map(|field| self.given(place, fields, field, given)).collect();
+        self.members((place, advised), fields, &values);
     }
 
     /// The value given for a field.
@@ -92,13 +79,13 @@ impl Encoder<'_> {
     }
 
     /// Writes one value for each field, with its key where it has one.
-    fn members(&mut self, outer: Outer<'_>, fields: &[Field], values: &[Option<&Value>]) {
+    fn members(&mut self, (outer, advised): Outer<'_>, fields: &[Field], values: &[Option<&Value>]) {
         for (index, (field, value)) in fields.iter().zip(values).enumerate() {
             // An element of an array cannot be left out before one that is given.
             let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
-            let place = member(outer.place, &field.name);
+            let place = member(outer, &field.name);
             let rows = advice::rows(self.spec, fields, (field, self.ranges), values);
-            let advised = if rows.list.is_empty() { outer.advised } else { Advised::to(&rows.list).times(rows.times) };
+            let advised = if rows.list.is_empty() { advised } else { Advised::to(&rows.list).times(rows.times) };
             let slot = Slot::of(self.spec, field).advised(advised);
             if let Some(value) = value {
                 if field.wire.is_empty() {
@@ -121,7 +108,7 @@ impl Encoder<'_> {
         };
         self.out.key(&choice.key());
         self.out.int(variant.wire);
-        self.object(Outer::REQUEST, &variant.fields, given, &choice.tag);
+        self.object(("", Advised::NONE), &variant.fields, given, &choice.tag);
     }
 
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {

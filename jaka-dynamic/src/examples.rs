@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::{Map, Value};
 
-use super::{AdvisoryRanges, Departure, DepartureKind, Node, Reading};
+use super::{AdvisoryRanges, DepartureKind, Node, Reading};
 use jaka_spec::{COMMAND_NAME, Command, Example, Spec};
 
 /// An example of a command that is not as the command's fields have it.
@@ -41,22 +41,25 @@ pub fn misfits(spec: &Spec, command: &Command) -> Vec<Misfit> {
 }
 
 fn of_example(spec: &Spec, command: &Command, example: &Example) -> Vec<Misfit> {
-    let mut found = Vec::new();
-    let mut add = |message: &str, is_request, what: Vec<(String, bool)>| {
-        found.extend(what.into_iter().map(|(what, is_lenient)| Misfit {
-            command: command.wire.clone(),
-            message: message.to_owned(),
-            is_request,
-            what,
-            is_lenient,
-        }));
+    let misfit = |message: &str, what| {
+        let (command, message) = (command.wire.clone(), message.to_owned());
+        Misfit { command, message, is_request: true, what, is_lenient: false }
     };
+    let mut found = Vec::new();
     if let Some(request) = &example.request {
-        let problems = of_request(spec, command, request);
-        add(request, true, problems.into_iter().map(|problem| (problem, false)).collect());
+        found.extend(of_request(spec, command, request).into_iter().map(|what| misfit(request, what)));
     }
     if let Some(reply) = &example.reply {
-        add(reply, false, of_reply(spec, command, reply));
+        // A bare Python tuple, perhaps.
+        let message = serde_json::from_str(reply).unwrap_or_else(|_| Value::String(reply.clone()));
+        found.extend(Node::reply(spec, command, message).departures().into_iter().map(|departure| {
+            // A key that the spec does not know is skipped, but belongs to no example.
+            let is_lenient = departure.reading == Reading::Lenient && departure.kind != DepartureKind::Unknown;
+            let text = departure.to_string();
+            // Without the reading, which the misfit has in its own terms.
+            let what = text.split_once(": ").map_or(&*text, |(_reading, what)| what);
+            Misfit { is_request: false, is_lenient, ..misfit(reply, what.to_owned()) }
+        }));
     }
     found
 }
@@ -76,22 +79,4 @@ fn of_request(spec: &Spec, command: &Command, request: &str) -> Vec<String> {
         Err(problems) => problems,
     };
     problems.iter().map(ToString::to_string).collect()
-}
-
-fn of_reply(spec: &Spec, command: &Command, reply: &str) -> Vec<(String, bool)> {
-    let message = match serde_json::from_str(reply) {
-        Ok(message) => message,
-        // A bare Python tuple, perhaps.
-        Err(_) => Value::String(reply.to_owned()),
-    };
-    Node::reply(spec, command, message).departures().iter().map(misfit).collect()
-}
-
-/// What departs, and whether that is lenient: a key that the spec does not know is skipped, but belongs to no example.
-fn misfit(departure: &Departure) -> (String, bool) {
-    let is_lenient = departure.reading == Reading::Lenient && departure.kind != DepartureKind::Unknown;
-    let text = departure.to_string();
-    // Without the reading, which the misfit has in its own terms.
-    let what = text.split_once(": ").map_or(&*text, |(_reading, what)| what);
-    (what.to_owned(), is_lenient)
 }

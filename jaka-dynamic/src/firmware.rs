@@ -3,7 +3,7 @@
 use jaka_proto::{FirmwareRange, FirmwareVersion, NotInFirmware};
 use jaka_spec::{Command, Version, Versions};
 
-use crate::tree::Node;
+use crate::tree::{Label, Node};
 
 /// The versions as a range of jaka-proto.
 pub fn firmware_range(versions: &Versions) -> FirmwareRange {
@@ -24,16 +24,18 @@ pub fn not_in_firmware(command: &Command, request: &Node<'_>, firmware: Firmware
 fn in_parts(command: &Command, node: &Node<'_>, place: &str, firmware: FirmwareVersion) -> Option<NotInFirmware> {
     node.parts().iter().filter(|part| !part.is_absent()).find_map(|part| {
         let place = part.label().path(place);
-        let missing = |versions: Option<&Versions>| {
-            let range = firmware_range(versions?);
+        let missing = |versions: &Versions| {
+            let range = firmware_range(versions);
             let missing = || NotInFirmware::new(&command.wire, Some(place.clone()), firmware, range);
             (!range.contains(firmware)).then(missing)
         };
+        let of_field = if let Label::Field(field) = part.label() { missing(&field.versions) } else { None };
         let of_value = || {
+            let versions = part.listed(|listed| &listed.versions, |listed| &listed.versions)?;
             let value = part.value();
             let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-            missing(part.listed().map(|listed| listed.versions)).map(|missing| missing.with_value(text))
+            Some(missing(versions)?.with_value(text))
         };
-        missing(part.versions()).or_else(of_value).or_else(|| in_parts(command, part, &place, firmware))
+        of_field.or_else(of_value).or_else(|| in_parts(command, part, &place, firmware))
     })
 }

@@ -134,7 +134,7 @@ impl<'s> Translation<'s> {
     }
 
     fn value(&self, node: &Node<'_>, to: Slot<'_>) -> Option<Value> {
-        let (value, from) = (node.json(), node.slot()?);
+        let (value, from) = (node.json(), node.slot?);
         if value.is_null() || from.means(&to) {
             return Some(value);
         }
@@ -155,29 +155,22 @@ impl<'s> Translation<'s> {
                 (_, Scalar::Json) => Some(value),
                 (scalar, other) => (scalar == other && from.limits.unit == to.limits.unit).then_some(value),
             },
-            // A raw number that a pack names, or the other way round. Enums are open.
-            (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => {
-                Some(scalar::int(&value)?.0.into())
-            }
-            (Shape::IntEnum(values), Shape::IntEnum(others)) => {
-                translated(values, others, &scalar::int(&value)?.0).map(Value::from)
-            }
-            (Shape::TextEnum(values), Shape::TextEnum(others)) => {
-                translated(values, others, &value.as_str()?.to_owned()).map(Value::from)
-            }
-            (Shape::IntEnum(values), Shape::TextEnum(others)) => {
-                renamed(values, others, &scalar::int(&value)?.0).map(Value::from)
-            }
-            (Shape::TextEnum(values), Shape::IntEnum(others)) => {
-                renamed(values, others, &value.as_str()?.to_owned()).map(Value::from)
-            }
+            (Shape::IntEnum(_) | Shape::TextEnum(_) | Shape::Scalar(_), _) => listed(from.shape, to.shape, &value),
             _ if node.is_leaf() => None,
             (Shape::List(..), Shape::List(ty, len)) => {
                 let elements: Option<Vec<_>> = node.parts().iter().map(|part| self.value(part, to.inner(ty))).collect();
                 elements.filter(|elements| len.is_none_or(|len| elements.len() == len)).map(Value::from)
             }
-            (Shape::Object(fields) | Shape::Tuple { fields, .. }, Shape::Object(others)) => {
-                self.object(node, fields, others).map(Value::from)
+            (Shape::Object(fields), Shape::Object(others)) => {
+                let translated = self.members(fields, others, value.as_object()?);
+                (translated.lost.is_empty() && translated.unknown.is_empty()).then(|| translated.members.into())
+            }
+            (Shape::Tuple { .. }, Shape::Object(others)) => {
+                let member = |other: &Field| {
+                    let part = node.part(&other.name).filter(|part| !part.json().is_null())?;
+                    Some(self.value(part, Slot::of(self.to, other)).map(|value| (other.wire.clone(), value)))
+                };
+                others.iter().filter_map(member).collect::<Option<_>>().map(Value::Object)
             }
             (Shape::Object(_), Shape::Tuple { fields: others, .. }) => {
                 let element = |other: &Field| self.value(node.part(&other.name)?, Slot::of(self.to, other));
@@ -193,25 +186,6 @@ impl<'s> Translation<'s> {
             }
             _ => None,
         }
-    }
-
-    /// Translates the parts of an object or of an array with names into members. A key that neither spec knows stays as
-    /// it is.
-    fn object(&self, node: &Node<'_>, fields: &[Field], others: &[Field]) -> Option<Map<String, Value>> {
-        let mut members = Map::new();
-        for part in node.parts().iter().filter(|part| !part.is_absent()) {
-            match part.label() {
-                Label::Field(field) => {
-                    let other = counterpart(field, fields, others)?;
-                    members.insert(other.wire.clone(), self.value(part, Slot::of(self.to, other))?);
-                }
-                Label::Unknown(key) if others.iter().all(|other| other.wire != *key) => {
-                    members.insert(key.clone(), part.json());
-                }
-                _ => {}
-            }
-        }
-        Some(members)
     }
 
     /// Translates the elements of an array; those beyond the fields stay as they are.
@@ -231,6 +205,7 @@ impl<'s> Translation<'s> {
         if from.means(&to) {
             return true;
         }
+        let can_list = |value: &Value| listed(from.shape, to.shape, value).is_some();
         let is_same_unit = from.limits.unit == to.limits.unit;
         let all = |fields: &[Field], others: &[Field]| {
             let can = |field: &Field, other: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
@@ -253,23 +228,13 @@ impl<'s> Translation<'s> {
                 Shape::Object(fields) | Shape::Tuple { fields, .. },
                 Shape::Object(others) | Shape::Tuple { fields: others, .. },
             ) => all(fields, others),
-            (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => true,
+            (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) => true,
             (Shape::Choice(choice), Shape::Choice(other)) => choice.variants.iter().all(|variant| {
                 let same = other.variants.iter().find(|other| other.name == variant.name);
                 same.is_some_and(|other| all(&variant.fields, &other.fields))
             }),
-            (Shape::IntEnum(values), Shape::IntEnum(others)) => {
-                values.iter().all(|value| translated(values, others, &value.wire).is_some())
-            }
-            (Shape::TextEnum(values), Shape::TextEnum(others)) => {
-                values.iter().all(|value| translated(values, others, &value.wire).is_some())
-            }
-            (Shape::IntEnum(values), Shape::TextEnum(others)) => {
-                values.iter().all(|value| renamed(values, others, &value.wire).is_some())
-            }
-            (Shape::TextEnum(values), Shape::IntEnum(others)) => {
-                values.iter().all(|value| renamed(values, others, &value.wire).is_some())
-            }
+            (Shape::IntEnum(values), _) => values.iter().all(|value| can_list(&value.wire.into())),
+            (Shape::TextEnum(values), _) => values.iter().all(|value| can_list(&value.wire.as_str().into())),
             _ => false,
         }
     }
@@ -289,6 +254,22 @@ pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Opt
 fn unmatched(fields: &[Field], others: &[Field], can: impl Fn(&Field, &Field) -> bool) -> Vec<String> {
     let is_unmatched = |field: &&Field| !counterpart(field, fields, others).is_some_and(|other| can(field, other));
     fields.iter().filter(is_unmatched).map(|field| field.wire.clone()).collect()
+}
+
+/// Value of an enum as one of another enum, or as a raw number that a pack names. Enums are open.
+fn listed(from: Shape<'_>, to: Shape<'_>, value: &Value) -> Option<Value> {
+    let int = || scalar::int(value).map(|(int, _)| int);
+    let text = || value.as_str().map(str::to_owned);
+    match (from, to) {
+        (Shape::Scalar(Scalar::Int), Shape::IntEnum(_)) | (Shape::IntEnum(_), Shape::Scalar(Scalar::Int)) => {
+            int().map(Value::from)
+        }
+        (Shape::IntEnum(values), Shape::IntEnum(others)) => translated(values, others, &int()?).map(Value::from),
+        (Shape::TextEnum(values), Shape::TextEnum(others)) => translated(values, others, &text()?).map(Value::from),
+        (Shape::IntEnum(values), Shape::TextEnum(others)) => renamed(values, others, &int()?).map(Value::from),
+        (Shape::TextEnum(values), Shape::IntEnum(others)) => renamed(values, others, &text()?).map(Value::from),
+        _ => None,
+    }
 }
 
 /// Value of the other enum with the name of this one.

@@ -5,7 +5,7 @@ mod read;
 
 pub(crate) use self::read::is_success;
 
-use jaka_spec::{EnumValue, Field, Scalar, Shape, Variant, Versions};
+use jaka_spec::{EnumValue, Field, Scalar, Shape, Variant};
 use serde_json::{Map, Value};
 
 use super::departure::{Departure, DepartureKind, Reading};
@@ -18,7 +18,7 @@ use super::slot::Slot;
 pub struct Node<'s> {
     label: Label<'s>,
     /// Its type and limits; none where the spec describes nothing.
-    slot: Option<Slot<'s>>,
+    pub(crate) slot: Option<Slot<'s>>,
     body: Body<'s>,
     /// Text of the Python literal that was read as this value.
     literal: Option<String>,
@@ -108,10 +108,6 @@ impl<'s> Node<'s> {
         self.slot.map(|slot| slot.shape)
     }
 
-    pub(crate) fn slot(&self) -> Option<Slot<'s>> {
-        self.slot
-    }
-
     /// Unit of its number or numbers, if there is one.
     pub fn unit(&self) -> Option<&'s str> {
         self.slot.map(|slot| slot.limits.unit).filter(|unit| !unit.is_empty())
@@ -120,11 +116,6 @@ impl<'s> Node<'s> {
     /// True for what the spec describes.
     pub fn is_described(&self) -> bool {
         self.slot.is_some() || matches!(self.label, Label::Tag { .. })
-    }
-
-    /// Firmware that has the field; none of what is no field.
-    pub(crate) fn versions(&self) -> Option<&'s Versions> {
-        if let Label::Field(field) = self.label { Some(&field.versions) } else { None }
     }
 
     /// True if its type has parts with names or elements.
@@ -238,47 +229,32 @@ impl<'s> Node<'s> {
     pub fn value_name(&self) -> Option<&'s str> {
         match &self.label {
             Label::Tag { variant, .. } => variant.map(|variant| &*variant.name),
-            _ => self.listed().map(|listed| listed.name),
+            _ => self.listed(|listed| &*listed.name, |listed| &*listed.name),
         }
     }
 
-    /// What the spec says of the value of an enum, if it lists it.
-    pub(crate) fn listed(&self) -> Option<Listed<'s>> {
+    /// Entry of the spec for the value of an enum, if it lists it.
+    pub(crate) fn listed<T>(
+        &self,
+        of_int: impl Fn(&'s EnumValue<i64>) -> T,
+        of_text: impl Fn(&'s EnumValue<String>) -> T,
+    ) -> Option<T> {
         let value = self.value();
         match self.shape()? {
-            Shape::IntEnum(values) => values.iter().find(|listed| Some(listed.wire) == value.as_i64()).map(Listed::of),
-            Shape::TextEnum(values) => {
-                values.iter().find(|listed| Some(&*listed.wire) == value.as_str()).map(Listed::of)
-            }
+            Shape::IntEnum(values) => values.iter().find(|listed| Some(listed.wire) == value.as_i64()).map(of_int),
+            Shape::TextEnum(values) => values.iter().find(|listed| Some(&*listed.wire) == value.as_str()).map(of_text),
             _ => None,
         }
     }
 }
 
-/// Value of an enum that the spec lists.
-pub(crate) struct Listed<'s> {
-    name: &'s str,
-    pub(crate) versions: &'s Versions,
-}
-
-impl<'s> Listed<'s> {
-    fn of<T>(listed: &'s EnumValue<T>) -> Self {
-        Self { name: &listed.name, versions: &listed.versions }
-    }
-}
-
 /// Departures from the spec.
 impl Node<'_> {
-    /// Differences between the message and the spec: of each object those of unknown keys first, then in the order of
-    /// the spec.
+    /// Differences from the spec: of each object those of unknown keys first, then in the order of the spec. Paths are
+    /// those inside the message; of a field alone they begin with its name in Rust.
     pub fn departures(&self) -> Vec<Departure> {
-        self.departures_at(&self.label.wire_path(""))
-    }
-
-    /// The same, where the node stands at this path.
-    pub fn departures_at(&self, place: &str) -> Vec<Departure> {
         let mut found = Vec::new();
-        self.collect(place, &mut found);
+        self.collect(&self.label.path(""), &mut found);
         found
     }
 
@@ -294,9 +270,9 @@ impl Node<'_> {
         is_raw && !matches!(self.body, Body::Absent | Body::Leaf(Value::Null))
     }
 
-    /// What a controller must refuse in a request: unknown keys are skipped, numbers may be strings, truth values may have
-    /// any of their forms. Ranges and values of enums that newer firmware has widened are not enforced. Fields are named
-    /// by their keys on the wire.
+    /// Problems for which a controller must refuse a request. Unknown keys are skipped, numbers may be strings, and
+    /// truth values may have any of their forms. Ranges and values of enums that newer firmware has widened are not
+    /// enforced. Fields are named by their keys on the wire.
     pub fn problems(&self) -> Vec<Problem> {
         let is_refused = |departure: &Departure| {
             let forbidden = matches!(departure.kind, DepartureKind::Range | DepartureKind::Unlisted);

@@ -32,14 +32,14 @@ impl Encoder<'_> {
             Shape::Object(fields) => {
                 let given = value.as_object().ok_or(false)?;
                 self.out.raw("{");
-                self.object(Outer::of(place, slot), fields, given, "");
+                self.object((place, slot.limits.advised), fields, given, "");
                 self.out.raw("}");
             }
             Shape::Tuple { fields, .. } => {
                 self.out.raw("[");
                 match value {
-                    Value::Object(given) => self.object(Outer::of(place, slot), fields, given, ""),
-                    Value::Array(elements) => self.elements(Outer::of(place, slot), fields, elements)?,
+                    Value::Object(given) => self.object((place, slot.limits.advised), fields, given, ""),
+                    Value::Array(elements) => self.elements((place, slot.limits.advised), fields, elements)?,
                     _ => return Err(false),
                 }
                 self.out.raw("]");
@@ -60,7 +60,7 @@ impl Encoder<'_> {
                 let variant = variant(choice, tag).ok_or(false)?;
                 self.out.raw("[");
                 self.out.int(variant.wire);
-                self.elements(Outer::of(place, slot), &variant.fields, rest)?;
+                self.elements((place, slot.limits.advised), &variant.fields, rest)?;
                 self.out.raw("]");
             }
         }

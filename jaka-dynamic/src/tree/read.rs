@@ -1,6 +1,6 @@
 //! Trees of messages and of values.
 
-use jaka_spec::{COMMAND_NAME, Command, ENVELOPE, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
+use jaka_spec::{COMMAND_NAME, Command, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
 use serde_json::{Map, Value};
 
 use super::{Body, Label, Node};
@@ -18,32 +18,26 @@ impl<'s> Node<'s> {
         Self::message(spec, spec.status_fields(), object(spec, spec.status_fields(), found))
     }
 
-    /// Reply to a command.
+    /// Reply to a command; to one that is not known, the spec describes nothing of it.
     ///
     /// Of a refusal only the envelope is compared with the spec, for it carries no payload. A bare Python tuple, which
     /// some firmware sends in place of a reply, is given as a JSON string.
     ///
-    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses the
-    /// reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync never gets a
-    /// reply in which one of the three keys of the envelope comes twice and says different things.
-    pub fn reply(spec: &'s Spec, command: &'s Command, reply: Value) -> Self {
-        let fields = spec.reply_fields(command);
-        if let Some(found) = bare_reply(command, &reply) {
-            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, an_object);
+    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses
+    /// the reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync
+    /// never gets a reply in which one of the three keys of the envelope comes twice and says different things.
+    pub fn reply(spec: &'s Spec, command: impl Into<Option<&'s Command>>, reply: Value) -> Self {
+        let command = command.into();
+        let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
+        if let Some(found) = command.and_then(|command| bare_reply(command, &reply)) {
+            let departures = departures("", Fit::Lenient(DepartureKind::Form), &reply, || "an object".to_owned());
             return Self { departures, ..Self::message(spec, fields, object(spec, fields, found)) };
         }
         let Value::Object(mut found) = reply else { return Self::no_object(reply) };
-        let has_payload = command.reply != Reply::Raw && is_success(&found);
+        let has_payload = command.is_some_and(|command| command.reply != Reply::Raw) && is_success(&found);
         let departures = envelope(command, &mut found);
         let parts = if has_payload { object(spec, fields, found) } else { undescribed(found) };
         Self { departures, ..Self::message(spec, fields, parts) }
-    }
-
-    /// Reply to a command that is not known: the spec describes none of its keys.
-    pub fn of_unknown_command(spec: &'s Spec, reply: Value) -> Self {
-        let Value::Object(mut found) = reply else { return Self::no_object(reply) };
-        found.retain(|key, _| !ENVELOPE.contains(&key.as_str()));
-        Self::message(spec, &[], undescribed(found))
     }
 
     /// Request for a command, `cmdName` and all.
@@ -73,7 +67,7 @@ impl<'s> Node<'s> {
 
     /// A message that is no object.
     fn no_object(found: Value) -> Self {
-        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, an_object);
+        let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, || "an object".to_owned());
         Self { departures, ..Self::undescribed(Label::Message, found) }
     }
 
@@ -84,15 +78,16 @@ impl<'s> Node<'s> {
 
 /// Values.
 impl<'s> Node<'s> {
-    /// Value of a field; null where there is none.
-    pub fn field(spec: &'s Spec, field: &'s Field, value: Value) -> Self {
+    /// Value of a field, if the message has it.
+    pub fn field(spec: &'s Spec, field: &'s Field, found: impl Into<Option<Value>>) -> Self {
         let (label, slot) = (Label::Field(field), Slot::of(spec, field));
-        if !value.is_null() {
-            return Self::value_of(label, slot, value);
-        }
+        let found = match found.into() {
+            Some(value) if !value.is_null() => return Self::value_of(label, slot, value),
+            found => found,
+        };
         let fit = if field.optional { Fit::Plain } else { Fit::Unreadable(DepartureKind::Missing) };
-        let departures = departures("", fit, &value, || slot.words());
-        Self { departures, body: Body::Leaf(value), ..Self::blank(label, slot) }
+        let departures = departures("", fit, &Value::Null, || slot.words());
+        Self { departures, body: found.map_or(Body::Absent, Body::Leaf), ..Self::blank(label, slot) }
     }
 
     fn value_of(label: Label<'s>, slot: Slot<'s>, value: Value) -> Self {
@@ -104,48 +99,72 @@ impl<'s> Node<'s> {
                 ..Self::value_of(label, slot.inner(inner), found)
             };
         }
-        let mut departures = departures("", fit(&slot, &value), &value, || slot.words());
-        for departure in &mut departures {
+        let (body, fit) = read(&slot, value);
+        let mut node = Self { body, ..Self::blank(label, slot) };
+        if fit != Fit::Plain {
+            node.departures = departures("", fit, &node.json(), || slot.words());
+        }
+        for departure in &mut node.departures {
             departure.advisory = departure.kind == DepartureKind::Range && slot.limits.advisory;
         }
-        Self { departures, body: body(&slot, value), ..Self::blank(label, slot) }
-    }
-
-    /// Value of a field, if the message has it.
-    fn member(spec: &'s Spec, field: &'s Field, found: Option<Value>) -> Self {
-        let is_absent = found.is_none();
-        let node = Self::field(spec, field, found.unwrap_or_default());
-        if is_absent { Self { body: Body::Absent, ..node } } else { node }
+        node
     }
 }
 
-/// Parts of a value, if it has those of its type.
-fn body<'s>(slot: &Slot<'s>, value: Value) -> Body<'s> {
+/// Parts of a value, if it has those of its type, and the fit of the value without them.
+fn read<'s>(slot: &Slot<'s>, value: Value) -> (Body<'s>, Fit) {
+    let (too_long, unlisted) = (Fit::Lenient(DepartureKind::Length), Fit::Lenient(DepartureKind::Unlisted));
     match (slot.shape, value) {
-        (Shape::List(ty, _), Value::Array(found)) => {
+        (Shape::List(ty, len), Value::Array(found)) => {
+            let fits = len.is_none_or(|len| len == found.len());
+            let fit = if fits { Fit::Plain } else { Fit::Unreadable(DepartureKind::Length) };
             let element = |(index, value)| Node::value_of(Label::Element(index), slot.inner(ty), value);
-            Body::Parts(found.into_iter().enumerate().map(element).collect())
+            (Body::Parts(found.into_iter().enumerate().map(element).collect()), fit)
         }
-        (Shape::Object(fields), Value::Object(found)) => Body::Parts(object(slot.spec, fields, found)),
-        (Shape::Tuple { fields, .. }, Value::Array(found)) => {
-            Body::Parts(elements(slot.spec, fields, found.into_iter()).collect())
+        (Shape::Object(fields), Value::Object(found)) => (Body::Parts(object(slot.spec, fields, found)), Fit::Plain),
+        (Shape::Tuple { fields, exact }, Value::Array(found)) => {
+            let fit = match found.len() > fields.len() {
+                true if exact => Fit::Unreadable(DepartureKind::Length),
+                true => too_long,
+                false => Fit::Plain,
+            };
+            (Body::Parts(elements(slot.spec, fields, found.into_iter()).collect()), fit)
         }
         (Shape::Choice(choice), Value::Array(found)) => {
-            let tag = found.first().and_then(wire);
-            let Some(variant) = choice.variants.iter().find(|variant| Some(variant.wire) == tag) else {
-                return Body::Leaf(found.into());
+            let Some(tag) = found.first().and_then(wire) else { return misfit(found.into()) };
+            let Some(variant) = choice.variants.iter().find(|variant| variant.wire == tag) else {
+                return (Body::Leaf(found.into()), unlisted);
             };
+            let fit = if found.len() - 1 > variant.fields.len() { too_long } else { Fit::Plain };
             let (mut found, label) = (found.into_iter(), Label::Tag { key: "", variant: Some(variant) });
             let tag = found.next().map(|tag| Node::undescribed(label, tag));
-            Body::Parts(tag.into_iter().chain(elements(slot.spec, &variant.fields, found)).collect())
+            (Body::Parts(tag.into_iter().chain(elements(slot.spec, &variant.fields, found)).collect()), fit)
         }
-        (_, value) => Body::Leaf(value),
+        (Shape::IntEnum(values), value) => {
+            let Some((wire, fit)) = scalar::int(&value) else { return misfit(value) };
+            let is_listed = values.iter().any(|listed| listed.wire == wire);
+            (Body::Leaf(value), if is_listed { fit } else { unlisted })
+        }
+        (Shape::TextEnum(values), Value::String(text)) => {
+            let is_listed = values.iter().any(|listed| listed.wire == text);
+            (Body::Leaf(text.into()), if is_listed { Fit::Plain } else { unlisted })
+        }
+        (Shape::Scalar(scalar), value) => {
+            let fit = scalar::fit(scalar, &slot.limits, &value);
+            (Body::Leaf(value), fit)
+        }
+        (_, value) => misfit(value),
     }
+}
+
+/// A value of another JSON type.
+fn misfit<'s>(value: Value) -> (Body<'s>, Fit) {
+    (Body::Leaf(value), Fit::Unreadable(DepartureKind::Form))
 }
 
 /// Keys of an object without a description, then its fields.
 fn object<'s>(spec: &'s Spec, fields: &'s [Field], mut found: Map<String, Value>) -> Vec<Node<'s>> {
-    let fields: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.remove(&field.wire))).collect();
+    let fields: Vec<_> = fields.iter().map(|field| Node::field(spec, field, found.remove(&field.wire))).collect();
     let unknown = found.into_iter().map(|(key, value)| Node {
         departures: departures("", Fit::Lenient(DepartureKind::Unknown), &value, || notation(&value)),
         ..Node::undescribed(Label::Unknown(key), value)
@@ -163,7 +182,7 @@ fn elements<'s>(
     fields: &'s [Field],
     mut found: impl Iterator<Item = Value>,
 ) -> impl Iterator<Item = Node<'s>> {
-    let members: Vec<_> = fields.iter().map(|field| Node::member(spec, field, found.next())).collect();
+    let members: Vec<_> = fields.iter().map(|field| Node::field(spec, field, found.next())).collect();
     let beyond = found.enumerate();
     let beyond = beyond.map(|(index, value)| Node::undescribed(Label::Element(fields.len() + index), value));
     members.into_iter().chain(beyond)
@@ -186,45 +205,6 @@ fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> S
     vec![Departure { field, kind, found, expected, reading, advisory: false, more: 0 }]
 }
 
-fn an_object() -> String {
-    "an object".to_owned()
-}
-
-/// Fit of a value, without its parts.
-fn fit(slot: &Slot<'_>, value: &Value) -> Fit {
-    let fit = match slot.shape {
-        Shape::Scalar(scalar) => Some(scalar::fit(scalar, &slot.limits, value)),
-        Shape::Python(_) => None,
-        Shape::List(_, len) => value.as_array().map(|found| match len {
-            Some(len) if len != found.len() => Fit::Unreadable(DepartureKind::Length),
-            _ => Fit::Plain,
-        }),
-        Shape::Object(_) => value.is_object().then_some(Fit::Plain),
-        Shape::Tuple { fields, exact } => value.as_array().map(|found| match found.len() > fields.len() {
-            true if exact => Fit::Unreadable(DepartureKind::Length),
-            true => Fit::Lenient(DepartureKind::Length),
-            false => Fit::Plain,
-        }),
-        Shape::IntEnum(values) => scalar::int(value).map(|(wire, fit)| {
-            let is_listed = values.iter().any(|listed| listed.wire == wire);
-            if is_listed { fit } else { Fit::Lenient(DepartureKind::Unlisted) }
-        }),
-        Shape::TextEnum(values) => value.as_str().map(|text| {
-            let is_listed = values.iter().any(|listed| listed.wire == text);
-            if is_listed { Fit::Plain } else { Fit::Lenient(DepartureKind::Unlisted) }
-        }),
-        Shape::Choice(choice) => value.as_array().and_then(|found| {
-            let tag = wire(found.first()?)?;
-            Some(match choice.variants.iter().find(|variant| variant.wire == tag) {
-                None => Fit::Lenient(DepartureKind::Unlisted),
-                Some(variant) if found.len() - 1 > variant.fields.len() => Fit::Lenient(DepartureKind::Length),
-                Some(_) => Fit::Plain,
-            })
-        }),
-    };
-    fit.unwrap_or(Fit::Unreadable(DepartureKind::Form))
-}
-
 /// The reply that a bare Python tuple stands for.
 fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     let name = command.bare_reply.as_ref()?;
@@ -233,10 +213,11 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }
 
-/// Takes from a reply the keys that every reply has: their departures.
-fn envelope(command: &Command, found: &mut Map<String, Value>) -> Vec<Departure> {
+/// Takes from a reply the keys that every reply has: their departures, where the command is known.
+fn envelope(command: Option<&Command>, found: &mut Map<String, Value>) -> Vec<Departure> {
     let [code, message, name] =
         [ERROR_CODE, ERROR_MESSAGE, COMMAND_NAME].map(|key| found.remove(key).unwrap_or_default());
+    let Some(command) = command else { return Vec::new() };
     let kind = |value: &Value| if value.is_null() { DepartureKind::Missing } else { DepartureKind::Form };
     let code_fit = match scalar::error_code(&code) {
         Some(number) if code.as_str() == Some(&*number.to_string()) => Fit::Plain,

@@ -1,9 +1,8 @@
 //! Sending a request, and showing what comes back.
 
-use jaka_dynamic::{Departure, DepartureKind, Node, Reading, not_in_firmware};
+use jaka_dynamic::{Departure, Node, Reading, not_in_firmware};
 use jaka_robot::Explanation;
 use jaka_robot::proto::text::visible_json_line;
-use jaka_robot::proto::wire::DecodeError;
 use jaka_spec::Spec;
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::{Map, Value, json};
@@ -139,7 +138,7 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
 
 /// Prints a reply, which is given in the spec's own forms, unless it was printed as it came.
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
-    let reply = reply::read(spec, request.command, text);
+    let reply = Node::reply(spec, request.command, reply::json(text));
     match options.json {
         Some(Keys::Wire) => {}
         Some(Keys::Names) => {
@@ -162,12 +161,6 @@ pub(super) fn must_fit(request: &Request<'_>, reply: &Node<'_>) -> Result<(), Fa
     let Some((command, first)) = request.command.zip(reply.departures().into_iter().find(is_unreadable)) else {
         return Ok(());
     };
-    let source = match first.kind {
-        DepartureKind::Missing => {
-            let key = first.field.rsplit('.').next().unwrap_or_default().to_owned();
-            DecodeError::missing(&first.field, key)
-        }
-        _ => DecodeError::unfit(first.expected, &first.found).in_field(&first.field),
-    };
+    let source = first.error();
     Err(Error::from(ErrorKind::UnexpectedReply { command: command.wire.clone(), source }).into())
 }

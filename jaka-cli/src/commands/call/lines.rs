@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::{BufRead, stdin};
 
+use jaka_dynamic::Node;
 use jaka_spec::COMMAND_NAME;
 use serde_json::{Value, json};
 
@@ -100,7 +101,7 @@ impl Session<'_> {
                     answer["reply"] = Value::Null;
                     return Ok(());
                 };
-                let reply = reply::read(spec, request.command, &text);
+                let reply = Node::reply(spec, request.command, reply::json(&text));
                 answer["reply"] = reply.named();
                 exchange::must_fit(&request, &reply)
             }

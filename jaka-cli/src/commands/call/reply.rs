@@ -10,20 +10,13 @@ use serde_json::Value;
 use crate::fields::{leaf_text, plain};
 use crate::number::fixed;
 use crate::output;
+use crate::value_rows::Row;
 
 /// A reply's JSON; its text as a JSON string where it is not JSON, as a bare Python tuple, or where a key comes twice.
 pub(crate) fn json(text: &str) -> Value {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
     value.unwrap_or_else(|_| text.trim().into())
-}
-
-/// A reply by the spec.
-pub(super) fn read<'s>(spec: &'s Spec, command: Option<&'s Command>, text: &str) -> Node<'s> {
-    match command {
-        Some(command) => Node::reply(spec, command, json(text)),
-        None => Node::of_unknown_command(spec, json(text)),
-    }
 }
 
 /// A row for each field that the reply has; `accepted` where it has none.
@@ -40,9 +33,6 @@ pub(super) fn of_request(spec: &Spec, command: &Command, text: &str) -> String {
     let Value::Object(request) = json(text) else { return String::new() };
     aligned(&rows(&Node::request(spec, command, request)))
 }
-
-/// Name and value.
-type Row = (String, String);
 
 fn aligned(rows: &[Row]) -> String {
     // Names may come from the controller, too.
