@@ -17,8 +17,7 @@ use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::time::Time;
 use crate::{
-    ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip,
-    Underrun,
+    ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, Trip, Underrun,
 };
 
 /// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come
@@ -61,7 +60,6 @@ options! {
         habits: Option<Habits> = None;
         trips: Vec<Trip> = Vec::new();
         contact: Option<Contact> = None;
-        reply_style: Option<ReplyStyle> = None;
         status_period: Option<Duration> = None;
         inputs: Vec<InputScript> = Vec::new();
         faults_at: Vec<(Duration, ArmFault)> = Vec::new();
@@ -261,13 +259,6 @@ impl Builder {
         self
     }
 
-    /// Sets how replies are written: as the firmware does if not set.
-    #[must_use]
-    pub fn reply_style(mut self, style: ReplyStyle) -> Self {
-        self.reply_style = Some(style);
-        self
-    }
-
     /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
     ///
     /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
@@ -333,11 +324,6 @@ impl Builder {
     /// What the controller does that no document describes.
     pub(crate) fn usual_habits(&self) -> Habits {
         self.habits.unwrap_or_else(|| self.firmware.habits())
-    }
-
-    /// How replies are written.
-    pub(crate) fn style(&self) -> ReplyStyle {
-        self.reply_style.unwrap_or_else(|| ReplyStyle::of(self.firmware))
     }
 }
 

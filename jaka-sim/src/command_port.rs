@@ -25,7 +25,7 @@ use crate::shared::Shared;
 use crate::socket::Socket;
 use crate::spec_index::{CommandEntry, accepted};
 use crate::world::World;
-use crate::{Port, Takeover, firmware};
+use crate::{Port, Takeover};
 
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -173,7 +173,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         put_status(command, shared, &world, reply);
         put_set_fields(command, shared, reply);
     }
-    firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
+    world.writing.rewrite(&shared.spec_index.spec, reply);
     if let Some(command) = &command {
         put_forms(command, shared, forms.as_deref(), reply);
     }
@@ -210,7 +210,7 @@ fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut 
     let members = serde_json::from_str(reply.as_str()).ok();
     if let Some(members) = members.and_then(|members| forms.written(Message::Reply(command), &members)) {
         reply.clear();
-        reply.raw(&respace(&Value::from(members).to_string(), shared.options.style().separators));
+        reply.raw(&respace(&Value::from(members).to_string(), shared.options.firmware.shape().writing.separators()));
     }
 }
 

@@ -39,7 +39,7 @@ pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
 pub use fault::{ArmEvent, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
-pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
+pub use firmware::Firmware;
 pub use habits::{Habit, Habits};
 pub use input_script::{AnalogInput, DigitalInput, InputScript};
 /// The clock of tests that take no time.
@@ -52,7 +52,6 @@ pub use jaka_proto as proto;
 pub use jaka_proto::recording::Port;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
-pub use json_text::Separators;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{AdmittanceControl, Frame, NetworkException, State, TorqueSensor, Trajectory};

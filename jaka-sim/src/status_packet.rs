@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 use crate::firmware::{Shape, Values};
 use crate::json_text::respace;
 use crate::spec_index::SpecIndex;
-use crate::{Firmware, ReplyStyle, State};
+use crate::{Firmware, State};
 
 /// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most
 /// of what a controller does.
@@ -41,7 +41,7 @@ pub(crate) fn packet(
     parts: &mut Vec<Part>,
 ) -> String {
     let shape = firmware.shape();
-    let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
+    let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
     let fields = fields(spec_index, shape);
     let Some((length, fields)) = fields.split_first() else { return String::new() };
     parts.resize_with(fields.len(), Part::default);
@@ -52,13 +52,16 @@ pub(crate) fn packet(
             None => Shown::State(shown(field, state, shape, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
-            part.text = respace(&written(field, &shown, values, forms), shape.separators);
+            part.text = respace(&written(field, &shown, values, forms), separators);
             part.shown = Some(shown);
         }
         tail.push_str(&part.text);
     }
+    if let Some(unknown) = shape.writing.unknown_key() {
+        tail.push_str(&respace(&format!(",{unknown}"), separators));
+    }
     tail.push('}');
-    with_length(&respace(&format!("{{{}:", json(&length.wire)), shape.separators), &tail)
+    with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }
 
 /// The fields that the firmware sends, those that packs add last. Packs may have given them other names.

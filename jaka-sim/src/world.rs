@@ -20,6 +20,7 @@ use self::events::Reported;
 use self::schedule::Schedule;
 use self::touch::Touch;
 use crate::clock::CYCLE;
+use crate::firmware::Writing;
 use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
@@ -52,6 +53,7 @@ pub(crate) struct World {
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
+    pub(crate) writing: Writing,
     /// The states of which events have been sent.
     seen: Reported,
     /// End of the information in the error code.
@@ -99,6 +101,7 @@ impl World {
             identifying: false,
             delays: options.delays,
             habits: options.usual_habits(),
+            writing: options.firmware.shape().writing,
             seen: Reported::default(),
             event_ends: None,
             changes: Vec::new(),

@@ -14,7 +14,7 @@ mod lifecycle;
 mod link_faults;
 mod lost_connections;
 mod real_packets;
-mod reply_style;
+mod replies;
 mod sequels;
 mod servo_arm;
 mod servo_filters;

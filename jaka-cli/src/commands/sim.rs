@@ -36,7 +36,7 @@ pub(crate) struct Sim {
     /// The arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, or document
+    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, document, or odd
     #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
     /// Milliseconds between two status packets [default: that of the firmware]

@@ -31,9 +31,11 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             world.state.enabled = false;
             Outcome::Accepted
         }
-        // Firmware that answers the event too does so by its style.
         Request::GetRobotState(command) => reply(command, out, |reply| {
-            (reply.powered_on, reply.enabled) = (world.state.powered, world.state.enabled);
+            let (state, event) = (&world.state, world.writing.event(&world.state));
+            (reply.powered_on, reply.enabled) = (state.powered, state.enabled);
+            reply.error_message = event.is_some().then(|| state.error_message.clone());
+            reply.error_code = event;
         }),
         Request::GetVersion(command) => reply(command, out, |reply| reply.version.clone_from(&world.state.version)),
         _ => Outcome::Unhandled,

@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Firmware, NumberStyle, ReplyStyle};
-use crate::json_text::Separators;
+use super::{Firmware, Writing};
 use crate::{Habit, State};
 
 /// What a firmware's messages look like, and what it does: one row of the table of [`Firmware`].
@@ -13,11 +12,7 @@ pub(crate) struct Shape {
     /// What `get_version` answers.
     pub(crate) version: &'static str,
     pub(crate) status_period: Duration,
-    /// What stands between the parts of status packets.
-    pub(crate) separators: Separators,
-    /// How numbers in status packets are written.
-    pub(crate) packet_numbers: NumberStyle,
-    pub(crate) reply_style: ReplyStyle,
+    pub(crate) writing: Writing,
     pub(crate) habits: &'static [Habit],
     /// Whether status packets show the extension I/O modules.
     pub(crate) extio: bool,
