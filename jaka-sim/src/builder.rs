@@ -16,9 +16,7 @@ use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::time::Time;
-use crate::{
-    ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, Trip, Underrun,
-};
+use crate::{Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, Trip, Underrun};
 
 /// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come
 /// first have methods of their own.
@@ -61,8 +59,7 @@ options! {
         trips: Vec<Trip> = Vec::new();
         contact: Option<Contact> = None;
         status_period: Option<Duration> = None;
-        inputs: Vec<InputScript> = Vec::new();
-        faults_at: Vec<(Duration, ArmFault)> = Vec::new();
+        scheduled: Vec<Scheduled> = Vec::new();
         stepped: bool = false;
         time: Time = Time::default();
         folders: Vec<PathBuf> = Vec::new();
@@ -107,7 +104,7 @@ options! {
     /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
     takeover: Takeover = Takeover::Replace;
 
-    /// Sets what goes wrong from the start: nothing if not set.
+    /// Sets what goes wrong with replies and packets: nothing if not set.
     faults: FaultPlan = FaultPlan::new();
 
     /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
@@ -153,25 +150,17 @@ impl Builder {
         self
     }
 
-    /// Has an input change by itself, at times that count from the start. An input that the controller does not have
-    /// keeps it from starting.
-    #[must_use]
-    pub fn input(mut self, script: impl Into<InputScript>) -> Self {
-        self.inputs.push(script.into());
-        self
-    }
-
-    /// Has something happen to the arm or to an input at a time of the controller since its start, in the first
-    /// controller cycle that is not before it.
+    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, in the
+    /// first controller cycle that is not before it.
     ///
     /// An input that the controller does not have keeps it from starting.
     ///
     /// ```
     /// use std::time::Duration;
     ///
-    /// use jaka_sim::{ArmFault, Controller};
+    /// use jaka_sim::{Controller, Happening};
     ///
-    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), ArmFault::Collide).start()?;
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), Happening::Collide).start()?;
     /// controller.advance(Duration::from_secs(1));
     /// assert!(!controller.state().protective_stop);
     /// controller.advance(Duration::from_secs(1));
@@ -179,8 +168,8 @@ impl Builder {
     /// # Ok::<(), std::io::Error>(())
     /// ```
     #[must_use]
-    pub fn at(mut self, time: Duration, fault: ArmFault) -> Self {
-        self.faults_at.push((time, fault));
+    pub fn at(mut self, time: Duration, happening: impl Into<Happening>) -> Self {
+        self.scheduled.push(Scheduled { happening: happening.into(), at: time });
         self
     }
 

@@ -11,7 +11,7 @@ mod delays;
 mod fault;
 mod firmware;
 mod habits;
-mod input_script;
+mod happening;
 mod json_text;
 mod link;
 mod link_selector;
@@ -38,10 +38,10 @@ pub use builder::{Builder, Takeover};
 pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
-pub use fault::{ArmEvent, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
+pub use fault::{Fault, FaultPlan, LinkFault, ScriptError, StatusFault};
 pub use firmware::Firmware;
 pub use habits::{Habit, Habits};
-pub use input_script::{AnalogInput, DigitalInput, InputScript};
+pub use happening::{Happening, Level, Scheduled};
 /// The clock of tests that take no time.
 pub use jaka_clock::{self, SimulatedClock};
 /// The arm that is simulated.

@@ -1,6 +1,5 @@
 //! All tests through sockets that need no process of their own.
 
-mod arm_faults;
 mod commands;
 mod common;
 mod contact;
@@ -8,7 +7,7 @@ mod fault_plans;
 mod faults;
 mod firmware;
 mod habits;
-mod inputs;
+mod happenings;
 mod late_replies;
 mod lifecycle;
 mod link_faults;

@@ -1,12 +1,12 @@
-//! What happens once the state is as a condition says.
+//! What happens once the state is as a condition says, and threads for what happens at a time.
 
 use std::io;
 use std::sync::Arc;
 
 use super::Controller;
-use crate::State;
 use crate::shared::Shared;
 use crate::trigger::{Condition, Trigger};
+use crate::{Happening, Scheduled, State};
 
 impl Controller {
     /// Does something once, in a thread of its own, when the state first is as the condition says, which may be now.
@@ -23,9 +23,9 @@ impl Controller {
     /// ```
     /// use std::time::Duration;
     ///
-    /// use jaka_sim::{ArmFault, Controller};
+    /// use jaka_sim::{Controller, Happening, Level};
     ///
-    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), ArmFault::InputHigh(3)).start()?;
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), Happening::Input(3, Level::High)).start()?;
     /// let collision = controller.when(|state| state.digital_inputs[3], |controller| controller.collide())?;
     /// controller.advance(Duration::from_secs(3));
     /// assert_eq!(collision.fired_at(), Some(Duration::from_secs(2)));
@@ -46,6 +46,22 @@ impl Controller {
         self.shared.triggers.add(&trigger, thread);
         self.shared.world().watch(Condition::new(condition, &trigger));
         Ok(trigger)
+    }
+
+    /// Has links change at their times where nobody asks the controller for anything then; a stepped clock needs no thread for it.
+    pub(super) fn keep_time(&self, scheduled: &[Scheduled]) -> io::Result<()> {
+        let is_of_links = |scheduled: &Scheduled| matches!(scheduled.happening, Happening::Link { .. });
+        if self.shared.options.stepped || !scheduled.iter().any(is_of_links) {
+            return Ok(());
+        }
+        let end = Trigger::new(self.shared.time());
+        let (shared, theirs) = (Arc::clone(&self.shared), end.clone());
+        let thread = self
+            .shared
+            .time()
+            .spawn("schedule", move || while shared.until_next_due().is_some_and(|left| theirs.waits(left)) {})?;
+        self.shared.triggers.add(&end, thread);
+        Ok(())
     }
 }
 
