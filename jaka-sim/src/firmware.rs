@@ -7,7 +7,7 @@ mod writing;
 use std::fmt;
 use std::time::Duration;
 
-pub(crate) use self::shape::{Fieldbus, Shape};
+pub(crate) use self::shape::Shape;
 pub(crate) use self::values::Values;
 pub(crate) use self::writing::Writing;
 use crate::{Habit, Habits};
@@ -37,13 +37,6 @@ macro_rules! firmwares {
     };
 }
 
-/// The fieldbuses of newer firmware.
-const FIELDBUSES: [Fieldbus; 3] = [
-    Fieldbus { name: "modbus_slave_", digital: 128, analog: 64 },
-    Fieldbus { name: "profinet_device_", digital: 64, analog: 64 },
-    Fieldbus { name: "ethernet_ip_adapter_", digital: 64, analog: 48 },
-];
-
 firmwares! {
     /// The firmware that a controller has.
     ///
@@ -67,7 +60,7 @@ firmwares! {
     /// | blanks after commas and colons | yes | yes | no | yes |
     /// | event in `get_robot_state` | a number | a number | no | a text |
     /// | time between packets | 30 ms | 50 ms | 50 ms | 100 ms |
-    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB | 10.3 KB |
+    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
     /// | habits | `late-power`, `servo-at-rest`, `events` | `servo-at-rest`, `events` | none | all |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
@@ -88,7 +81,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0, 474.0],
         functions: 15,
-        fieldbuses: &[],
         monitor_head: "12338,12593,47.0,0.0,0.0",
         joint_row: "0.0,48.0,28.0,0.0,0.10000000149011612,30363.5,390097.0,0.0,1.0,0.0,-1.0188410813171915",
         monitor_tail: "",
@@ -113,7 +105,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[466.0, 469.0],
         functions: 15,
-        fieldbuses: &FIELDBUSES,
         monitor_head: "12338,12593,49.0,26.0,1.0720000267028809",
         joint_row: "0.06650000065565109,23.0,50.0,0.0,0.10000000149011612,6007.2001953125,2888860.0,2.5999999046325684,110602.0,0.3330000042915344,-0.06700000166893005",
         monitor_tail: ",0,0,0,23.39",
@@ -135,7 +126,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[0.0],
         functions: 15,
-        fieldbuses: &[],
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
         monitor_tail: "",
@@ -169,7 +159,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0],
         functions: 12,
-        fieldbuses: &FIELDBUSES,
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
         monitor_tail: "",

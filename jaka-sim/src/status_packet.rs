@@ -10,7 +10,7 @@ use jaka_spec::Field;
 use serde_json::{Map, Value};
 
 use crate::firmware::{Shape, Values};
-use crate::json_text::respace;
+use crate::json_text::{members, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, State};
 
@@ -44,12 +44,14 @@ pub(crate) fn packet(
     let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
     let fields = fields(spec_index, shape);
     let Some((length, fields)) = fields.split_first() else { return String::new() };
+    let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
+    let own = members(&own).unwrap_or_default();
     parts.resize_with(fields.len(), Part::default);
     let mut tail = String::new();
     for (field, part) in fields.iter().zip(parts) {
         let shown = match set.get(&field.wire) {
             Some(value) => Shown::Set(value.clone()),
-            None => Shown::State(shown(field, state, shape, spec_index)),
+            None => Shown::State(shown(field, &own, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
             part.text = respace(&written(field, &shown, values, forms), separators);
@@ -92,13 +94,11 @@ fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)
     Some((key, value.to_string()))
 }
 
-/// What a packet shows of the state at a key, in JSON.
-fn shown(field: &Field, state: &State, shape: &Shape, spec_index: &SpecIndex) -> String {
-    if field.name == "extio" {
-        return extio::report(&spec_index.spec, field, &state.extio, shape.extio_module_id);
-    }
-    let value = spec_index.status_value(field, |name| values::value(name, state, shape));
-    value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field)).to_string()
+/// What a packet shows of the state at a key, in JSON; `own` is all of it by the built-in spec.
+fn shown(field: &Field, own: &[(String, &str)], spec_index: &SpecIndex) -> String {
+    let member = |wire: &str| own.iter().find(|(key, _)| key == wire).map(|(_, json)| *json);
+    let value = spec_index.status_value(field, member);
+    value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field).to_string())
 }
 
 /// The packet's text, with its own length between its parts.

@@ -166,7 +166,7 @@ fn packets_of_odd_firmware_say_the_same_too() {
         "\"drag_status\": 0,",
         "\"powered_on\": true, \"inpos\": 1,",
         "\"enabled\": \"0\",",
-        "\"rapidrate\": \"1.0\",",
+        "\"rapidrate\": \"1\",",
         "\"task_state\": 2.0,",
         "\"oddity\": [null, {\"a\": []}]}",
     ] {

@@ -28,7 +28,6 @@ pub(crate) struct Shape {
     pub(crate) tool_analog: &'static [f64],
     /// Functions that may have an input. The query has two fewer in the document.
     pub(crate) functions: usize,
-    pub(crate) fieldbuses: &'static [Fieldbus],
     /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where there is one.
     pub(crate) monitor_head: &'static str,
     /// The monitor data of each joint.
@@ -39,15 +38,6 @@ pub(crate) struct Shape {
     pub(crate) torque_readings: usize,
     /// What ends the setup of an extension I/O module; its connection then has the Modbus slave's id.
     pub(crate) extio_module_id: Option<&'static str>,
-}
-
-/// The inputs of a fieldbus, and as many outputs.
-#[derive(Debug)]
-pub(crate) struct Fieldbus {
-    /// What the names of its keys begin with.
-    pub(crate) name: &'static str,
-    pub(crate) digital: usize,
-    pub(crate) analog: usize,
 }
 
 impl Firmware {
