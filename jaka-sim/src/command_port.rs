@@ -18,6 +18,7 @@ use serde_json::{Map, Value};
 use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
 use crate::connection::{CommandConnection, NextStep};
+use crate::firmware::Values;
 use crate::json_text::respace;
 use crate::link::Wire;
 use crate::replay::Replay;
@@ -173,7 +174,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         put_status(command, shared, &world, reply);
         put_set_fields(command, shared, reply);
     }
-    world.writing.rewrite(&shared.spec_index.spec, reply);
+    Values::of_replies(&shared.spec_index.spec, world.writing).rewrite(reply);
     if let Some(command) = &command {
         put_forms(command, shared, forms.as_deref(), reply);
     }

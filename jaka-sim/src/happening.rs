@@ -216,7 +216,6 @@ impl TokenReader<'_, '_> {
 /// # Ok::<(), jaka_sim::ScriptError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::exhaustive_structs, reason = "programs make it")]
 pub struct Scheduled {
     /// What happens.
     pub happening: Happening,

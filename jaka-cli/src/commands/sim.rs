@@ -47,7 +47,8 @@ pub(crate) struct Sim {
     programs: Vec<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
-    /// What goes wrong with replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a file
+    /// What goes wrong with replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a
+    /// file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
     /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
@@ -74,8 +75,8 @@ pub(crate) struct Sim {
     /// The arm has power and is enabled from the start
     #[arg(long)]
     powered: bool,
-    /// What happens to the arm, to inputs and to links, and when, such as `collide at 2s, link both to-client hold at 5s`, in the
-    /// controller's time since its start
+    /// What happens to the arm, to inputs and to links, and when, such as `collide at 2s, link both to-client hold at
+    /// 5s`, in the controller's time since its start
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     schedule: Vec<Scheduled>,
     /// Read from standard input what happens, a line each: as in --schedule, and without a time at once

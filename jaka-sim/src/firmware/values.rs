@@ -1,12 +1,13 @@
-//! Values of replies and packets in other forms than the document's, by what the spec says they are.
+//! Replies, and values of replies and packets, in other forms than the document's, by what the spec says they are.
 
 use std::iter::{once, repeat};
 
+use jaka_proto::Envelope;
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE, Field, Scalar, Shape, Spec, Type};
 
 use super::Writing;
-use crate::json_text::{elements, members};
+use crate::json_text::{elements, members, respace};
 
 /// Writes values as a firmware does. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +27,49 @@ impl<'s> Values<'s> {
 
     pub(crate) fn of_packets(spec: &'s Spec, writing: Writing) -> Self {
         Self { decimals: 5, ..Self::of_replies(spec, writing) }
+    }
+
+    /// Rewrites a reply, which was written as the document does. What is not a JSON object stays as it is.
+    pub(crate) fn rewrite(self, reply: &mut Writer) {
+        if self.writing == Writing::Document {
+            return;
+        }
+        if let Some(text) = self.rewritten(reply.as_str()) {
+            reply.clear();
+            reply.raw(&text);
+        }
+    }
+
+    fn rewritten(self, reply: &str) -> Option<String> {
+        let envelope = Envelope::read(reply).ok()?;
+        let command = envelope.command.as_deref().and_then(|name| self.spec.command(name));
+        let fields = command.map_or(&[][..], |command| self.spec.reply_fields(command));
+        let is_odd = self.writing == Writing::Odd;
+        let is_success = envelope.code.as_ref().is_ok_and(|code| code.is_success());
+        let mut rewritten = Vec::new();
+        for (key, json) in members(reply)? {
+            let mut out = Writer::new();
+            out.text(&key);
+            out.raw(":");
+            match &*key {
+                ERROR_CODE => match envelope.code.as_ref().ok().and_then(|code| self.writing.code(*code)) {
+                    Some(code) => out.json(&code),
+                    None => out.raw(json),
+                },
+                ERROR_MESSAGE if is_odd && is_success => continue,
+                COMMAND_NAME if is_odd => out.text(&format!(" {} ", envelope.command.as_deref().unwrap_or_default())),
+                key => match fields.iter().find(|field| field.wire == key) {
+                    Some(field) => self.field(field, json, &mut out),
+                    None => out.raw(json),
+                },
+            }
+            rewritten.push(out.into_string());
+        }
+        rewritten.extend(self.writing.unknown_key().map(str::to_owned));
+        if is_odd {
+            rewritten.reverse();
+        }
+        Some(respace(&format!("{{{}}}", rewritten.join(",")), self.writing.separators()))
     }
 
     /// Writes the value of a field, given as JSON.
