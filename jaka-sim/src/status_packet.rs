@@ -9,7 +9,7 @@ use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
 use serde_json::{Map, Value};
 
-use crate::firmware::{Shape, Values};
+use crate::firmware::Values;
 use crate::json_text::{members, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, State};
@@ -42,10 +42,10 @@ pub(crate) fn packet(
 ) -> String {
     let shape = firmware.shape();
     let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
-    let fields = fields(spec_index, shape);
-    let Some((length, fields)) = fields.split_first() else { return String::new() };
     let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
     let own = members(&own).unwrap_or_default();
+    let fields = fields(spec_index, &own);
+    let Some((length, fields)) = fields.split_first() else { return String::new() };
     parts.resize_with(fields.len(), Part::default);
     let mut tail = String::new();
     for (field, part) in fields.iter().zip(parts) {
@@ -66,13 +66,18 @@ pub(crate) fn packet(
     with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }
 
-/// The fields that the firmware sends, those that packs add last. Packs may have given them other names.
-fn fields<'s>(spec_index: &'s SpecIndex, shape: &Shape) -> Vec<&'s Field> {
-    let own = spec_index.spec.status_fields();
-    let Some(built_in) = spec_index.without_packs() else { return keys::fields(&spec_index.spec, shape).collect() };
-    let known = keys::fields(built_in, shape).filter_map(|field| counterpart(field, built_in.status_fields(), own));
-    let is_added = |field: &&Field| counterpart(field, own, built_in.status_fields()).is_none();
-    known.chain(own.iter().filter(is_added)).collect()
+/// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given them other
+/// names.
+fn fields<'s>(spec_index: &'s SpecIndex, own: &[(String, &str)]) -> Vec<&'s Field> {
+    let is_sent = |field: &&Field| own.iter().any(|(key, _)| *key == field.wire);
+    let fields = spec_index.spec.status_fields();
+    let Some(built_in) = spec_index.without_packs() else {
+        return keys::in_order(&spec_index.spec).filter(is_sent).collect();
+    };
+    let sent = keys::in_order(built_in).filter(is_sent);
+    let known = sent.filter_map(|field| counterpart(field, built_in.status_fields(), fields));
+    let is_added = |field: &&Field| counterpart(field, fields, built_in.status_fields()).is_none();
+    known.chain(fields.iter().filter(is_added)).collect()
 }
 
 /// A key and what it shows, after a comma.
@@ -120,7 +125,20 @@ fn json(value: &impl Encode) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+
+    #[test]
+    fn newer_firmware_sends_each_key_of_the_spec_once() {
+        let spec_index = SpecIndex::open(&[]).expect("the spec is correct");
+        let state = State::initial(&spec_index, &jaka_motion::Model::default()).expect("the spec has examples");
+        let all = (&*spec_index, None);
+        let packet = packet(&state, Firmware::Newer, all, &Map::new(), &mut Vec::new());
+        let sent: Vec<_> = members(&packet).expect("it is an object").into_iter().map(|(key, _)| key).collect();
+        let known: BTreeSet<_> = spec_index.spec.status_fields().iter().map(|field| field.wire.clone()).collect();
+        assert_eq!((sent.iter().cloned().collect::<BTreeSet<_>>(), sent.len()), (known.clone(), known.len()));
+    }
 
     #[test]
     fn the_length_counts_itself() {

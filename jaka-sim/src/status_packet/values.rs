@@ -19,7 +19,8 @@ const RS_SIGNALS: usize = 8;
 /// Six values of which none is measured.
 const NO_READINGS: [f64; 6] = [0.0; 6];
 
-/// The contents of a packet: what the state has, and the values of a captured packet where no part of the state determines them.
+/// The contents of a packet, with the keys of the firmware: what the state has, and the values of a captured packet where no part of
+/// the state determines them.
 ///
 /// `extio` is a report on extension I/O modules to fill in.
 pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) -> RobotStatus {
@@ -31,6 +32,7 @@ pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) 
     let report = report.and_then(|report| extio::filled(report, &state.extio, shape.extio_module_id));
     status.extio = report.map(Typed::Known);
     if shape.newer_keys {
+        newer(state, &mut status);
         fieldbuses(state, &mut status);
     }
     status
@@ -42,10 +44,7 @@ fn modes(state: &State, status: &mut RobotStatus) {
     status.error_code = Some(state.error_code.clone());
     status.error_message = Some(state.error_message.clone());
     status.joint_actual_position = Some(state.joint_position);
-    status.joint_commanded_position = Some(state.joint_commanded_position);
     status.actual_position = Some(state.tcp_pose);
-    status.commanded_position = Some(state.tcp_commanded_pose);
-    status.joint_velocities = Some(NO_READINGS.to_vec().into());
     status.task_state = Some(match (state.powered, state.enabled) {
         (false, _) => TaskState::PoweredOff,
         (true, false) => TaskState::PoweredOn,
@@ -71,7 +70,6 @@ fn modes(state: &State, status: &mut RobotStatus) {
     status.tcp_speed = Some(state.tcp_speed);
     status.protective_stop = Some(state.protective_stop);
     (status.motion_mode, status.network_state, status.point_key) = (Some(1), Some(1), Some(0));
-    (status.motion_line, status.error_add_line) = (Some(0.into()), Some(0.into()));
 }
 
 fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
@@ -86,12 +84,20 @@ fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
     status.tool_digital_inputs = Some(state.tool_digital_inputs.clone());
     status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital));
     status.tool_analog_inputs = Some(state.tool_analog_inputs.clone());
-    status.tool_keys = Some(vec![0; 3].into());
-    status.tool_rs_signals = Some(Typed::Raw(repeat_n(json!(["", 0, 0, 0, 0, 0.0]), RS_SIGNALS).collect()));
-    status.relay_outputs = Some(digital_outputs(state, DigitalOutputKind::Relay, 2).into());
     let functions = state.function_inputs.iter().map(|input| json!([i64::from(input.kind), input.index]));
     let unassigned = shape.functions.saturating_sub(state.function_inputs.len());
     status.function_inputs = Some(Typed::Raw(functions.chain(repeat_n(json!([-1, -1]), unassigned)).collect()));
+}
+
+/// The keys of newer firmware but those of fieldbuses.
+fn newer(state: &State, status: &mut RobotStatus) {
+    status.joint_velocities = Some(NO_READINGS.to_vec().into());
+    status.joint_commanded_position = Some(state.joint_commanded_position);
+    status.commanded_position = Some(state.tcp_commanded_pose);
+    status.tool_keys = Some(vec![0; 3].into());
+    status.tool_rs_signals = Some(Typed::Raw(repeat_n(json!(["", 0, 0, 0, 0, 0.0]), RS_SIGNALS).collect()));
+    status.relay_outputs = Some(digital_outputs(state, DigitalOutputKind::Relay, 2).into());
+    (status.motion_line, status.error_add_line) = (Some(0.into()), Some(0.into()));
 }
 
 /// The inputs and outputs of fieldbuses, with the lengths of a captured packet. Nothing sets the inputs. Analog outputs are taken to
