@@ -64,7 +64,8 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
     expect![[r#"
         error: `--schedule <LIST>` cannot be `collide 2s`: `2s`: a time may follow, as in `collide at 2s`
         hint: `jaka sim --help` explains what there is
-        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
 
 #[test]

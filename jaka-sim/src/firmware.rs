@@ -40,9 +40,10 @@ macro_rules! firmwares {
 firmwares! {
     /// The firmware that a controller has.
     ///
-    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how replies are
-    /// written, what `get_version` answers, and what the controller does that no document describes.
-    /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) come before it.
+    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how
+    /// replies are written, what `get_version` answers, and what the controller does that no document describes.
+    /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) come
+    /// before it.
     ///
     /// | | `V1_5_14` | `Newer` | `Document` | `Odd` |
     /// |---|---|---|---|---|
@@ -88,8 +89,8 @@ firmwares! {
         extio_module_id: None,
     };
 
-    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the 5000 bytes
-    /// that the document allows.
+    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the
+    /// 5000 bytes that the document allows.
     ///
     /// `get_robot_state` answers as packets do. Which version sent the packets of the capture is not known.
     Newer => Shape {
@@ -133,11 +134,12 @@ firmwares! {
         extio_module_id: None,
     };
 
-    /// Every departure from the document that was seen on some controller or reported of one, at once. No controller is known that
-    /// writes so: a client that reads this reads them all.
+    /// Forms other than the document's, each seen on some controller or reported of one, all at once. No controller is
+    /// known that writes so.
     ///
-    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies come the other way round, a reply
-    /// of success has no message, names have blanks around them, and a key that nobody knows comes with replies and packets.
+    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies come the other way
+    /// round, a reply of success has no message, names have blanks around them, and a key that nobody knows comes with
+    /// replies and packets.
     Odd => Shape {
         name: "odd",
         version: "1.7.2",

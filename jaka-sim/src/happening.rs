@@ -1,4 +1,4 @@
-//! What can happen to the arm, to inputs and to links, and when.
+//! Happenings to the arm, to inputs and to links, and their times.
 
 use std::fmt;
 use std::io;
@@ -25,11 +25,11 @@ worded! {
 }
 
 kinds! {
-    /// Something that happens to the arm, to an input or to the links: at a time by [`Builder::at`](crate::Builder::at) and
-    /// [`Controller::at`](crate::Controller::at), on a condition by [`Controller::when`](crate::Controller::when).
+    /// Something that happens to the arm, to an input or to the links: at a time by [`Builder::at`](crate::Builder::at)
+    /// and [`Controller::at`](crate::Controller::at), on a condition by [`Controller::when`](crate::Controller::when).
     ///
-    /// Inputs are given by their place in the list of the [`State`] and of status packets, from 0. What is set stays until something
-    /// else is set.
+    /// Inputs are given by their place in the list of the [`State`] and of status packets, from 0. What is set stays
+    /// until something else is set.
     ///
     /// It has a text form, as `jaka sim --schedule` takes it.
     ///
@@ -86,7 +86,7 @@ kinds! {
         port: Option<Port> as port = Some(Port::Status),
         /// Direction on them; both directions if it is `None`.
         direction: Option<Direction> as direction = Some(Direction::ToClient),
-        /// What is wrong.
+        /// The fault.
         fault: LinkFault as link_fault = LinkFault::Hold,
     }: "link" => links.set(LinkSelector { port: *port, direction: *direction }, *fault);
 }

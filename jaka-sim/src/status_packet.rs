@@ -66,8 +66,8 @@ pub(crate) fn packet(
     with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }
 
-/// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given them other
-/// names.
+/// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given
+/// them other names.
 fn fields<'s>(spec_index: &'s SpecIndex, own: &[(String, &str)]) -> Vec<&'s Field> {
     let is_sent = |field: &&Field| own.iter().any(|(key, _)| *key == field.wire);
     let fields = spec_index.spec.status_fields();

@@ -182,8 +182,8 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             set(&mut state.protective_stop, false)
         }
 
-        // Kinematics and current position. Poses are those of the selected tool frame in the selected user frame, so that the
-        // computations and `get_tcp_pos` agree.
+        // Kinematics and current position. Poses are those of the selected tool frame in the selected user frame, so
+        // that the computations and `get_tcp_pos` agree.
         Request::GetJointPos(command) => {
             reply(command, out, |reply| reply.joint_position = state.joint_commanded_position)
         }

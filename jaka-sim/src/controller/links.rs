@@ -8,8 +8,8 @@ use crate::{Direction, Happening, LinkFault, Port};
 
 /// The links between a controller's ports and its clients, of one port or both, in one direction or both.
 ///
-/// What is set holds for the connections that are open and for those to come, until something else is set. See [`LinkFault`] for
-/// what each does.
+/// What is set holds for the connections that are open and for those to come, until something else is set. See
+/// [`LinkFault`] for what each does.
 ///
 /// ```
 /// use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What happens once the state is as a condition says, and threads for what happens at a time.
+//! Actions once the state is as a condition says, and the thread for links that change at a time.
 
 use std::io;
 use std::sync::Arc;
@@ -11,12 +11,13 @@ use crate::{Happening, Scheduled, State};
 impl Controller {
     /// Does something once, in a thread of its own, when the state first is as the condition says, which may be now.
     ///
-    /// The condition is asked in each controller cycle and after each change of the state. Requests wait meanwhile, so it must not call the controller. The
-    /// action may do with the controller what its owner may, and take its time: the arm goes on, except that with a
-    /// [stepped clock](crate::Builder::stepped_clock) [`advance`](Self::advance) waits for it, and does nothing within it.
+    /// The condition is asked in each controller cycle and after each change of the state. Requests wait meanwhile, so
+    /// it must not call the controller. The action may do with the controller what its owner may, and take its time:
+    /// the arm goes on, except that with a [stepped clock](crate::Builder::stepped_clock) [`advance`](Self::advance)
+    /// waits for it, and does nothing within it.
     ///
-    /// With a clock of its own the controller is late by as much as the machine is busy; with a stepped or a [simulated](crate::Builder::clock) one the action
-    /// begins in the cycle in which the condition holds.
+    /// With a clock of its own the controller is late by as much as the machine is busy; with a stepped or a
+    /// [simulated](crate::Builder::clock) one the action begins in the cycle in which the condition holds.
     ///
     /// Dropping the controller gives up what has not happened, and waits for actions that have begun.
     ///
@@ -48,7 +49,8 @@ impl Controller {
         Ok(trigger)
     }
 
-    /// Has links change at their times where nobody asks the controller for anything then; a stepped clock needs no thread for it.
+    /// Has links change at their times where nobody asks the controller for anything then; a stepped clock needs no
+    /// thread for it.
     pub(super) fn keep_time(&self, scheduled: &[Scheduled]) -> io::Result<()> {
         let is_of_links = |scheduled: &Scheduled| matches!(scheduled.happening, Happening::Link { .. });
         if self.shared.options.stepped || !scheduled.iter().any(is_of_links) {

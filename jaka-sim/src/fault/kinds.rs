@@ -8,9 +8,9 @@ use super::tokens::Name;
 /// Makes an enum of a table of kinds, with the text form of each and what it does.
 ///
 /// A row is `Kind(argument: Type as reader = example, …): "word" => effect`, where the reader is a method of
-/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as `reader(usual)`, the
-/// example is the one in `one_of_each`, and the effect is the value of the function that is declared before the rows. A kind whose row
-/// lacks a part does not compile.
+/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as
+/// `reader(usual)`, the example is the one in `one_of_each`, and the effect is the value of the function that is
+/// declared before the rows. A kind whose row lacks a part does not compile.
 macro_rules! kinds {
     (
         $(#[$meta:meta])*

@@ -23,8 +23,9 @@ kinds! {
     /// Something wrong with a link: what passes between a port and its clients in one direction, and when.
     ///
     /// [`Controller::link`](crate::Controller::link) sets it at once, and [`Happening::Link`](crate::Happening::Link) at a time. It
-    /// applies to the connections that are open and to later ones, until another fault is set. Its own times are real times, also
-    /// with a stepped clock. A link has no message boundaries: it passes bytes, and the end of a connection after them.
+    /// applies to the connections that are open and to later ones, until another fault is set. Its own times are real
+    /// times, also with a stepped clock. A link has no message boundaries: it passes bytes, and the end of a connection
+    /// after them.
     ///
     /// The system makes the connection itself, which succeeds on a link on which nothing passes.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,11 +41,11 @@ kinds! {
 
     /// Nothing passes until another fault is set. `hold` in a script.
     ///
-    /// To the client: what the controller sends waits, and then arrives as it was sent: old status packets, replies of long ago.
-    /// When 16 MiB wait, the controller ends the connection; the client gets these, and then the end.
+    /// To the client: what the controller sends waits, and then arrives as it was sent: old status packets, replies of
+    /// long ago. When 16 MiB wait, the controller ends the connection; the client gets these, and then the end.
     ///
-    /// To the controller: requests are neither read nor carried out, nor is the end of the connection noticed. The systems'
-    /// buffers go on taking what the client sends, some hundred kilobytes, and acknowledge it.
+    /// To the controller: requests are neither read nor carried out, nor is the end of the connection noticed. The
+    /// systems' buffers go on taking what the client sends, some hundred kilobytes, and acknowledge it.
     Hold: "hold" => Passage::Held;
 
     /// Each byte arrives this much later, in order, in the same portions as without. `delay 800ms` in a script.
@@ -60,9 +61,10 @@ kinds! {
     /// What has been held goes on at this pace, and so does all that follows, until another fault is set.
     Slow(per_second: u64 as rate = 20_000): "slow" => Passage::Paced(*per_second);
 
-    /// Nothing passes ever again, as with a pulled cable: no byte, no end of the connection, no reset. `cut` in a script.
+    /// Nothing passes ever again, as with a pulled cable: no byte, no end of the connection, no reset. `cut` in a
+    /// script.
     ///
-    /// A connection that has been cut stays so, and so does one that is made meanwhile. When another fault is set, it is for the
-    /// connections that follow.
+    /// A connection that has been cut stays so, and so does one that is made meanwhile. When another fault is set, it
+    /// is for the connections that follow.
     Cut: "cut" => Passage::Lost;
 }

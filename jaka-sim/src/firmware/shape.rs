@@ -28,7 +28,8 @@ pub(crate) struct Shape {
     pub(crate) tool_analog: &'static [f64],
     /// Functions that may have an input. The query has two fewer in the document.
     pub(crate) functions: usize,
-    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where there is one.
+    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where
+    /// there is one.
     pub(crate) monitor_head: &'static str,
     /// The monitor data of each joint.
     pub(crate) joint_row: &'static str,

@@ -14,11 +14,12 @@ const UNKNOWN: &str = r#""oddity":[null,{"a":[]}]"#;
 pub(crate) enum Writing {
     /// As the document prints it, and as short as may be.
     Document,
-    /// As captures have it: numbers that may have a fraction with one, positions with few decimals, the controller's event.
+    /// As captures have it: numbers that may have a fraction with one, positions with few decimals, the controller's
+    /// event.
     Capture,
     /// The same, with truth values in replies as in packets.
     AsPackets,
-    /// Otherwise, in all ways that were seen.
+    /// In the other forms that were seen, all at once.
     Odd,
 }
 

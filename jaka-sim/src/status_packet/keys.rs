@@ -31,7 +31,8 @@ const NEWER: &[(&str, &[&str])] = &[
     ("point_key", &["motion_line", "error_add_line", "tool_rs_signals"]),
 ];
 
-/// All keys in the order in which controllers send them. Firmware leaves some out; none that is known has another order.
+/// All keys in the order in which controllers send them. Firmware leaves some out; none that is known has another
+/// order.
 pub(super) fn in_order(spec: &Spec) -> impl Iterator<Item = &Field> {
     let fields = spec.status_fields();
     let is_newer = |field: &Field| NEWER.iter().any(|(_, names)| names.contains(&&*field.name));

@@ -1,4 +1,4 @@
-//! What status packets show of a state.
+//! Contents of status packets by the state.
 
 use std::iter::repeat_n;
 
@@ -19,8 +19,8 @@ const RS_SIGNALS: usize = 8;
 /// Six values of which none is measured.
 const NO_READINGS: [f64; 6] = [0.0; 6];
 
-/// The contents of a packet, with the keys of the firmware: what the state has, and the values of a captured packet where no part of
-/// the state determines them.
+/// The contents of a packet, with the keys of the firmware: what the state has, and the values of a captured packet
+/// where no part of the state determines them.
 ///
 /// `extio` is a report on extension I/O modules to fill in.
 pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) -> RobotStatus {
@@ -100,8 +100,8 @@ fn newer(state: &State, status: &mut RobotStatus) {
     (status.motion_line, status.error_add_line) = (Some(0.into()), Some(0.into()));
 }
 
-/// The inputs and outputs of fieldbuses, with the lengths of a captured packet. Nothing sets the inputs. Analog outputs are taken to
-/// count their places as digital ones do.
+/// The inputs and outputs of fieldbuses, with the lengths of a captured packet. Nothing sets the inputs. Analog outputs
+/// are taken to count their places as digital ones do.
 fn fieldbuses(state: &State, status: &mut RobotStatus) {
     let inputs = |count| Some(vec![false; count].into());
     let values = |count| Some(vec![0.0; count].into());
@@ -133,7 +133,8 @@ fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Vec<f6
     (0..).map(|index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is taken to be the contact force.
+/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is
+/// taken to be the contact force.
 fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
     let payload = json!([sensor.payload.mass, <[f64; 3]>::from(sensor.payload.centroid)]);
     // No command sets the parameters of a serial line, and nothing prints any.

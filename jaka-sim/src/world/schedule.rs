@@ -1,4 +1,4 @@
-//! What happens at its time, and what is waited for.
+//! List of what happens at a time or on a condition.
 
 use std::io;
 use std::time::Duration;

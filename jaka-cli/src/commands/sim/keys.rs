@@ -12,7 +12,8 @@ use crate::failure::Failure;
 use crate::output;
 use crate::raw::{self, Raw};
 
-/// What keys from the first to the last have happen, by their number from 0: this, and where it has happened, the opposite.
+/// Keys from the first to the last, and what they have happen, by their number from 0: this, and where it has happened,
+/// the opposite.
 struct Row {
     keys: (char, char),
     does: fn(usize) -> Happening,
