@@ -55,16 +55,17 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     child.wait().unwrap();
     expect![[r#"
-        error: `crash`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
+        error: `crash`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`, `analog-input 3 2.5`, `tool-analog-input 0 2.5`, `link status to-client hold`
         error: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
     expect![[r#"
-        error: `--schedule <LIST>` cannot be ` trip`: `trip`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 0 high`, `input 0 low`, `tool-input 0 high`, `tool-input 0 low`
+        error: `--schedule <LIST>` cannot be ` trip`: `trip`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`, `analog-input 3 2.5`, `tool-analog-input 0 2.5`, `link status to-client hold`
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
-        error: `--schedule <LIST>` cannot be `collide 2s`: `collide`: a time may follow, as in `collide at 2s` or `… at 500ms`
+        error: `--schedule <LIST>` cannot be `collide 2s`: `2s`: a time may follow, as in `collide at 2s`
         hint: `jaka sim --help` explains what there is
-        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
 
 #[test]
@@ -89,16 +90,17 @@ fn the_help_of_sim_lists_the_faults() {
           half-open, close, close-after 10, reset, takeover
           `status …`:  none, silent, slow 80ms, split 3, garbage 300 3, cut 100, instead "{}", close-after
           100
-          `link …`:    none, hold, delay 80ms, slow 20000, cut
 
         A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command,
-        `always drop` for all, and `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status
-        to-client hold after 10s for 5s` has a port (`command`, `status` or `both`), a direction
-        (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim explains them.
+        `always drop` for all, and `random 7 1/20 drop, reset` for one in twenty, with a seed. The README of
+        jaka-sim explains them.
 
         What `--schedule` and `--stdin` can have happen, inputs by their place from 0:
-          collide, press-emergency-stop, release-emergency-stop, cut-power, input 3 high, input 3 low,
-          tool-input 3 high, tool-input 3 low
+          collide, press-emergency-stop, release-emergency-stop, cut-power, input 3 high, tool-input 0 low,
+          analog-input 3 2.5, tool-analog-input 0 2.5, link status to-client hold
+
+        `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or
+        `both`), and a fault: none, hold, delay 80ms, slow 20000, cut
 
         With `--keys`: c collide, e press-emergency-stop or release-emergency-stop, p cut-power, 0 to 9
         input 0 high or input 0 low, t tool-input 0 high or tool-input 0 low, ? this list, q quit
@@ -109,7 +111,7 @@ fn the_help_of_sim_lists_the_faults() {
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
-        error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document
+        error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document, odd
         hint: `jaka sim --help` explains what there is
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));

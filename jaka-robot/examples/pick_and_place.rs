@@ -16,7 +16,7 @@ use jaka_robot::io::SetDigitalOutput;
 use jaka_robot::motion::{EndMove, MoveL};
 use jaka_robot::types::{Pose, Switch};
 use jaka_robot::{Motion, Numbering, Robot};
-use jaka_sim::DigitalInput;
+use jaka_sim::{Happening, Level};
 
 /// This program counts inputs from 1.
 const IO: Numbering = Numbering::FromOne;
@@ -40,7 +40,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let mut robot = target.robot()?;
     robot.power_up(Duration::from_secs(60))?;
     if let Some(controller) = &target.controller {
-        controller.input(DigitalInput::cabinet(2).high_at(Duration::from_secs(1)))?;
+        let in_a_second = controller.elapsed() + Duration::from_secs(1);
+        controller.at(in_a_second, Happening::Input(2, Level::High))?;
     }
     let result = pick_and_place(&mut robot);
     common::or_stop(&robot, result)?;

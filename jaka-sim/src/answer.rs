@@ -1,24 +1,14 @@
 //! What the controller answers to a request.
 //!
-//! Each topic of the spec has a module of its own that changes the state and replies. Commands without a handler
-//! get the spec's example, so a new command in the spec is answered without code.
+//! `topics` has what each command changes and answers. Commands without a handler get the spec's example, so a new command in the
+//! spec is answered without code.
 
-mod collision;
-mod force;
-mod frames;
-mod io;
-mod kinematics;
 mod motion;
-mod network;
 mod pack;
-mod payload;
-mod power;
-mod program;
 mod remembered;
 mod servo;
-mod torque_sensor;
+mod topics;
 mod trajectory;
-mod variables;
 
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::messages::types::Switch;
@@ -67,25 +57,6 @@ impl Outcome {
         if accepted { Self::Accepted } else { Self::Refused }
     }
 }
-
-type Topic = fn(&Request, &mut World, &mut Draft<'_>) -> Outcome;
-
-const TOPICS: [Topic; 14] = [
-    power::answer,
-    motion::answer,
-    servo::answer,
-    program::answer,
-    io::answer,
-    frames::answer,
-    variables::answer,
-    payload::answer,
-    collision::answer,
-    kinematics::answer,
-    trajectory::answer,
-    force::answer,
-    torque_sensor::answer,
-    network::answer,
-];
 
 /// Carries out a request, and writes the reply.
 pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out: &mut Writer) -> Sequel {
@@ -167,7 +138,7 @@ fn carry_out(
     let mut draft = Draft { sample: &typed_sample, out };
     let outcome = match request {
         _ if !is_allowed => Outcome::Refused,
-        Some(request) => match ask_topics(request, world, &mut draft) {
+        Some(request) => match topics::answer(request, world, &mut draft) {
             Outcome::Accepted => request.visit(Accept(&mut draft)),
             Outcome::Unhandled if command.remembers.is_some() => request.visit(Accept(&mut draft)),
             outcome => outcome,
@@ -196,11 +167,6 @@ fn refusal(entry: &CommandEntry, world: &World) -> Option<(ErrorCode, String)> {
         return Some(entry.refusal.clone());
     }
     (entry.moves && !world.state.can_move()).then(|| usual_refusal(&entry.command.wire))
-}
-
-fn ask_topics(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
-    let mut outcomes = TOPICS.iter().map(|topic| topic(request, world, out));
-    outcomes.find(|outcome| *outcome != Outcome::Unhandled).unwrap_or(Outcome::Unhandled)
 }
 
 fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer) {

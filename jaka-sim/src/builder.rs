@@ -15,10 +15,7 @@ use jaka_proto::recording::Recording;
 use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
-use crate::{
-    ArmFault, Contact, Delays, FaultPlan, Firmware, Habits, InputScript, Replay, ReplayTiming, ReplyStyle, Trip,
-    Underrun,
-};
+use crate::{Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, Trip, Underrun};
 
 /// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come
 /// first have methods of their own.
@@ -60,10 +57,8 @@ options! {
         habits: Option<Habits> = None;
         trips: Vec<Trip> = Vec::new();
         contact: Option<Contact> = None;
-        reply_style: Option<ReplyStyle> = None;
         status_period: Option<Duration> = None;
-        inputs: Vec<InputScript> = Vec::new();
-        faults_at: Vec<(Duration, ArmFault)> = Vec::new();
+        scheduled: Vec<Scheduled> = Vec::new();
         stepped: bool = false;
         time: Clock = Clock::default();
         folders: Vec<PathBuf> = Vec::new();
@@ -108,7 +103,7 @@ options! {
     /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
     takeover: Takeover = Takeover::Replace;
 
-    /// Sets what goes wrong from the start: nothing if not set.
+    /// Sets what goes wrong with replies and packets: nothing if not set.
     faults: FaultPlan = FaultPlan::new();
 
     /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
@@ -154,25 +149,17 @@ impl Builder {
         self
     }
 
-    /// Has an input change by itself, at times that count from the start. An input that the controller does not have
-    /// keeps it from starting.
-    #[must_use]
-    pub fn input(mut self, script: impl Into<InputScript>) -> Self {
-        self.inputs.push(script.into());
-        self
-    }
-
-    /// Has something happen to the arm or to an input at a time of the controller since its start, in the first
-    /// controller cycle that is not before it.
+    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, in the
+    /// first controller cycle that is not before it.
     ///
     /// An input that the controller does not have keeps it from starting.
     ///
     /// ```
     /// use std::time::Duration;
     ///
-    /// use jaka_sim::{ArmFault, Controller};
+    /// use jaka_sim::{Controller, Happening};
     ///
-    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), ArmFault::Collide).start()?;
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), Happening::Collide).start()?;
     /// controller.advance(Duration::from_secs(1));
     /// assert!(!controller.state().protective_stop);
     /// controller.advance(Duration::from_secs(1));
@@ -180,8 +167,8 @@ impl Builder {
     /// # Ok::<(), std::io::Error>(())
     /// ```
     #[must_use]
-    pub fn at(mut self, time: Duration, fault: ArmFault) -> Self {
-        self.faults_at.push((time, fault));
+    pub fn at(mut self, time: Duration, happening: impl Into<Happening>) -> Self {
+        self.scheduled.push(Scheduled { happening: happening.into(), at: time });
         self
     }
 
@@ -260,13 +247,6 @@ impl Builder {
         self
     }
 
-    /// Sets how replies are written: as the firmware does if not set.
-    #[must_use]
-    pub fn reply_style(mut self, style: ReplyStyle) -> Self {
-        self.reply_style = Some(style);
-        self
-    }
-
     /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
     ///
     /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
@@ -332,11 +312,6 @@ impl Builder {
     /// What the controller does that no document describes.
     pub(crate) fn usual_habits(&self) -> Habits {
         self.habits.unwrap_or_else(|| self.firmware.habits())
-    }
-
-    /// How replies are written.
-    pub(crate) fn style(&self) -> ReplyStyle {
-        self.reply_style.unwrap_or_else(|| ReplyStyle::of(self.firmware))
     }
 }
 

@@ -34,10 +34,15 @@ impl ControllerClock {
 
     /// Time to the next cycle, in the time that passes; [`Duration::MAX`] where it does not come by itself.
     pub(crate) fn until_next_cycle(&self) -> Duration {
-        let Self::Running { time, start, scale } = self else { return Duration::MAX };
-        let passed = scaled(time.elapsed(*start), *scale).as_nanos() % CYCLE.as_nanos();
-        let left = CYCLE.saturating_sub(Duration::from_nanos(u64::try_from(passed).unwrap_or_default()));
-        scaled(left, scale.recip()).max(SHORTEST)
+        self.now().map_or(Duration::MAX, |now| self.until(now + Duration::from_nanos(1)))
+    }
+
+    /// Time to the first cycle that is not before this time, in the time that passes; [`Duration::MAX`] where it does not
+    /// come by itself.
+    pub(crate) fn until(&self, due: Duration) -> Duration {
+        let (Self::Running { scale, .. }, Some(now)) = (self, self.now()) else { return Duration::MAX };
+        let cycles = u32::try_from(due.as_nanos().div_ceil(CYCLE.as_nanos())).unwrap_or(u32::MAX);
+        scaled((CYCLE * cycles).saturating_sub(now), scale.recip()).max(SHORTEST)
     }
 }
 

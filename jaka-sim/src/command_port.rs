@@ -20,13 +20,14 @@ use self::request_reader::{Incoming, Next, RequestReader};
 use crate::answer::{self, Sequel};
 use crate::clock;
 use crate::connection::{CommandConnection, NextStep};
+use crate::firmware::Values;
 use crate::json_text::respace;
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
 use crate::spec_index::{CommandEntry, accepted};
 use crate::world::World;
-use crate::{Port, Takeover, firmware};
+use crate::{Port, Takeover};
 
 /// Accepts clients until the listener is closed.
 pub(crate) fn run(shared: &Arc<Shared>) {
@@ -174,7 +175,7 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         put_status(command, shared, &world, reply);
         put_set_fields(command, shared, reply);
     }
-    firmware::restyle(shared.options.style(), &shared.spec_index.spec, &world.state, reply);
+    Values::of_replies(&shared.spec_index.spec, world.writing).rewrite(reply);
     if let Some(command) = &command {
         put_forms(command, shared, forms.as_deref(), reply);
     }
@@ -211,7 +212,7 @@ fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut 
     let members = serde_json::from_str(reply.as_str()).ok();
     if let Some(members) = members.and_then(|members| forms.written(Message::Reply(command), &members)) {
         reply.clear();
-        reply.raw(&respace(&Value::from(members).to_string(), shared.options.style().separators));
+        reply.raw(&respace(&Value::from(members).to_string(), shared.options.firmware.shape().writing.separators()));
     }
 }
 

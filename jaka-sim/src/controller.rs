@@ -19,7 +19,7 @@ pub use self::links::Link;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
 use crate::shared::Shared;
-use crate::{ArmFault, Builder, Contact, Deviation, InputScript, State, command_port, status_port};
+use crate::{Builder, Contact, Deviation, Happening, Scheduled, State, command_port, status_port};
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -100,21 +100,15 @@ impl Controller {
         self.shared.world().now()
     }
 
-    /// Has an input change by itself, at times that count from now.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`] if the controller does not have the input.
-    pub fn input(&self, script: impl Into<InputScript>) -> io::Result<()> {
-        self.shared.world().schedule_inputs(&script.into())
-    }
-
-    /// Has something happen to the arm or to an input at a time of the controller since its start, which is that of
+    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, which is that of
     /// [`elapsed`](Self::elapsed): in the first controller cycle that is not before it, or at once where it has passed.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if the controller does not have the input.
-    pub fn at(&self, time: Duration, fault: ArmFault) -> io::Result<()> {
-        self.shared.world().schedule(vec![(time, fault.happening())])
+    /// [`ErrorKind::InvalidInput`] if the controller does not have the input; or a thread cannot be started.
+    pub fn at(&self, time: Duration, happening: impl Into<Happening>) -> io::Result<()> {
+        let scheduled = Scheduled { happening: happening.into(), at: time };
+        self.shared.world().schedule(scheduled)?;
+        self.keep_time(&[scheduled])
     }
 
     /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
@@ -136,22 +130,22 @@ impl Controller {
 
     /// Simulates a collision: a protective stop and the error `0xf0034`, until `clear_error`.
     pub fn collide(&self) {
-        self.set_state(|state| ArmFault::Collide.happening().make(state));
+        self.shared.world().happen(&Happening::Collide);
     }
 
     /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
     pub fn press_emergency_stop(&self) {
-        self.set_state(|state| ArmFault::PressEmergencyStop.happening().make(state));
+        self.shared.world().happen(&Happening::PressEmergencyStop);
     }
 
     /// Releases the emergency stop. The arm stays disabled until it is enabled again.
     pub fn release_emergency_stop(&self) {
-        self.set_state(|state| ArmFault::ReleaseEmergencyStop.happening().make(state));
+        self.shared.world().happen(&Happening::ReleaseEmergencyStop);
     }
 
     /// Cuts the arm's power.
     pub fn cut_power(&self) {
-        self.set_state(|state| ArmFault::CutPower.happening().make(state));
+        self.shared.world().happen(&Happening::CutPower);
     }
 
     /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack adds, and
@@ -271,6 +265,7 @@ impl Builder {
         let mut controller = Controller { shared, commands: None, status: None, is_lent: false };
         controller.commands = Some(controller.spawn(command_port::run)?);
         controller.status = Some(controller.spawn(status_port::run)?);
+        controller.keep_time(&controller.shared.options.scheduled)?;
         Ok(controller)
     }
 }

@@ -1,6 +1,5 @@
-//! What can be wrong with replies, status packets and links, what can happen to the arm, and how that is written.
+//! Faults of replies, status packets and links, and how they are written.
 
-mod arm;
 mod kinds;
 mod link;
 mod plan;
@@ -13,11 +12,9 @@ mod status;
 mod token_reader;
 mod tokens;
 
-pub(crate) use self::arm::Happening;
-pub use self::arm::{ArmEvent, ArmFault};
 pub(crate) use self::kinds::{Argument, kinds};
+pub use self::link::LinkFault;
 pub(crate) use self::link::Passage;
-pub use self::link::{LinkEvent, LinkFault};
 pub use self::plan::FaultPlan;
 pub(crate) use self::reply::Delivery;
 pub use self::reply::Fault;

@@ -1,18 +1,15 @@
 //! Firmware, by what its messages look like and what it does.
 
-mod reply_style;
-mod restyle;
 mod shape;
 mod values;
+mod writing;
 
 use std::fmt;
 use std::time::Duration;
 
-pub use self::reply_style::{CodeStyle, EventStyle, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
-pub(crate) use self::restyle::restyle;
-pub(crate) use self::shape::{Fieldbus, Shape};
+pub(crate) use self::shape::Shape;
 pub(crate) use self::values::Values;
-use crate::json_text::Separators;
+pub(crate) use self::writing::Writing;
 use crate::{Habit, Habits};
 
 /// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
@@ -43,27 +40,29 @@ macro_rules! firmwares {
 firmwares! {
     /// The firmware that a controller has.
     ///
-    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how replies are
-    /// written, what `get_version` answers, and what the controller does that no document describes.
-    /// [`Builder::status_period`](crate::Builder::status_period), [`Builder::reply_style`](crate::Builder::reply_style) and
-    /// [`Builder::habits`](crate::Builder::habits) come before it.
+    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how
+    /// replies are written, what `get_version` answers, and what the controller does that no document describes.
+    /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) come
+    /// before it.
     ///
-    /// | | `V1_5_14` | `Newer` | `Document` |
-    /// |---|---|---|---|
-    /// | `get_version` | `1.5.14_13_X64` | `1.7.2` | `1.6.5_01_X86` |
-    /// | digital inputs, digital outputs | 135 | 199 | 144 |
-    /// | analog inputs, analog outputs | 64 | 128 | 66 |
-    /// | analog inputs of the tool | 2 | 2 | 1 |
-    /// | values for each joint in the monitor data | 11 | 11 | 10 |
-    /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 |
-    /// | extension I/O modules in packets | no | yes | yes |
-    /// | numbers that may have a fraction | `3.0` | `3.0` | `3` |
-    /// | decimals of positions in packets, in replies | 5, 6 | 5, 6 | any |
-    /// | blanks after commas and colons | yes | yes | no |
-    /// | event in `get_robot_state` | a number | a number | no |
-    /// | time between packets | 30 ms | 50 ms | 50 ms |
-    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB |
-    /// | habits | `late-power`, `servo-at-rest`, `events` | `servo-at-rest`, `events` | none |
+    /// | | `V1_5_14` | `Newer` | `Document` | `Odd` |
+    /// |---|---|---|---|---|
+    /// | `get_version` | `1.5.14_13_X64` | `1.7.2` | `1.6.5_01_X86` | `1.7.2` |
+    /// | digital inputs, digital outputs | 135 | 199 | 144 | 136 |
+    /// | analog inputs, analog outputs | 64 | 128 | 66 | 66 |
+    /// | analog inputs of the tool | 2 | 2 | 1 | 1 |
+    /// | functions with an input | 15 | 15 | 15 | 12 |
+    /// | values for each joint in the monitor data | 11 | 11 | 10 | 10 |
+    /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 | 6, 2 |
+    /// | extension I/O modules in packets | no | yes | yes | no |
+    /// | numbers that may have a fraction | `3.0` | `3.0` | `3` | `"3"` |
+    /// | whole numbers | `3` | `3` | `3` | `3.0` |
+    /// | decimals of positions in packets, in replies | 5, 6 | 5, 6 | any | any |
+    /// | blanks after commas and colons | yes | yes | no | yes |
+    /// | event in `get_robot_state` | a number | a number | no | a text |
+    /// | time between packets | 30 ms | 50 ms | 50 ms | 100 ms |
+    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
+    /// | habits | `late-power`, `servo-at-rest`, `events` | `servo-at-rest`, `events` | none | all |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum Firmware;
@@ -74,12 +73,7 @@ firmwares! {
         name: "1.5.14",
         version: "1.5.14_13_X64",
         status_period: Duration::from_millis(30),
-        separators: Separators::Spaced,
-        packet_numbers: NumberStyle::Decimals(5),
-        reply_style: ReplyStyle::DOCUMENT
-            .separators(Separators::Spaced)
-            .numbers(NumberStyle::Decimals(6))
-            .event(EventStyle::Number),
+        writing: Writing::Capture,
         habits: &[Habit::LatePower, Habit::ServoAtRest, Habit::Events],
         extio: false,
         newer_keys: false,
@@ -88,7 +82,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0, 474.0],
         functions: 15,
-        fieldbuses: &[],
         monitor_head: "12338,12593,47.0,0.0,0.0",
         joint_row: "0.0,48.0,28.0,0.0,0.10000000149011612,30363.5,390097.0,0.0,1.0,0.0,-1.0188410813171915",
         monitor_tail: "",
@@ -96,21 +89,15 @@ firmwares! {
         extio_module_id: None,
     };
 
-    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the 5000 bytes
-    /// that the document allows.
+    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the
+    /// 5000 bytes that the document allows.
     ///
     /// `get_robot_state` answers as packets do. Which version sent the packets of the capture is not known.
     Newer => Shape {
         name: "newer",
         version: "1.7.2",
         status_period: Duration::from_millis(50),
-        separators: Separators::Spaced,
-        packet_numbers: NumberStyle::Decimals(5),
-        reply_style: ReplyStyle::DOCUMENT
-            .separators(Separators::Spaced)
-            .numbers(NumberStyle::Decimals(6))
-            .truth_values(TruthStyle::Packet)
-            .event(EventStyle::Number),
+        writing: Writing::AsPackets,
         habits: &[Habit::ServoAtRest, Habit::Events],
         extio: true,
         newer_keys: true,
@@ -119,11 +106,6 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[466.0, 469.0],
         functions: 15,
-        fieldbuses: &[
-            Fieldbus { name: "modbus_slave_", digital: 128, analog: 64 },
-            Fieldbus { name: "profinet_device_", digital: 64, analog: 64 },
-            Fieldbus { name: "ethernet_ip_adapter_", digital: 64, analog: 48 },
-        ],
         monitor_head: "12338,12593,49.0,26.0,1.0720000267028809",
         joint_row: "0.06650000065565109,23.0,50.0,0.0,0.10000000149011612,6007.2001953125,2888860.0,2.5999999046325684,110602.0,0.3330000042915344,-0.06700000166893005",
         monitor_tail: ",0,0,0,23.39",
@@ -136,9 +118,7 @@ firmwares! {
         name: "document",
         version: "1.6.5_01_X86",
         status_period: Duration::from_millis(50),
-        separators: Separators::Compact,
-        packet_numbers: NumberStyle::Plain,
-        reply_style: ReplyStyle::DOCUMENT,
+        writing: Writing::Document,
         habits: &[],
         extio: true,
         newer_keys: false,
@@ -147,7 +127,40 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[0.0],
         functions: 15,
-        fieldbuses: &[],
+        monitor_head: "0,0,0,0,0",
+        joint_row: "0,0,0,0,0,0,0,0,0,0",
+        monitor_tail: "",
+        torque_readings: 2,
+        extio_module_id: None,
+    };
+
+    /// Forms other than the document's, each seen on some controller or reported of one, all at once. No controller is
+    /// known that writes so.
+    ///
+    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies come the other way
+    /// round, a reply of success has no message, names have blanks around them, and a key that nobody knows comes with
+    /// replies and packets.
+    Odd => Shape {
+        name: "odd",
+        version: "1.7.2",
+        status_period: Duration::from_millis(100),
+        writing: Writing::Odd,
+        habits: &[
+            Habit::Pause(Duration::from_millis(100)),
+            Habit::Lead(Duration::from_millis(16)),
+            Habit::LateQueries(None),
+            Habit::LatePower,
+            Habit::Blend,
+            Habit::ServoAtRest,
+            Habit::Events,
+        ],
+        extio: false,
+        newer_keys: true,
+        digital: 136,
+        analog: 66,
+        tool_digital: 8,
+        tool_analog: &[474.0],
+        functions: 12,
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
         monitor_tail: "",
@@ -157,7 +170,7 @@ firmwares! {
 }
 
 impl Firmware {
-    /// A name to be typed: `1.5.14`, `newer` or `document`.
+    /// A name to be typed: `1.5.14`, `newer`, `document` or `odd`.
     pub fn name(self) -> &'static str {
         self.shape().name
     }

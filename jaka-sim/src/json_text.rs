@@ -3,11 +3,9 @@
 use jaka_proto::wire::Reader;
 
 /// What stands between the parts of a JSON text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[non_exhaustive]
-pub enum Separators {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Separators {
     /// No blanks.
-    #[default]
     Compact,
     /// A blank after each comma and colon.
     Spaced,

@@ -11,7 +11,7 @@ mod delays;
 mod fault;
 mod firmware;
 mod habits;
-mod input_script;
+mod happening;
 mod json_text;
 mod link;
 mod link_selector;
@@ -35,10 +35,10 @@ pub use builder::{Builder, Takeover};
 pub use contact::Contact;
 pub use controller::{Controller, Link};
 pub use delays::Delays;
-pub use fault::{ArmEvent, ArmFault, Fault, FaultPlan, LinkEvent, LinkFault, ScriptError, StatusFault};
-pub use firmware::{CodeStyle, EventStyle, Firmware, KeyOrder, NumberStyle, ReplyStyle, TruthStyle};
+pub use fault::{Fault, FaultPlan, LinkFault, ScriptError, StatusFault};
+pub use firmware::Firmware;
 pub use habits::{Habit, Habits};
-pub use input_script::{AnalogInput, DigitalInput, InputScript};
+pub use happening::{Happening, Level, Scheduled};
 /// The clock of tests that take no time.
 pub use jaka_clock::{self, SimulatedClock};
 /// The arm that is simulated.
@@ -49,7 +49,6 @@ pub use jaka_proto as proto;
 pub use jaka_proto::recording::Port;
 /// A state that a command needs, as the spec says it: see [`State::meets`].
 pub use jaka_spec::Requirement;
-pub use json_text::Separators;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
 pub use state::{AdmittanceControl, Frame, NetworkException, State, TorqueSensor, Trajectory};

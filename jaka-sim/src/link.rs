@@ -20,7 +20,7 @@ use jaka_clock::{Clock, Signal, lock};
 pub(crate) use self::inbound::{Inbound, Received};
 use self::state::LinkStates;
 pub(crate) use self::wire::Wire;
-use crate::fault::{LinkEvent, LinkFault};
+use crate::fault::LinkFault;
 use crate::link_selector::LinkSelector;
 
 /// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
@@ -43,18 +43,18 @@ pub(crate) struct Links {
 type Sender = (Weak<Wire>, JoinHandle<()>);
 
 impl Links {
-    /// The links of a controller that starts now.
-    pub(crate) fn new(events: &[LinkEvent], time: &Clock) -> Self {
+    /// The links of a controller.
+    pub(crate) fn new(time: &Clock) -> Self {
         Self {
-            used: AtomicBool::new(!events.is_empty()),
-            state: Mutex::new(LinkStates::new(events, time.now())),
+            used: AtomicBool::new(false),
+            state: Mutex::default(),
             changed: Signal::new(time),
             time: time.clone(),
             senders: Mutex::default(),
         }
     }
 
-    /// Sets what is wrong with these links from now on, and forgets what was to follow.
+    /// Sets what is wrong with these links from now on.
     pub(crate) fn set(&self, selector: LinkSelector, fault: LinkFault) {
         let mut state = lock(&self.state);
         if fault != LinkFault::None {

@@ -1,12 +1,10 @@
 //! Which links are meant: those of one port or both, in one direction or both.
 
-use std::fmt;
-
 use crate::Port;
 
 jaka_proto::worded! {
-    /// A direction in which bytes pass between a port and its clients, displayed as in the script of a
-    /// [`FaultPlan`](crate::FaultPlan).
+    /// A direction in which bytes pass between a port and its clients, displayed as in the text of a
+    /// [`Happening`](crate::Happening).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
     pub enum Direction {
@@ -23,7 +21,7 @@ impl Direction {
     pub const ALL: [Self; 2] = [Self::ToController, Self::ToClient];
 }
 
-/// The word of a script for both ports, and for both directions.
+/// The word of a text for both ports, and for both directions.
 pub(crate) const BOTH: &str = "both";
 
 /// A choice of links; `None` stands for both.
@@ -39,14 +37,5 @@ impl LinkSelector {
         let ports = Port::ALL.into_iter().filter(move |port| self.port.is_none_or(|chosen| chosen == *port));
         let chosen = move |direction: &Direction| self.direction.is_none_or(|chosen| chosen == *direction);
         ports.flat_map(move |port| Direction::ALL.into_iter().filter(chosen).map(move |direction| (port, direction)))
-    }
-}
-
-/// As in a script: `status to-client`, `both both`.
-impl fmt::Display for LinkSelector {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let port = self.port.map_or_else(|| BOTH.to_owned(), |port| port.to_string());
-        let direction = self.direction.map_or_else(|| BOTH.to_owned(), |direction| direction.to_string());
-        write!(f, "{port} {direction}")
     }
 }

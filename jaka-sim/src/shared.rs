@@ -59,9 +59,10 @@ impl Shared {
     pub(crate) fn new(options: Builder) -> io::Result<Self> {
         options.check()?;
         let spec_index = SpecIndex::open(&options.packs)?;
-        let world = World::new(&options, &spec_index)?;
-        let forms = Mutex::new((world.state.version.clone(), forms_of(&spec_index, &world.state.version)));
         let time = &options.time;
+        let links = Arc::new(Links::new(time));
+        let world = World::new(&options, &spec_index, &links)?;
+        let forms = Mutex::new((world.state.version.clone(), forms_of(&spec_index, &world.state.version)));
         Ok(Self {
             command_listener: Listener::bind(options.address, options.command_port, time)?,
             status_listener: Listener::bind(options.address, options.status_port, time)?,
@@ -69,7 +70,7 @@ impl Shared {
             readers: Readers::new(options.faults.status.clone()),
             request_log: RequestLog::new(time),
             triggers: Triggers::default(),
-            links: Arc::new(Links::new(&options.faults.links, time)),
+            links,
             replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
             world: Mutex::new(world),
             forms,
@@ -163,6 +164,11 @@ impl Shared {
         while !lock(&self.world).advance_until_fired(time) {
             self.triggers.wait_for_actions();
         }
+    }
+
+    /// How long the next of what is scheduled is away, in the time that passes; none if nothing is.
+    pub(crate) fn until_next_due(&self) -> Option<Duration> {
+        self.world().next_due().map(|due| self.clock.until(due))
     }
 
     /// How long the next controller cycle is away.

@@ -7,7 +7,8 @@ use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
 use jaka_dynamic::{Message, Translation, firmware_range};
-use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
+use jaka_proto::messages::status::{ExtioReport, RobotStatus};
+use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, write_refusal};
 use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec};
 use serde_json::{Map, Value};
@@ -20,6 +21,8 @@ pub(crate) struct SpecIndex {
     pub(crate) spec: Spec,
     /// The index of the built-in spec, to which packs were added.
     base: Option<Arc<Self>>,
+    /// A report on extension I/O modules by the built-in spec, to fill in.
+    pub(crate) extio_report: Option<ExtioReport>,
     /// The controller's message for something that is not a command.
     pub(crate) unknown: String,
 }
@@ -95,7 +98,8 @@ impl SpecIndex {
         let entries = spec.commands().map(|command| (command.wire.clone(), entry(command))).collect();
         let exception = spec.errors().find(|error| error.wire == ErrorCode::EXCEPTION.0);
         let unknown = exception.and_then(|error| error.message.clone()).unwrap_or_default();
-        Self { entries, spec, base, unknown }
+        let extio_report = base.as_ref().map_or_else(|| extio_report(&spec), |base| base.extio_report.clone());
+        Self { entries, spec, base, extio_report, unknown }
     }
 
     pub(crate) fn entry(&self, command: &str) -> Option<&CommandEntry> {
@@ -144,14 +148,17 @@ impl SpecIndex {
         translated.lost.is_empty() && translated.unknown.is_empty()
     }
 
-    /// A value of the state at a key of status packets, which a pack may have changed; `value` gives it by the built-in
-    /// name. None where the state has none; null where its value has no form there.
-    pub(crate) fn status_value(&self, field: &Field, value: impl Fn(&str) -> Option<Value>) -> Option<Value> {
-        let Some(base) = &self.base else { return value(&field.name) };
+    /// A value of the state at a key of status packets, which a pack may have changed, in JSON; `member` gives it by the
+    /// built-in spec's key. None where the state has none; null where its value has no form there.
+    pub(crate) fn status_value<'j>(&self, field: &Field, member: impl Fn(&str) -> Option<&'j str>) -> Option<String> {
+        let Some(base) = &self.base else { return member(&field.wire).map(str::to_owned) };
         let (own, others) = (self.spec.status_fields(), base.spec.status_fields());
         let known = jaka_dynamic::counterpart(field, own, others)?;
-        let value = value(&known.name)?;
-        Some(Translation::new(&base.spec, &self.spec).field(known, field, &value).unwrap_or_default())
+        let json = member(&known.wire)?;
+        let value: Value = serde_json::from_str(json).ok()?;
+        let translated = Translation::new(&base.spec, &self.spec).field(known, field, &value).unwrap_or_default();
+        // What a pack does not change keeps its order of keys.
+        Some(if translated == value { json.to_owned() } else { translated.to_string() })
     }
 
     /// The reply that the spec prints for a command.
@@ -220,6 +227,15 @@ fn not_followed(key: &str) -> String {
 /// Reads the payload of a sample, which has the spec's own forms.
 pub(crate) fn own_payload<R: Fields>(sample: &str) -> Result<R, DecodeError> {
     R::read_fields(&mut Reader::in_own_form(sample))
+}
+
+/// The report in a packet of samples.
+fn extio_report(spec: &Spec) -> Option<ExtioReport> {
+    let fields = spec.status_fields().iter();
+    let members: Map<_, _> =
+        fields.map(|field| (field.wire.clone(), jaka_dynamic::sample_value(spec, field))).collect();
+    let packet = RobotStatus::decode(&mut Reader::new(&Value::from(members).to_string())).ok()?;
+    packet.extio.and_then(|extio| extio.known().cloned())
 }
 
 /// A reply that fits the spec.

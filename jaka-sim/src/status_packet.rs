@@ -9,10 +9,10 @@ use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
 use serde_json::{Map, Value};
 
-use crate::firmware::{Shape, Values};
-use crate::json_text::respace;
+use crate::firmware::Values;
+use crate::json_text::{members, respace};
 use crate::spec_index::SpecIndex;
-use crate::{Firmware, ReplyStyle, State};
+use crate::{Firmware, State};
 
 /// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most
 /// of what a controller does.
@@ -41,33 +41,43 @@ pub(crate) fn packet(
     parts: &mut Vec<Part>,
 ) -> String {
     let shape = firmware.shape();
-    let values = Values::new(&spec_index.spec, ReplyStyle::of(Firmware::Document).numbers(shape.packet_numbers));
-    let fields = fields(spec_index, shape);
+    let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
+    let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
+    let own = members(&own).unwrap_or_default();
+    let fields = fields(spec_index, &own);
     let Some((length, fields)) = fields.split_first() else { return String::new() };
     parts.resize_with(fields.len(), Part::default);
     let mut tail = String::new();
     for (field, part) in fields.iter().zip(parts) {
         let shown = match set.get(&field.wire) {
             Some(value) => Shown::Set(value.clone()),
-            None => Shown::State(shown(field, state, shape, spec_index)),
+            None => Shown::State(shown(field, &own, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
-            part.text = respace(&written(field, &shown, values, forms), shape.separators);
+            part.text = respace(&written(field, &shown, values, forms), separators);
             part.shown = Some(shown);
         }
         tail.push_str(&part.text);
     }
+    if let Some(unknown) = shape.writing.unknown_key() {
+        tail.push_str(&respace(&format!(",{unknown}"), separators));
+    }
     tail.push('}');
-    with_length(&respace(&format!("{{{}:", json(&length.wire)), shape.separators), &tail)
+    with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }
 
-/// The fields that the firmware sends, those that packs add last. Packs may have given them other names.
-fn fields<'s>(spec_index: &'s SpecIndex, shape: &Shape) -> Vec<&'s Field> {
-    let own = spec_index.spec.status_fields();
-    let Some(built_in) = spec_index.without_packs() else { return keys::fields(&spec_index.spec, shape).collect() };
-    let known = keys::fields(built_in, shape).filter_map(|field| counterpart(field, built_in.status_fields(), own));
-    let is_added = |field: &&Field| counterpart(field, own, built_in.status_fields()).is_none();
-    known.chain(own.iter().filter(is_added)).collect()
+/// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given
+/// them other names.
+fn fields<'s>(spec_index: &'s SpecIndex, own: &[(String, &str)]) -> Vec<&'s Field> {
+    let is_sent = |field: &&Field| own.iter().any(|(key, _)| *key == field.wire);
+    let fields = spec_index.spec.status_fields();
+    let Some(built_in) = spec_index.without_packs() else {
+        return keys::in_order(&spec_index.spec).filter(is_sent).collect();
+    };
+    let sent = keys::in_order(built_in).filter(is_sent);
+    let known = sent.filter_map(|field| counterpart(field, built_in.status_fields(), fields));
+    let is_added = |field: &&Field| counterpart(field, fields, built_in.status_fields()).is_none();
+    known.chain(fields.iter().filter(is_added)).collect()
 }
 
 /// A key and what it shows, after a comma.
@@ -89,13 +99,11 @@ fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)
     Some((key, value.to_string()))
 }
 
-/// What a packet shows of the state at a key, in JSON.
-fn shown(field: &Field, state: &State, shape: &Shape, spec_index: &SpecIndex) -> String {
-    if field.name == "extio" {
-        return extio::report(&spec_index.spec, field, &state.extio, shape.extio_module_id);
-    }
-    let value = spec_index.status_value(field, |name| values::value(name, state, shape));
-    value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field)).to_string()
+/// What a packet shows of the state at a key, in JSON; `own` is all of it by the built-in spec.
+fn shown(field: &Field, own: &[(String, &str)], spec_index: &SpecIndex) -> String {
+    let member = |wire: &str| own.iter().find(|(key, _)| key == wire).map(|(_, json)| *json);
+    let value = spec_index.status_value(field, member);
+    value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field).to_string())
 }
 
 /// The packet's text, with its own length between its parts.
@@ -117,7 +125,20 @@ fn json(value: &impl Encode) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+
+    #[test]
+    fn newer_firmware_sends_each_key_of_the_spec_once() {
+        let spec_index = SpecIndex::open(&[]).expect("the spec is correct");
+        let state = State::initial(&spec_index, &jaka_motion::Model::default()).expect("the spec has examples");
+        let all = (&*spec_index, None);
+        let packet = packet(&state, Firmware::Newer, all, &Map::new(), &mut Vec::new());
+        let sent: Vec<_> = members(&packet).expect("it is an object").into_iter().map(|(key, _)| key).collect();
+        let known: BTreeSet<_> = spec_index.spec.status_fields().iter().map(|field| field.wire.clone()).collect();
+        assert_eq!((sent.iter().cloned().collect::<BTreeSet<_>>(), sent.len()), (known.clone(), known.len()));
+    }
 
     #[test]
     fn the_length_counts_itself() {

@@ -9,6 +9,7 @@ mod touch;
 
 use std::collections::HashMap;
 use std::io;
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_motion::{Frames, Model, Transform};
@@ -20,10 +21,11 @@ use self::events::Reported;
 use self::schedule::Schedule;
 use self::touch::Touch;
 use crate::clock::CYCLE;
+use crate::firmware::Writing;
+use crate::link::Links;
 use crate::motion::{Drives, Engine, Joints};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
-use crate::trigger::Condition;
 use crate::trips::Trip;
 use crate::underrun::Underrun;
 use crate::{Builder, Delays, Habits, State};
@@ -38,7 +40,7 @@ pub(crate) struct World {
     trips: Vec<Trip>,
     underrun: Underrun,
     schedule: Schedule,
-    conditions: Vec<Condition>,
+    links: Arc<Links>,
     touch: Touch,
     /// For how long the arm has been moving without a rest.
     busy: Duration,
@@ -52,6 +54,7 @@ pub(crate) struct World {
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
+    pub(crate) writing: Writing,
     /// The states of which events have been sent.
     seen: Reported,
     /// End of the information in the error code.
@@ -78,7 +81,7 @@ pub(crate) enum Wait {
 }
 
 impl World {
-    pub(crate) fn new(options: &Builder, spec_index: &SpecIndex) -> io::Result<Self> {
+    pub(crate) fn new(options: &Builder, spec_index: &SpecIndex, links: &Arc<Links>) -> io::Result<Self> {
         let model = options.model.clone();
         let state = State::initial(spec_index, &model)?;
         let mut world = Self {
@@ -86,7 +89,7 @@ impl World {
             trips: options.trips.clone(),
             underrun: options.underrun,
             schedule: Schedule::default(),
-            conditions: Vec::new(),
+            links: Arc::clone(links),
             touch: Touch::new(options.contact),
             busy: Duration::ZERO,
             state,
@@ -99,14 +102,14 @@ impl World {
             identifying: false,
             delays: options.delays,
             habits: options.usual_habits(),
+            writing: options.firmware.shape().writing,
             seen: Reported::default(),
             event_ends: None,
             changes: Vec::new(),
             now: Duration::ZERO,
         };
         options.firmware.fit(&mut world.state);
-        options.inputs.iter().try_for_each(|script| world.schedule_inputs(script))?;
-        options.faults_at.iter().try_for_each(|(at, fault)| world.schedule(vec![(*at, fault.happening())]))?;
+        options.scheduled.iter().try_for_each(|scheduled| world.schedule(*scheduled))?;
         world.make_consistent();
         Ok(world)
     }
@@ -123,7 +126,7 @@ impl World {
 
     /// Lets time pass, cycle by cycle, up to one in which a condition is settled; true if there is none before this time.
     pub(crate) fn advance_until_fired(&mut self, now: Duration) -> bool {
-        let conditions = self.conditions.len();
+        let conditions = self.conditions();
         let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
         while left > 0 {
             // Where nothing goes on, all cycles are passed at once.
@@ -137,27 +140,17 @@ impl World {
                 self.cycle();
             }
             self.ask_conditions();
-            if self.conditions.len() < conditions {
+            if self.conditions() < conditions {
                 return false;
             }
         }
         true
     }
 
-    /// Waits for a condition, which may hold already.
-    pub(crate) fn watch(&mut self, condition: Condition) {
-        self.conditions.push(condition);
-        self.ask_conditions();
-    }
-
-    fn ask_conditions(&mut self) {
-        self.conditions.retain_mut(|condition| !condition.is_settled(&self.state, self.now));
-    }
-
     /// How many of these cycles can be passed at once where nothing goes on: up to the next of what is scheduled.
     fn idle_cycles(&self, left: u128) -> u32 {
         let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
-        let next_due = self.schedule.next_due().into_iter().chain(self.event_ends).min();
+        let next_due = self.next_due().into_iter().chain(self.event_ends).min();
         let cycles = next_due.map_or(left, |due| left.min(until(due)));
         u32::try_from(cycles).unwrap_or(u32::MAX)
     }

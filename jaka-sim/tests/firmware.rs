@@ -63,7 +63,8 @@ fn packets_fit_the_spec_and_show_the_state() {
         assert_eq!(status.digital_outputs.map(|pins| (pins[99], pins[100])), Some((false, true)));
         assert!(matches!(status.monitor_data, Some(Typed::Known(_))));
         assert!(matches!(status.torque_sensor, Some(Typed::Known(_))));
-        assert_eq!(matches!(status.extio, Some(Typed::Known(_))), *firmware != Firmware::V1_5_14);
+        let has_extio = matches!(firmware, Firmware::Newer | Firmware::Document);
+        assert_eq!(matches!(status.extio, Some(Typed::Known(_))), has_extio);
         if *firmware == Firmware::Newer {
             assert_newer(&typed(&text), &state);
         }
@@ -86,7 +87,8 @@ fn assert_newer(status: &RobotStatus, state: &State) {
 #[test]
 fn a_firmware_has_a_period_and_a_name() {
     let periods = Firmware::ALL.iter().map(|firmware| (firmware.to_string(), firmware.status_period().as_millis()));
-    let expected = [("1.5.14", 30), ("newer", 50), ("document", 50)].map(|(name, ms)| (name.to_owned(), ms));
+    let expected =
+        [("1.5.14", 30), ("newer", 50), ("document", 50), ("odd", 100)].map(|(name, ms)| (name.to_owned(), ms));
     assert_eq!(periods.collect::<Vec<_>>(), expected);
     for firmware in Firmware::ALL {
         assert_period(at_rest().firmware(*firmware), firmware.status_period());

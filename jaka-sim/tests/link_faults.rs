@@ -5,7 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::common::{LIMIT, Peer, assert_accepted, document, fresh, json, request, simulated};
-use jaka_sim::{Controller, Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, SimulatedClock, Takeover};
+use jaka_sim::{Controller, Direction, Fault, Happening, LinkFault, Port, Scheduled, SimulatedClock, Takeover};
 
 /// How long nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.
 const QUIET: Duration = Duration::from_millis(40);
@@ -419,10 +419,13 @@ fn too_much_that_waits_ends_the_connection() {
 }
 
 #[test]
-fn a_plan_may_begin_with_a_fault_and_end_it() {
-    let plan = "link status to-client hold; link command both delay 150ms for 3600s";
-    let controller =
-        Controller::builder().faults(plan.parse().expect("it is a plan")).start().expect("there are ports");
+fn a_link_may_begin_with_a_fault() {
+    let mut builder = Controller::builder();
+    for text in ["link status to-client hold", "link command both delay 150ms", "link command both none at 3600s"] {
+        let Scheduled { happening, at } = text.parse().expect("it can happen");
+        builder = builder.at(at, happening);
+    }
+    let controller = builder.start().expect("there are ports");
     let (mut commands, mut status) = (Peer::commands(&controller), Peer::status(&controller));
     let began = Instant::now();
     assert_accepted(&commands.call("get_version"), "get_version");
@@ -435,22 +438,34 @@ fn a_plan_may_begin_with_a_fault_and_end_it() {
 }
 
 #[test]
-fn a_planned_fault_has_its_time() {
-    let hold = LinkEvent::new(LinkFault::Hold).port(Port::Status).lasting(DELAY);
-    let cut = LinkEvent::new(LinkFault::Cut).port(Port::Status).to_client().after(DELAY * 2);
-    let plan = FaultPlan::new().link(hold).link(cut);
+fn a_link_changes_in_its_cycle_though_nobody_asks_the_controller() {
+    let on_status = |direction, fault| Happening::Link { port: Some(Port::Status), direction, fault };
     let clock = SimulatedClock::new();
-    let builder = document().faults(plan).status_period(Duration::from_millis(10)).clock(&clock);
-    let controller = builder.start().expect("loopback has ports");
+    let builder = document().status_period(Duration::from_millis(10)).clock(&clock);
+    let builder = builder.at(Duration::ZERO, on_status(None, LinkFault::Hold));
+    let controller = builder.at(DELAY, on_status(None, LinkFault::None)).start().expect("loopback has ports");
+    let cut = on_status(Some(Direction::ToClient), LinkFault::Cut);
+    controller.at(DELAY * 2, cut).expect("a thread starts");
     let mut status = Peer::simulated_status(&controller);
-    // Those of 0 ms to 150 ms have waited.
+    // Those of 0 ms to 150 ms have waited for the first cycle after that.
     for _ in 0..=15 {
         status.receive();
-        assert_eq!(clock.elapsed(), DELAY);
+        assert_eq!(clock.elapsed(), Duration::from_millis(152));
     }
-    for count in 16..30 {
+    for count in 16..=30 {
         status.receive();
         assert_eq!(clock.elapsed(), Duration::from_millis(10) * count);
     }
     assert!(status.is_quiet_for(LIMIT));
+}
+
+#[test]
+fn with_a_time_scale_a_link_changes_as_early() {
+    let clock = SimulatedClock::new();
+    let builder = document().clock(&clock).time_scale(10.0).status_period(Duration::MAX);
+    let builder = builder.at(Duration::ZERO, LinkFault::Hold);
+    let controller = builder.at(Duration::from_secs(8), LinkFault::None).start().expect("loopback has ports");
+    let mut status = Peer::simulated_status(&controller);
+    status.receive();
+    assert_eq!(clock.elapsed(), Duration::from_millis(800));
 }

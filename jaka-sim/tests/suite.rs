@@ -1,6 +1,5 @@
 //! All tests through sockets that need no process of their own.
 
-mod arm_faults;
 mod commands;
 mod common;
 mod contact;
@@ -8,13 +7,13 @@ mod fault_plans;
 mod faults;
 mod firmware;
 mod habits;
-mod inputs;
+mod happenings;
 mod late_replies;
 mod lifecycle;
 mod link_faults;
 mod lost_connections;
 mod real_packets;
-mod reply_style;
+mod replies;
 mod sequels;
 mod servo_arm;
 mod servo_filters;

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::common::{LIMIT, Peer, assert_accepted, assert_refused, document, enabled, stepped};
-use jaka_sim::{ArmFault, Fault, SimulatedClock};
+use jaka_sim::{Fault, Happening, Level, SimulatedClock};
 
 const TURN: &str = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[90,0,0,0,0,0],"speed":10,"accel":100}"#;
 
@@ -73,7 +73,7 @@ fn actions_happen_once_each_also_of_changes_that_no_time_makes() {
     // And what is scheduled.
     let pressed = controller.when(|state| state.emergency_stop, jaka_sim::Controller::release_emergency_stop);
     let pressed = pressed.expect("a thread starts");
-    controller.at(ms(500), ArmFault::PressEmergencyStop).expect("it has no input");
+    controller.at(ms(500), Happening::PressEmergencyStop).expect("it has no input");
     controller.advance(ms(1000));
     assert_eq!((pressed.fired_at(), controller.state().emergency_stop), (Some(ms(504)), false));
 }
@@ -109,7 +109,7 @@ fn by_a_simulated_clock_actions_take_no_time_but_what_they_wait() {
         |state| state.digital_inputs[0],
         move |controller| {
             theirs.sleep(ms(250));
-            controller.at(Duration::ZERO, ArmFault::InputLow(0)).expect("there is such an input");
+            controller.at(Duration::ZERO, Happening::Input(0, Level::Low)).expect("there is such an input");
         },
     );
     let pulse = pulse.expect("a thread starts");
@@ -120,9 +120,9 @@ fn by_a_simulated_clock_actions_take_no_time_but_what_they_wait() {
         },
     );
     let clear = clear.expect("a thread starts");
-    controller.at(ms(1000), ArmFault::InputHigh(0)).expect("there is such an input");
+    controller.at(ms(1000), Happening::Input(0, Level::High)).expect("there is such an input");
     // While the other action waits.
-    controller.at(ms(1100), ArmFault::Collide).expect("it has no input");
+    controller.at(ms(1100), Happening::Collide).expect("it has no input");
     assert!(pulse.wait(LIMIT));
     assert_eq!((pulse.fired_at(), clock.elapsed()), (Some(ms(1000)), ms(1250)));
     assert_eq!((clear.fired_at(), controller.state().protective_stop), (Some(ms(1104)), false));

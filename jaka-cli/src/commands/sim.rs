@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use clap::Args;
 use itertools::Itertools as _;
-use jaka_sim::{ArmEvent, Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Takeover, Trip, Underrun};
+use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Scheduled, Takeover, Trip, Underrun};
 use ratatui::crossterm::event::KeyEvent;
 
 use crate::choice::{Choice, one_of};
@@ -36,7 +36,7 @@ pub(crate) struct Sim {
     /// The arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, or document
+    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, document, or odd
     #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
     /// Milliseconds between two status packets [default: that of the firmware]
@@ -47,8 +47,8 @@ pub(crate) struct Sim {
     programs: Vec<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
-    /// What goes wrong with replies, packets and links, such as `drop, delay 200ms` or `link both to-client hold after 10s for 5s`;
-    /// @FILE reads it from a file
+    /// What goes wrong with replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a
+    /// file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
     /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
@@ -75,9 +75,10 @@ pub(crate) struct Sim {
     /// The arm has power and is enabled from the start
     #[arg(long)]
     powered: bool,
-    /// What happens to the arm and to its inputs, and when, such as `collide at 2s, input 3 high at 5s`, in the controller's time since its start
+    /// What happens to the arm, to inputs and to links, and when, such as `collide at 2s, link both to-client hold at
+    /// 5s`, in the controller's time since its start
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    schedule: Vec<ArmEvent>,
+    schedule: Vec<Scheduled>,
     /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
     #[arg(long)]
     stdin: bool,
@@ -92,7 +93,7 @@ pub(crate) struct Sim {
 /// What somebody types: a line, or a key.
 #[derive(Debug)]
 enum Typed {
-    Event(ArmEvent),
+    Event(Scheduled),
     Key(KeyEvent),
 }
 

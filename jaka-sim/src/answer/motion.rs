@@ -1,28 +1,17 @@
-//! Jog and planned motion.
+//! Jogs.
 
 use jaka_motion::Transform;
-use jaka_proto::Request;
 use jaka_proto::messages::motion::{Jog, JogFrame};
 use jaka_proto::messages::types::Pose;
 
-use super::{Draft, Outcome};
 use crate::motion::{Jogging, Path, Planned, Reference, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
 const JOG_ACCELERATION: f64 = 180.0;
 
-pub(super) fn answer(request: &Request, world: &mut World, _out: &mut Draft<'_>) -> Outcome {
-    Outcome::accepted_if(match request {
-        Request::Jog(command) => start_jog(command, world),
-        Request::JointMove(_) | Request::EndMove(_) | Request::MoveL(_) | Request::MoveC(_) => {
-            world.start_motion(request)
-        }
-        _ => return Outcome::Unhandled,
-    })
-}
-
-fn start_jog(jog: &Jog, world: &mut World) -> bool {
+/// Starts or stops a jog; false if the arm cannot make it.
+pub(super) fn start_jog(jog: &Jog, world: &mut World) -> bool {
     match *jog {
         Jog::Stop { axis, .. } => {
             stop_jog(world, axis);

@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use super::Controller;
 use crate::link_selector::LinkSelector;
-use crate::{Direction, LinkFault, Port};
+use crate::{Direction, Happening, LinkFault, Port};
 
 /// The links between a controller's ports and its clients, of one port or both, in one direction or both.
 ///
-/// What is set holds for the connections that are open and for those to come, until something else is set. See [`LinkFault`] for
-/// what each does.
+/// What is set holds for the connections that are open and for those to come, until something else is set. See
+/// [`LinkFault`] for what each does.
 ///
 /// ```
 /// use std::time::Duration;
@@ -58,11 +58,12 @@ impl Link<'_> {
         self.direction(Direction::ToController)
     }
 
-    /// Sets what is wrong from now on.
+    /// Sets what is wrong from now on: [`Happening::Link`].
     pub fn set(self, fault: LinkFault) {
         self.controller.shared.command_listener.wait_until_accepted();
         self.controller.shared.status_listener.wait_until_accepted();
-        self.controller.shared.links.set(self.selector, fault);
+        let LinkSelector { port, direction } = self.selector;
+        self.controller.shared.world().happen(&Happening::Link { port, direction, fault });
     }
 
     /// Lets nothing pass: [`LinkFault::Hold`].

@@ -9,11 +9,11 @@ use std::time::Duration;
 use super::Controller;
 
 impl Controller {
-    /// Runs a program in a thread of its own while this thread does something with the controller, and returns what the program
-    /// returns when both have ended.
+    /// Runs a program in a thread of its own while this thread does something with the controller, and returns what the
+    /// program returns when both have ended.
     ///
-    /// The program may take `limit` after this thread is ready, in real time whatever the clock is; one that takes longer is left to itself. With a
-    /// [simulated clock](crate::Builder::clock) both begin at the same time.
+    /// The program may take `limit` after this thread is ready, in real time whatever the clock is; one that takes
+    /// longer is left to itself. With a [simulated clock](crate::Builder::clock) both begin at the same time.
     ///
     /// ```
     /// use std::io::{Read, Write};

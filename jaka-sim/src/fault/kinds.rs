@@ -1,4 +1,4 @@
-//! Kinds of faults, trips and habits, one row each.
+//! Kinds of faults, trips, habits and happenings, one row each.
 
 use std::fmt;
 use std::time::Duration;
@@ -7,10 +7,10 @@ use super::tokens::Name;
 
 /// Makes an enum of a table of kinds, with the text form of each and what it does.
 ///
-/// A row is `Kind(argument: Type as reader = example): "word" => effect`, where the reader is a method of
-/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as `reader(usual)`, the
-/// example is the one in `one_of_each`, and the effect is the value of the function that is declared before the rows. A kind whose row
-/// lacks a part does not compile.
+/// A row is `Kind(argument: Type as reader = example, …): "word" => effect`, where the reader is a method of
+/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as
+/// `reader(usual)`, the example is the one in `one_of_each`, and the effect is the value of the function that is
+/// declared before the rows. A kind whose row lacks a part does not compile.
 macro_rules! kinds {
     (
         $(#[$meta:meta])*
@@ -22,7 +22,7 @@ macro_rules! kinds {
         $(
             $(#[$kind_meta:meta])*
             $Kind:ident
-                $(($arg:ident: $Arg:ty as $read:ident $(($usual:expr))? = $example:expr))?
+                $(( $($arg:ident: $Arg:ty as $read:ident $(($usual:expr))? = $example:expr),+ ))?
                 $({ $(
                     $(#[$field_meta:meta])*
                     $field:ident: $Field:ty as $field_read:ident = $field_example:expr
@@ -32,25 +32,25 @@ macro_rules! kinds {
     ) => {
         $(#[$meta])*
         pub enum $Kinds {
-            $( $(#[$kind_meta])* $Kind $(($Arg))? $({ $( $(#[$field_meta])* $field: $Field ),* })? ),*
+            $( $(#[$kind_meta])* $Kind $(( $($Arg),+ ))? $({ $( $(#[$field_meta])* $field: $Field ),* })? ),*
         }
 
         impl $Kinds {
             /// One of each kind, in their order and with usual arguments, for tests that go through all of them.
             pub fn one_of_each() -> Vec<Self> {
-                vec![$( Self::$Kind $(($example))? $({ $($field: $field_example),* })? ),*]
+                vec![$( Self::$Kind $(( $($example),+ ))? $({ $($field: $field_example),* })? ),*]
             }
 
             $(#[$effect_meta])*
             pub(crate) fn $effect(&self, $($input: $Input),*) -> $Effect {
                 match self {
-                    $( Self::$Kind $(($arg))? $({ $($field),* })? => $value ),*
+                    $( Self::$Kind $(( $($arg),+ ))? $({ $($field),* })? => $value ),*
                 }
             }
 
             pub(crate) fn read(tokens: &mut $crate::fault::TokenReader<'_, '_>) -> Result<Self, $crate::ScriptError> {
                 Ok(match tokens.word($what)?.text {
-                    $( $word => Self::$Kind $((tokens.$read($($usual)?)?))? $({ $($field: tokens.$field_read()?),* })?, )*
+                    $( $word => Self::$Kind $(( $(tokens.$read($($usual)?)?),+ ))? $({ $($field: tokens.$field_read()?),* })?, )*
                     other => return Err(tokens.unfit($unknown(other))),
                 })
             }
@@ -61,9 +61,9 @@ macro_rules! kinds {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 use $crate::fault::Argument as _;
                 match self {
-                    $( Self::$Kind $(($arg))? $({ $($field),* })? => {
+                    $( Self::$Kind $(( $($arg),+ ))? $({ $($field),* })? => {
                         f.write_str($word)?;
-                        $( $arg.write(f)?; )?
+                        $( $( $arg.write(f)?; )+ )?
                         $( $( $field.write(f)?; )* )?
                         Ok(())
                     } )*

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Fault, LinkEvent, SplitMix64, StatusFault};
+use super::{Fault, SplitMix64, StatusFault};
 
 /// Which replies have which faults, as a script or by chance.
 ///
@@ -35,8 +35,6 @@ use super::{Fault, LinkEvent, SplitMix64, StatusFault};
 /// random 7 1/20 drop, reset        # one in twenty of all others, with the seed 7
 /// always twice                     # all others
 /// status slow 2s                   # the status port
-/// link status to-client delay 80ms # the way of its packets; `link both both hold` is for all that passes
-/// link command both hold after 9s for 5s
 /// # "##;
 /// # assert!(text.parse::<FaultPlan>().is_ok_and(|plan| plan.to_string().parse() == Ok(plan)));
 /// ```
@@ -49,7 +47,6 @@ pub struct FaultPlan {
     pub(super) chances: Vec<Chance>,
     pub(super) always: Option<Fault>,
     pub(crate) status: StatusFault,
-    pub(crate) links: Vec<LinkEvent>,
     pub(super) generator: Option<SplitMix64>,
 }
 
@@ -116,21 +113,13 @@ impl FaultPlan {
         self
     }
 
-    /// Adds what goes wrong with links: a [`LinkFault`](crate::LinkFault), which is for all of them from the start, or a
-    /// [`LinkEvent`], which says for which, and when. Where several are for one link, the last that has begun holds.
-    #[must_use]
-    pub fn link(mut self, event: impl Into<LinkEvent>) -> Self {
-        self.links.push(event.into());
-        self
-    }
-
     pub(crate) fn inject_always(&mut self, fault: Fault) {
         self.always = Some(fault).filter(|fault| *fault != Fault::None);
     }
 
     /// Takes back all that concerns replies.
     pub(crate) fn clear(&mut self) {
-        *self = Self { status: self.status.clone(), links: std::mem::take(&mut self.links), ..Self::new() };
+        *self = Self { status: self.status.clone(), ..Self::new() };
     }
 
     /// What is wrong with the next reply, which is to this command, where it is to one.

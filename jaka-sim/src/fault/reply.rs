@@ -153,7 +153,7 @@ kinds! {
 
 fn unknown(word: &str) -> &'static str {
     match word {
-        "for" | "random" | "always" | "status" | "link" => "this can only begin a line",
+        "for" | "random" | "always" | "status" => "this can only begin a line",
         _ => "unknown fault",
     }
 }

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::token_reader::TokenReader;
 use super::tokens::{self, Name, Token};
-use super::{Fault, FaultPlan, LinkEvent, ScriptError, SplitMix64, StatusFault};
+use super::{Fault, FaultPlan, ScriptError, SplitMix64, StatusFault};
 
 impl FromStr for FaultPlan {
     type Err = ScriptError;
@@ -38,7 +38,6 @@ impl FaultPlan {
                 *self = std::mem::take(self).one_in(one_in, faults(args)?);
             }
             Some("always") => self.inject_always(args.skip().last_item(Fault::read)?),
-            Some("link") => self.links.push(args.skip().last_item(LinkEvent::read)?),
             Some("status") => self.status = args.skip().last_item(StatusFault::read)?,
             _ => self.script.extend(faults(args)?),
         }
@@ -82,7 +81,6 @@ impl fmt::Display for FaultPlan {
         if self.status != StatusFault::None {
             lines.push(format!("status {}", self.status));
         }
-        lines.extend(self.links.iter().map(LinkEvent::to_string));
         f.write_str(&lines.join("\n"))
     }
 }

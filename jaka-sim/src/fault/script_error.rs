@@ -31,16 +31,6 @@ impl ScriptError {
     pub(super) fn without_line(self) -> Self {
         Self { line: None, ..self }
     }
-
-    /// The number of the line of a [`FaultPlan`](crate::FaultPlan), from 1.
-    pub fn line(&self) -> Option<usize> {
-        self.line
-    }
-
-    /// The word that does not fit, or the last one where something is missing.
-    pub fn word(&self) -> &str {
-        &self.word
-    }
 }
 
 impl fmt::Display for ScriptError {

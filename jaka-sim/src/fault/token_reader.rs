@@ -42,18 +42,13 @@ impl<'w, 's> TokenReader<'w, 's> {
         self.rest.first().map_or(Ok(item), |token| Err(token.error("expected the end of the line")))
     }
 
-    /// Whether this is the next word.
-    pub(super) fn is_next(&self, text: &str) -> bool {
-        self.rest.first().is_some_and(|word| word.text == text)
-    }
-
     /// Reads the word that says what the line is.
     pub(super) fn skip(&mut self) -> &mut Self {
         self.advance();
         self
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.rest.is_empty()
     }
 
@@ -63,7 +58,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         if self.word(&wanted)?.text == mark { Ok(()) } else { Err(self.unfit(format!("expected {wanted}"))) }
     }
 
-    pub(super) fn number<T: FromStr>(&mut self, what: &str) -> Result<T, ScriptError> {
+    pub(crate) fn number<T: FromStr>(&mut self, what: &str) -> Result<T, ScriptError> {
         let word = self.word(what)?;
         word.text.parse().map_err(|_| word.error(format!("expected {what}")))
     }
@@ -114,7 +109,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         Ok(sizes)
     }
 
-    pub(super) fn time(&mut self) -> Result<Duration, ScriptError> {
+    pub(crate) fn time(&mut self) -> Result<Duration, ScriptError> {
         const WANTED: &str = "a time such as 200ms or 1.5s";
         let word = self.word(WANTED)?;
         read_time(word.text).ok_or_else(|| word.error(format!("expected {WANTED}")))

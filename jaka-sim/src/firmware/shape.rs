@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Firmware, NumberStyle, ReplyStyle};
-use crate::json_text::Separators;
+use super::{Firmware, Writing};
 use crate::{Habit, State};
 
 /// What a firmware's messages look like, and what it does: one row of the table of [`Firmware`].
@@ -13,11 +12,7 @@ pub(crate) struct Shape {
     /// What `get_version` answers.
     pub(crate) version: &'static str,
     pub(crate) status_period: Duration,
-    /// What stands between the parts of status packets.
-    pub(crate) separators: Separators,
-    /// How numbers in status packets are written.
-    pub(crate) packet_numbers: NumberStyle,
-    pub(crate) reply_style: ReplyStyle,
+    pub(crate) writing: Writing,
     pub(crate) habits: &'static [Habit],
     /// Whether status packets show the extension I/O modules.
     pub(crate) extio: bool,
@@ -33,8 +28,8 @@ pub(crate) struct Shape {
     pub(crate) tool_analog: &'static [f64],
     /// Functions that may have an input. The query has two fewer in the document.
     pub(crate) functions: usize,
-    pub(crate) fieldbuses: &'static [Fieldbus],
-    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where there is one.
+    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where
+    /// there is one.
     pub(crate) monitor_head: &'static str,
     /// The monitor data of each joint.
     pub(crate) joint_row: &'static str,
@@ -44,15 +39,6 @@ pub(crate) struct Shape {
     pub(crate) torque_readings: usize,
     /// What ends the setup of an extension I/O module; its connection then has the Modbus slave's id.
     pub(crate) extio_module_id: Option<&'static str>,
-}
-
-/// The inputs of a fieldbus, and as many outputs.
-#[derive(Debug)]
-pub(crate) struct Fieldbus {
-    /// What the names of its keys begin with.
-    pub(crate) name: &'static str,
-    pub(crate) digital: usize,
-    pub(crate) analog: usize,
 }
 
 impl Firmware {

@@ -1,25 +1,75 @@
-//! Values of replies and packets in other forms than the document's, by what the spec says they are.
+//! Replies, and values of replies and packets, in other forms than the document's, by what the spec says they are.
 
 use std::iter::{once, repeat};
 
+use jaka_proto::Envelope;
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE, Field, Scalar, Shape, Spec, Type};
 
-use super::{NumberStyle, ReplyStyle, TruthStyle};
-use crate::json_text::{elements, members};
+use super::Writing;
+use crate::json_text::{elements, members, respace};
 
-/// Writes values in a style. What does not fit its type stays as it is.
+/// Writes values as a firmware does. What does not fit its type stays as it is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Values<'s> {
     spec: &'s Spec,
-    style: ReplyStyle,
+    writing: Writing,
+    /// Decimals of joint positions and poses of a capture.
+    decimals: usize,
     /// True inside joint positions and poses, which have few decimals.
     is_position: bool,
 }
 
 impl<'s> Values<'s> {
-    pub(crate) fn new(spec: &'s Spec, style: ReplyStyle) -> Self {
-        Self { spec, style, is_position: false }
+    pub(crate) fn of_replies(spec: &'s Spec, writing: Writing) -> Self {
+        Self { spec, writing, decimals: 6, is_position: false }
+    }
+
+    pub(crate) fn of_packets(spec: &'s Spec, writing: Writing) -> Self {
+        Self { decimals: 5, ..Self::of_replies(spec, writing) }
+    }
+
+    /// Rewrites a reply, which was written as the document does. What is not a JSON object stays as it is.
+    pub(crate) fn rewrite(self, reply: &mut Writer) {
+        if self.writing == Writing::Document {
+            return;
+        }
+        if let Some(text) = self.rewritten(reply.as_str()) {
+            reply.clear();
+            reply.raw(&text);
+        }
+    }
+
+    fn rewritten(self, reply: &str) -> Option<String> {
+        let envelope = Envelope::read(reply).ok()?;
+        let command = envelope.command.as_deref().and_then(|name| self.spec.command(name));
+        let fields = command.map_or(&[][..], |command| self.spec.reply_fields(command));
+        let is_odd = self.writing == Writing::Odd;
+        let is_success = envelope.code.as_ref().is_ok_and(|code| code.is_success());
+        let mut rewritten = Vec::new();
+        for (key, json) in members(reply)? {
+            let mut out = Writer::new();
+            out.text(&key);
+            out.raw(":");
+            match &*key {
+                ERROR_CODE => match envelope.code.as_ref().ok().and_then(|code| self.writing.code(*code)) {
+                    Some(code) => out.json(&code),
+                    None => out.raw(json),
+                },
+                ERROR_MESSAGE if is_odd && is_success => continue,
+                COMMAND_NAME if is_odd => out.text(&format!(" {} ", envelope.command.as_deref().unwrap_or_default())),
+                key => match fields.iter().find(|field| field.wire == key) {
+                    Some(field) => self.field(field, json, &mut out),
+                    None => out.raw(json),
+                },
+            }
+            rewritten.push(out.into_string());
+        }
+        rewritten.extend(self.writing.unknown_key().map(str::to_owned));
+        if is_odd {
+            rewritten.reverse();
+        }
+        Some(respace(&format!("{{{}}}", rewritten.join(",")), self.writing.separators()))
     }
 
     /// Writes the value of a field, given as JSON.
@@ -36,12 +86,12 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// Writes the value in the style; `None` where it stays as it is.
+    /// Writes the value as the firmware does; `None` where it stays as it is.
     fn restyled(self, name: &str, ty: &Type, json: &str, out: &mut Writer) -> Option<()> {
         match self.spec.shape(ty) {
             Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out)?,
             Shape::Scalar(Scalar::Float) => self.float(json, out),
-            Shape::Scalar(Scalar::Int) | Shape::IntEnum(_) => self.number(json, out),
+            Shape::Scalar(Scalar::Int) | Shape::IntEnum(_) => self.int(json, out),
             Shape::List(element, _) => {
                 out.array(&elements(json)?, |out, json| self.value(name, element, json, out));
             }
@@ -95,17 +145,17 @@ impl<'s> Values<'s> {
 
     /// How false and true are written.
     fn forms<'f>(&'f self, name: &str, printed: [&'f str; 2]) -> [&'f str; 2] {
-        match self.style.truths {
-            TruthStyle::Document => printed,
-            TruthStyle::Packet => match self.packet_forms(name) {
+        match self.writing {
+            Writing::Document | Writing::Capture => printed,
+            Writing::AsPackets => match self.packet_forms(name) {
                 Some(forms) => forms,
                 None if printed[1].starts_with('"') => ["false", "true"],
                 None => printed,
             },
-            TruthStyle::Literals => ["false", "true"],
-            TruthStyle::Numbers => ["0", "1"],
-            TruthStyle::NumberTexts => ["\"0\"", "\"1\""],
-            TruthStyle::Words => ["\"False\"", "\"True\""],
+            Writing::Odd => {
+                let more = [["false", "true"], ["0", "1"], ["\"0\"", "\"1\""], ["\"False\"", "\"True\""]];
+                more.get(name.len() % 5).copied().unwrap_or(printed)
+            }
         }
     }
 
@@ -119,32 +169,30 @@ impl<'s> Values<'s> {
 
     /// A number that may have a fraction.
     fn float(self, json: &str, out: &mut Writer) {
-        match (self.style.numbers, json.parse::<f64>()) {
-            (NumberStyle::Plain, Ok(number)) => out.float(number),
-            (NumberStyle::Decimals(most), Ok(number)) if self.is_position => {
-                let text = format!("{number:.0$}", usize::from(most.max(1)));
+        let Ok(number) = json.parse::<f64>() else { return out.raw(json) };
+        match self.writing {
+            Writing::Document => out.float(number),
+            Writing::Odd => out.text(json),
+            Writing::Capture | Writing::AsPackets if self.is_position => {
+                let text = format!("{number:.0$}", self.decimals);
                 let short = text.trim_end_matches('0');
                 out.raw(short);
                 out.raw(if short.ends_with('.') { "0" } else { "" });
             }
-            (NumberStyle::Decimals(_), _) => {
-                Self { style: self.style.numbers(NumberStyle::Fractions), ..self }.number(json, out);
-            }
-            _ => self.number(json, out),
+            Writing::Capture | Writing::AsPackets => with_fraction(json, out),
         }
     }
 
-    fn number(self, json: &str, out: &mut Writer) {
-        let is_number = json.starts_with(|c: char| c == '-' || c.is_ascii_digit());
-        match self.style.numbers {
-            NumberStyle::Texts if is_number => out.text(json),
-            NumberStyle::Fractions if is_number && !json.contains(['.', 'e', 'E']) => {
-                out.raw(json);
-                out.raw(".0");
-            }
-            _ => out.raw(json),
-        }
+    /// A whole number.
+    fn int(self, json: &str, out: &mut Writer) {
+        if self.writing == Writing::Odd { with_fraction(json, out) } else { out.raw(json) }
     }
+}
+
+fn with_fraction(json: &str, out: &mut Writer) {
+    let is_whole = json.starts_with(|c: char| c == '-' || c.is_ascii_digit()) && !json.contains(['.', 'e', 'E']);
+    out.raw(json);
+    out.raw(if is_whole { ".0" } else { "" });
 }
 
 /// True for joint positions and poses.

@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use super::Wire;
 use super::queue::Pace;
-use super::state::shorter;
 use crate::Direction;
 use crate::fault::{LinkFault, Passage};
 
@@ -78,11 +77,11 @@ impl<'w> Inbound<'w> {
         let deadline = patience.and_then(|patience| time.now().checked_add(patience));
         let left = || deadline.map(|deadline| time.left(deadline));
         loop {
-            let mut state = links.state();
+            let state = links.state();
             if self.wire.is_closed(&state) {
                 return Ok(Received::End);
             }
-            let (fault, stays) = self.wire.fault(&mut state, Direction::ToController);
+            let fault = self.wire.fault(&state, Direction::ToController);
             match self.next(fault) {
                 ReceiveStep::Take(most) => {
                     let received = self.take(space, most);
@@ -92,7 +91,7 @@ impl<'w> Inbound<'w> {
                     return Ok(received);
                 }
                 _ if left() == Some(Duration::ZERO) => return Ok(Received::Silence),
-                ReceiveStep::Wait(most) => drop(links.wait(state, shorter(shorter(most, stays), left()))),
+                ReceiveStep::Wait(most) => drop(links.wait(state, shorter(most, left()))),
                 ReceiveStep::Read(most) => {
                     drop(state);
                     let received = self.read(space, shorter(most, left())).unwrap_or_else(|error| {
@@ -176,6 +175,14 @@ impl<'w> Inbound<'w> {
     }
 }
 
+/// The shorter of two times, of which none is the longest.
+fn shorter(a: Option<Duration>, b: Option<Duration>) -> Option<Duration> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::net::{TcpListener, TcpStream};
@@ -187,13 +194,15 @@ mod tests {
 
     use super::*;
     use crate::link::Links;
+    use crate::link_selector::LinkSelector;
     use crate::{Port, clock};
 
     #[test]
     fn a_connection_that_closes_while_a_reader_is_about_to_wait_for_its_link_ends() {
         let simulated = SimulatedClock::new();
         let time = Clock::simulated(&simulated);
-        let links = Arc::new(Links::new(&[LinkFault::Hold.into()], &time));
+        let links = Arc::new(Links::new(&time));
+        links.set(LinkSelector::default(), LinkFault::Hold);
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has ports");
         // One attempt finds the defect if the reader comes as far as to the lock meanwhile.
         for _ in 0..20 {

@@ -11,7 +11,7 @@ use socket2::SockRef;
 
 use super::Links;
 use super::queue::{End, Queue, SendStep};
-use super::state::{LinkStates, shorter};
+use super::state::LinkStates;
 use crate::clock;
 use crate::fault::LinkFault;
 use crate::{Direction, Port};
@@ -46,8 +46,8 @@ impl Wire {
         socket.system().set_nodelay(true)?;
         socket.set_write_timeout(write_timeout(port))?;
         let generations = if links.are_used() {
-            let mut state = links.state();
-            Direction::ALL.map(|direction| state.at(links.time().now(), port, direction).generation())
+            let state = links.state();
+            Direction::ALL.map(|direction| state.link(port, direction).generation())
         } else {
             [0; 2]
         };
@@ -72,11 +72,9 @@ impl Wire {
         self.closed.load(Ordering::SeqCst)
     }
 
-    /// What is wrong in a direction, and how long it stays so if that is known.
-    pub(super) fn fault(&self, state: &mut LinkStates, direction: Direction) -> (LinkFault, Option<Duration>) {
-        let now = self.links.time().now();
-        let link = state.at(now, self.port, direction);
-        (link.fault(self.generations[direction as usize]), link.stays_for(now))
+    /// What is wrong in a direction.
+    pub(super) fn fault(&self, state: &LinkStates, direction: Direction) -> LinkFault {
+        state.link(self.port, direction).fault(self.generations[direction as usize])
     }
 
     /// Writes bytes, or lets them wait where something is wrong.
@@ -105,8 +103,8 @@ impl Wire {
 
     /// Lets bytes wait; false where they can be written at once, and the write is marked as begun.
     fn put_off(self: &Arc<Self>, bytes: &[u8]) -> io::Result<bool> {
-        let mut state = self.links.state();
-        let (fault, _) = self.fault(&mut state, Direction::ToClient);
+        let state = self.links.state();
+        let fault = self.fault(&state, Direction::ToClient);
         let mut queue = lock(&self.queue);
         if queue.is_over() {
             return Err(ErrorKind::BrokenPipe.into());
@@ -144,8 +142,7 @@ impl Wire {
     fn send_all(&self) {
         let mut state = self.links.state();
         loop {
-            let (fault, stays) = self.fault(&mut state, Direction::ToClient);
-            let step = lock(&self.queue).next(fault);
+            let step = lock(&self.queue).next(self.fault(&state, Direction::ToClient));
             match step {
                 SendStep::Send(bytes) => {
                     drop(state);
@@ -155,7 +152,7 @@ impl Wire {
                     }
                     state = self.links.state();
                 }
-                SendStep::Wait(time) => state = self.links.wait(state, shorter(time, stays)),
+                SendStep::Wait(time) => state = self.links.wait(state, time),
                 SendStep::End(End::Close) => return self.shut_down(Shutdown::Both),
                 SendStep::End(End::Drop) => return,
             }
@@ -193,8 +190,8 @@ impl Wire {
         if !self.links.are_used() {
             return false;
         }
-        let mut state = self.links.state();
-        let (fault, _) = self.fault(&mut state, Direction::ToClient);
+        let state = self.links.state();
+        let fault = self.fault(&state, Direction::ToClient);
         let mut queue = lock(&self.queue);
         let is_writing = self.is_writing.load(Ordering::SeqCst);
         if queue.is_aborted() || (!queue.has_sender && (is_writing || fault == LinkFault::None)) {

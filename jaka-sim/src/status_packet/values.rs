@@ -1,13 +1,15 @@
-//! What status packets show of a state, key by key.
+//! Contents of status packets by the state.
 
 use std::iter::repeat_n;
 
 use jaka_proto::messages::force::TorqueSensorCommunication;
 use jaka_proto::messages::io::{AnalogOutputKind, DigitalOutputKind};
 use jaka_proto::messages::program::ProgramState;
-use jaka_proto::messages::status::{InterpreterState, TaskMode, TaskState};
+use jaka_proto::messages::status::{ExtioReport, InterpreterState, RobotStatus, TaskMode, TaskState};
+use jaka_proto::wire::Typed;
 use serde_json::{Value, json};
 
+use super::extio;
 use crate::State;
 use crate::firmware::Shape;
 use crate::state::TorqueSensor;
@@ -17,111 +19,122 @@ const RS_SIGNALS: usize = 8;
 /// Six values of which none is measured.
 const NO_READINGS: [f64; 6] = [0.0; 6];
 
-/// The value of a key, by its name in the spec; `None` for a name that is not one.
+/// The contents of a packet, with the keys of the firmware: what the state has, and the values of a captured packet
+/// where no part of the state determines them.
 ///
-/// Truth values are such here: how they are written, the spec says. What no part of the state determines has the value of a
-/// captured packet.
-pub(super) fn value(name: &str, state: &State, shape: &Shape) -> Option<Value> {
-    modes(name, state).or_else(|| inputs_and_outputs(name, state, shape)).or_else(|| fieldbus(name, state, shape))
+/// `extio` is a report on extension I/O modules to fill in.
+pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) -> RobotStatus {
+    let mut status = RobotStatus::default();
+    status.length = Some(0);
+    modes(state, &mut status);
+    inputs_and_outputs(state, shape, &mut status);
+    let report = extio.filter(|_| shape.extio).cloned();
+    let report = report.and_then(|report| extio::filled(report, &state.extio, shape.extio_module_id));
+    status.extio = report.map(Typed::Known);
+    if shape.newer_keys {
+        newer(state, &mut status);
+        fieldbuses(state, &mut status);
+    }
+    status
 }
 
-fn modes(name: &str, state: &State) -> Option<Value> {
-    Some(match name {
-        "drag_status" => json!(state.drag_mode),
-        "error_code" => json!(state.error_code),
-        "error_message" => json!(state.error_message),
-        "joint_actual_position" => json!(state.joint_position.0),
-        "joint_commanded_position" => json!(state.joint_commanded_position.0),
-        "actual_position" => json!(<[f64; 6]>::from(state.tcp_pose)),
-        "commanded_position" => json!(<[f64; 6]>::from(state.tcp_commanded_pose)),
-        "joint_velocities" => json!(NO_READINGS),
-        "task_state" => json!(i64::from(task_state(state))),
-        "homed" => json!([true, true, true, true, true, true, false, false, false]),
-        "task_mode" => json!(i64::from(if state.drag_mode { TaskMode::Drag } else { TaskMode::Manual })),
-        "interpreter_state" => json!(i64::from(match state.program_state {
-            ProgramState::Running => InterpreterState::Running,
-            ProgramState::Paused => InterpreterState::Paused,
-            _ => InterpreterState::Idle,
-        })),
-        "enabled" => json!(state.enabled),
-        "paused" => json!(state.program_state == ProgramState::Paused),
-        "rapid_rate" => json!(state.rapid_rate),
-        "current_tool_id" => json!(state.tool_frame_id),
-        "current_user_frame_id" => json!(state.user_frame_id),
-        "on_soft_limit" => json!(state.on_soft_limit),
-        "emergency_stop" => json!(state.emergency_stop),
-        "drag_near_limit" => json!([0, 0, 0, 0, 0, 0]),
-        "powered_on" => json!(state.powered),
-        "in_position" => json!(state.in_position),
-        "tcp_speed" => json!(state.tcp_speed),
-        "protective_stop" => json!(state.protective_stop),
-        "motion_mode" | "network_state" => json!(1),
-        "point_key" | "motion_line" | "error_add_line" => json!(0),
-        _ => return None,
-    })
-}
-
-fn task_state(state: &State) -> TaskState {
-    match (state.powered, state.enabled) {
+fn modes(state: &State, status: &mut RobotStatus) {
+    let is_paused = state.program_state == ProgramState::Paused;
+    status.drag_status = Some(state.drag_mode);
+    status.error_code = Some(state.error_code.clone());
+    status.error_message = Some(state.error_message.clone());
+    status.joint_actual_position = Some(state.joint_position);
+    status.actual_position = Some(state.tcp_pose);
+    status.task_state = Some(match (state.powered, state.enabled) {
         (false, _) => TaskState::PoweredOff,
         (true, false) => TaskState::PoweredOn,
         (true, true) => TaskState::Enabled,
-    }
+    });
+    status.homed = Some([vec![true; 6], vec![false; 3]].concat().into());
+    status.task_mode = Some(if state.drag_mode { TaskMode::Drag } else { TaskMode::Manual });
+    status.interpreter_state = Some(match state.program_state {
+        ProgramState::Running => InterpreterState::Running,
+        ProgramState::Paused => InterpreterState::Paused,
+        _ => InterpreterState::Idle,
+    });
+    status.enabled = Some(state.enabled);
+    status.paused = Some(is_paused);
+    status.rapid_rate = Some(state.rapid_rate);
+    status.current_tool_id = Some(state.tool_frame_id);
+    status.current_user_frame_id = Some(state.user_frame_id);
+    status.on_soft_limit = Some(state.on_soft_limit);
+    status.emergency_stop = Some(state.emergency_stop);
+    status.drag_near_limit = Some(vec![0; 6].into());
+    status.powered_on = Some(state.powered);
+    status.in_position = Some(state.in_position);
+    status.tcp_speed = Some(state.tcp_speed);
+    status.protective_stop = Some(state.protective_stop);
+    (status.motion_mode, status.network_state, status.point_key) = (Some(1), Some(1), Some(0));
 }
 
-fn inputs_and_outputs(name: &str, state: &State, shape: &Shape) -> Option<Value> {
-    Some(match name {
-        "monitor_data" => {
-            let rows = [shape.joint_row; 6].join("],[");
-            let text = format!("[{},[[{rows}]]{}]", shape.monitor_head, shape.monitor_tail);
-            serde_json::from_str(&text).unwrap_or_default()
-        }
-        "torque_sensor" => torque_sensor(&state.torque_sensor, shape.torque_readings),
-        "digital_inputs" => json!(state.digital_inputs),
-        "digital_outputs" => digital_outputs(state, DigitalOutputKind::Cabinet, shape.digital),
-        "analog_inputs" => json!(state.analog_inputs),
-        "analog_outputs" => analog_outputs(state, AnalogOutputKind::Cabinet, shape.analog),
-        "tool_digital_inputs" => json!(state.tool_digital_inputs),
-        "tool_digital_outputs" => digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital),
-        "tool_analog_inputs" => json!(state.tool_analog_inputs),
-        "tool_keys" => json!([0, 0, 0]),
-        "tool_rs_signals" => repeat_n(json!(["", 0, 0, 0, 0, 0.0]), RS_SIGNALS).collect(),
-        "relay_outputs" => digital_outputs(state, DigitalOutputKind::Relay, 2),
-        "function_inputs" => {
-            let inputs = state.function_inputs.iter().map(|input| json!([i64::from(input.kind), input.index]));
-            let unassigned = shape.functions.saturating_sub(state.function_inputs.len());
-            inputs.chain(repeat_n(json!([-1, -1]), unassigned)).collect()
-        }
-        _ => return None,
-    })
+fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
+    let rows = [shape.joint_row; 6].join("],[");
+    let monitor_data = format!("[{},[[{rows}]]{}]", shape.monitor_head, shape.monitor_tail);
+    status.monitor_data = serde_json::from_str(&monitor_data).ok().map(Typed::Raw);
+    status.torque_sensor = Some(Typed::Raw(torque_sensor(&state.torque_sensor, shape.torque_readings)));
+    status.digital_inputs = Some(state.digital_inputs.clone());
+    status.digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Cabinet, shape.digital));
+    status.analog_inputs = Some(state.analog_inputs.clone());
+    status.analog_outputs = Some(analog_outputs(state, AnalogOutputKind::Cabinet, shape.analog));
+    status.tool_digital_inputs = Some(state.tool_digital_inputs.clone());
+    status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital));
+    status.tool_analog_inputs = Some(state.tool_analog_inputs.clone());
+    let functions = state.function_inputs.iter().map(|input| json!([i64::from(input.kind), input.index]));
+    let unassigned = shape.functions.saturating_sub(state.function_inputs.len());
+    status.function_inputs = Some(Typed::Raw(functions.chain(repeat_n(json!([-1, -1]), unassigned)).collect()));
 }
 
-/// The inputs and outputs of a fieldbus. Nothing sets its inputs.
-fn fieldbus(name: &str, state: &State, shape: &Shape) -> Option<Value> {
-    let kinds = [DigitalOutputKind::ModbusSlave, DigitalOutputKind::Profinet, DigitalOutputKind::EthernetIp];
-    let mut buses = shape.fieldbuses.iter().zip(kinds);
-    let (part, bus, kind) = buses.find_map(|(bus, kind)| Some((name.strip_prefix(bus.name)?, bus, kind)))?;
-    Some(match part {
-        "digital_inputs" => json!(vec![false; bus.digital]),
-        "digital_outputs" => digital_outputs(state, kind, bus.digital),
-        "analog_inputs" => json!(vec![0.0; bus.analog]),
-        // Analog outputs are taken to count their places as digital ones do.
-        "analog_outputs" => analog_outputs(state, AnalogOutputKind::from(i64::from(kind)), bus.analog),
-        _ => return None,
-    })
+/// The keys of newer firmware but those of fieldbuses.
+fn newer(state: &State, status: &mut RobotStatus) {
+    status.joint_velocities = Some(NO_READINGS.to_vec().into());
+    status.joint_commanded_position = Some(state.joint_commanded_position);
+    status.commanded_position = Some(state.tcp_commanded_pose);
+    status.tool_keys = Some(vec![0; 3].into());
+    status.tool_rs_signals = Some(Typed::Raw(repeat_n(json!(["", 0, 0, 0, 0, 0.0]), RS_SIGNALS).collect()));
+    status.relay_outputs = Some(digital_outputs(state, DigitalOutputKind::Relay, 2).into());
+    (status.motion_line, status.error_add_line) = (Some(0.into()), Some(0.into()));
+}
+
+/// The inputs and outputs of fieldbuses, with the lengths of a captured packet. Nothing sets the inputs. Analog outputs
+/// are taken to count their places as digital ones do.
+fn fieldbuses(state: &State, status: &mut RobotStatus) {
+    let inputs = |count| Some(vec![false; count].into());
+    let values = |count| Some(vec![0.0; count].into());
+    let outputs = |kind, count| Some(digital_outputs(state, kind, count).into());
+    let analog = |kind: DigitalOutputKind, count| {
+        Some(analog_outputs(state, AnalogOutputKind::from(i64::from(kind)), count).into())
+    };
+    status.modbus_slave_digital_inputs = inputs(128);
+    status.modbus_slave_digital_outputs = outputs(DigitalOutputKind::ModbusSlave, 128);
+    status.modbus_slave_analog_inputs = values(64);
+    status.modbus_slave_analog_outputs = analog(DigitalOutputKind::ModbusSlave, 64);
+    status.profinet_device_digital_inputs = inputs(64);
+    status.profinet_device_digital_outputs = outputs(DigitalOutputKind::Profinet, 64);
+    status.profinet_device_analog_inputs = values(64);
+    status.profinet_device_analog_outputs = analog(DigitalOutputKind::Profinet, 64);
+    status.ethernet_ip_adapter_digital_inputs = inputs(64);
+    status.ethernet_ip_adapter_digital_outputs = outputs(DigitalOutputKind::EthernetIp, 64);
+    status.ethernet_ip_adapter_analog_inputs = values(48);
+    status.ethernet_ip_adapter_analog_outputs = analog(DigitalOutputKind::EthernetIp, 48);
 }
 
 /// The first outputs of a place; those that have not been set are off.
-fn digital_outputs(state: &State, kind: DigitalOutputKind, count: usize) -> Value {
+fn digital_outputs(state: &State, kind: DigitalOutputKind, count: usize) -> Vec<bool> {
     (0..).map(|index| state.digital_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
 /// The first outputs of a place; those that have not been set are 0.
-fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Value {
+fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Vec<f64> {
     (0..).map(|index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is taken to be the contact force.
+/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is
+/// taken to be the contact force.
 fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
     let payload = json!([sensor.payload.mass, <[f64; 3]>::from(sensor.payload.centroid)]);
     // No command sets the parameters of a serial line, and nothing prints any.

@@ -1,51 +1,65 @@
-//! What happens at its time.
+//! List of what happens at a time or on a condition.
 
 use std::io;
 use std::time::Duration;
 
 use super::World;
-use crate::InputScript;
-use crate::fault::Happening;
+use crate::happening::{Happening, Scheduled};
+use crate::trigger::Condition;
 
-/// What is to happen, in order.
+/// Happenings in the order of their times, and conditions that do not hold yet.
 #[derive(Debug, Default)]
-pub(super) struct Schedule(Vec<(Duration, Happening)>);
-
-impl Schedule {
-    /// When the next of it is due.
-    pub(super) fn next_due(&self) -> Option<Duration> {
-        self.0.first().map(|(at, _)| *at)
-    }
-
-    fn add(&mut self, happenings: impl IntoIterator<Item = (Duration, Happening)>) {
-        self.0.extend(happenings);
-        // What is for the same time stays in its order.
-        self.0.sort_by_key(|(at, _)| *at);
-    }
+pub(super) struct Schedule {
+    happenings: Vec<Scheduled>,
+    conditions: Vec<Condition>,
 }
 
 impl World {
-    /// Has inputs change from now on.
-    pub(crate) fn schedule_inputs(&mut self, script: &InputScript) -> io::Result<()> {
-        let at = |after: &Duration| self.now.saturating_add(*after);
-        self.schedule(script.0.iter().map(|(after, change)| (at(after), Happening::Input(*change))).collect())
+    /// Has something happen at once.
+    pub(crate) fn happen(&mut self, happening: &Happening) {
+        happening.happen(&mut self.state, &self.links);
+        self.make_consistent();
     }
 
-    /// Has something happen at these times of the controller, or at once where they have passed.
-    pub(crate) fn schedule(&mut self, happenings: Vec<(Duration, Happening)>) -> io::Result<()> {
-        happenings.iter().try_for_each(|(_, happening)| happening.check(&self.state))?;
-        self.schedule.add(happenings);
+    /// Has something happen at its time, or at once where that has passed.
+    pub(crate) fn schedule(&mut self, scheduled: Scheduled) -> io::Result<()> {
+        scheduled.happening.check(&self.state)?;
+        self.schedule.happenings.push(scheduled);
+        // What is for the same time stays in its order.
+        self.schedule.happenings.sort_by_key(|scheduled| scheduled.at);
         self.run_schedule();
         Ok(())
     }
 
+    /// Time of what happens next.
+    pub(crate) fn next_due(&self) -> Option<Duration> {
+        self.schedule.happenings.first().map(|scheduled| scheduled.at)
+    }
+
     /// Has happen what is due.
     pub(super) fn run_schedule(&mut self) {
-        let due = self.schedule.0.partition_point(|(at, _)| *at <= self.now);
+        let due = self.schedule.happenings.partition_point(|scheduled| scheduled.at <= self.now);
         if due == 0 {
             return;
         }
-        self.schedule.0.drain(..due).for_each(|(_, happening)| happening.make(&mut self.state));
+        for Scheduled { happening, .. } in self.schedule.happenings.drain(..due) {
+            happening.happen(&mut self.state, &self.links);
+        }
         self.make_consistent();
+    }
+
+    /// Waits for a condition, which may hold already.
+    pub(crate) fn watch(&mut self, condition: Condition) {
+        self.schedule.conditions.push(condition);
+        self.ask_conditions();
+    }
+
+    /// Number of conditions that do not hold yet.
+    pub(super) fn conditions(&self) -> usize {
+        self.schedule.conditions.len()
+    }
+
+    pub(super) fn ask_conditions(&mut self) {
+        self.schedule.conditions.retain_mut(|condition| !condition.is_settled(&self.state, self.now));
     }
 }

@@ -12,7 +12,7 @@ use jaka_robot::power::{GetRobotState, GetVersion};
 use jaka_robot::program::{LoadProgram, SetRapidRate, StopProgram};
 use jaka_robot::servo::{IsInServomove, ServoJ, SetServoMode};
 use jaka_robot::variables::{ModifyUserDefinedVariable, QueryUserDefinedVariable};
-use jaka_sim::{Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, StatusFault};
+use jaka_sim::{Direction, Fault, FaultPlan, Happening, LinkFault, Port, Scheduled, StatusFault};
 use serde_json::json;
 
 use super::random::Random;
@@ -56,25 +56,24 @@ const LINK_PERIOD: Duration = Duration::from_secs(1);
 /// How often in a round; after that the links work.
 const LINK_FAULTS: u32 = 60;
 
-/// On which links.
-type On = fn(LinkEvent) -> LinkEvent;
-
-const OF_PORT: [On; 3] = [|event| event, |event| event.port(Port::Status), |event| event.port(Port::Command)];
-const OF_WAY: [On; 3] = [|event| event, LinkEvent::to_client, |event| event.direction(Direction::ToController)];
+/// On which links; on both where none is given.
+const PORTS: [Option<Port>; 3] = [None, Some(Port::Status), Some(Port::Command)];
+const DIRECTIONS: [Option<Direction>; 3] = [None, Some(Direction::ToClient), Some(Direction::ToController)];
 
 /// What is wrong with the links of an arm in a round: one after the other, by the clock.
-pub(super) fn links(seed: u64, round: u32, arm: u32) -> Vec<LinkEvent> {
+pub(super) fn links(seed: u64, round: u32, arm: u32) -> Vec<Scheduled> {
     let mut random = Random::new(seed, [round, arm, 2]);
     if RARITY[arm as usize % RARITY.len()] == 0 {
         return Vec::new();
     }
-    let links = (0..LINK_FAULTS).map(|number| {
+    let links = (0..LINK_FAULTS).flat_map(|number| {
         let begin = LINK_PERIOD * number + millis(&mut random, 0, 200);
         let late = LinkFault::Delay(millis(&mut random, 5, 200));
         let fault = *random.pick(&[LinkFault::Hold, LinkFault::Hold, late, LinkFault::Slow(100_000)]);
-        let event = LinkEvent::new(fault).after(begin).lasting(millis(&mut random, 20, 700));
-        let event = random.pick(&OF_PORT)(event);
-        random.pick(&OF_WAY)(event)
+        let end = begin + millis(&mut random, 20, 700);
+        let (port, direction) = (*random.pick(&PORTS), *random.pick(&DIRECTIONS));
+        [(begin, fault), (end, LinkFault::None)]
+            .map(|(at, fault)| Scheduled { happening: Happening::Link { port, direction, fault }, at })
     });
     links.collect()
 }
@@ -128,13 +127,12 @@ fn faults(more: &[Fault]) -> Vec<Fault> {
 }
 
 /// The script as a controller takes it.
-pub(super) fn plan(script: &Script, links: &[LinkEvent]) -> FaultPlan {
+pub(super) fn plan(script: &Script) -> FaultPlan {
     let longest = script.values().map(Vec::len).max().unwrap_or_default();
     // Those that come first stand first.
     let in_order =
         (0..longest).flat_map(|at| script.iter().filter_map(move |(name, faults)| Some((*name, faults.get(at)?))));
-    let plan = in_order.fold(FaultPlan::new(), |plan, (name, fault)| plan.then_for(name, fault.clone()));
-    links.iter().fold(plan, |plan, event| plan.link(*event))
+    in_order.fold(FaultPlan::new(), |plan, (name, fault)| plan.then_for(name, fault.clone()))
 }
 
 /// The kind of a fault: the first word of its text.

@@ -166,8 +166,10 @@ impl Controllers {
 fn controller(seed: u64, round: u32, arm: u32, clock: Option<&SimulatedClock>) -> Controller {
     let builder = Controller::builder().delays(Delays::NONE).status_period(PERIOD);
     let builder = clock.into_iter().fold(builder, jaka_sim::Builder::clock);
-    let plan = faults::plan(&faults::script(seed, round, arm), &faults::links(seed, round, arm));
-    let controller = builder.faults(plan).start().expect("loopback has free ports");
+    let builder = builder.faults(faults::plan(&faults::script(seed, round, arm)));
+    let links = faults::links(seed, round, arm).into_iter();
+    let builder = links.fold(builder, |builder, scheduled| builder.at(scheduled.at, scheduled.happening));
+    let controller = builder.start().expect("loopback has free ports");
     controller.set_state(|state| {
         state.powered = true;
         state.enabled = true;

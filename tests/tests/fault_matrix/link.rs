@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use jaka_sim::{Controller, Direction, LinkEvent, LinkFault, Port};
+use jaka_sim::{Controller, Direction, Happening, LinkFault, Port};
 
 /// A link on which nothing passes, or not as it should.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,9 +91,8 @@ fn in_each_way(fault: LinkFault) -> Vec<(LinkFault, Option<Duration>)> {
 
 impl fmt::Display for LinkTrouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let event = LinkEvent::new(self.fault);
-        let event = self.port.map_or(event, |port| event.port(port));
-        let event = self.direction.map_or(event, |direction| event.direction(direction));
-        self.lasting.map_or(event, |time| event.lasting(time)).fmt(f)
+        let Self { port, direction, fault, lasting } = *self;
+        write!(f, "{}", Happening::Link { port, direction, fault })?;
+        lasting.map_or(Ok(()), |time| write!(f, " for {time:?}"))
     }
 }

@@ -12,7 +12,7 @@ use jaka_robot::types::{MoveMode, Pose};
 use jaka_robot::{
     Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotConfig, RobotStop, StatusProblem, Target,
 };
-use jaka_sim::{Delays, Fault, SimulatedClock, StatusFault};
+use jaka_sim::{Delays, Fault, Firmware, SimulatedClock, StatusFault};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG};
 
@@ -46,6 +46,16 @@ fn disturbed(arm: &Arm, robot: &mut Robot, disturb: impl FnOnce() + Send) -> End
         disturb();
     };
     beside(arm.clock(), disturb, || run(robot, &to(100.0)))
+}
+
+#[test]
+fn a_motion_reaches_its_target_with_every_firmware() {
+    for firmware in Firmware::ALL {
+        let (arm, mut robot) = Arm::simulated().controller(|controller| controller.firmware(*firmware)).with_robot();
+        let end = run(&mut robot, &to(30.0));
+        assert_eq!(end.cause(), Cause::Reached, "{firmware}: {end}");
+        assert!((arm.state().joint_position.0[0] - 30.0).abs() < 1e-9, "{firmware}");
+    }
 }
 
 #[test]

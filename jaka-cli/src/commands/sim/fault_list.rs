@@ -3,22 +3,23 @@
 use std::fmt::Display;
 
 use itertools::Itertools as _;
-use jaka_sim::{ArmFault, Fault, LinkFault, StatusFault};
+use jaka_sim::{Fault, Happening, LinkFault, StatusFault};
 
 use super::keys;
 
 /// All kinds, an example of each, by what they are for.
 pub(super) fn text() -> String {
     format!(
-        "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n  `link …`:    {}\n\n\
+        "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n\n\
          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and \
-         `random 7 1/20 drop, reset` for one in twenty, with a seed. `link status to-client hold after 10s for 5s` has a port \
-         (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), a fault, and when. The README of jaka-sim \
-         explains them.\n\nWhat `--schedule` and `--stdin` can have happen, inputs by their place from 0:\n  {}\n\nWith `--keys`: {}",
+         `random 7 1/20 drop, reset` for one in twenty, with a seed. The README of jaka-sim explains them.\n\n\
+         What `--schedule` and `--stdin` can have happen, inputs by their place from 0:\n  {}\n\n\
+         `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), and a fault: {}\n\n\
+         With `--keys`: {}",
         list(&Fault::one_of_each()),
         list(&StatusFault::one_of_each()),
+        list(&Happening::one_of_each()),
         list(&LinkFault::one_of_each()),
-        list(&ArmFault::one_of_each(3)),
         keys::list(),
     )
 }

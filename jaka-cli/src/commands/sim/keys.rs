@@ -4,7 +4,7 @@ use std::io::{IsTerminal, stdin, stdout};
 use std::sync::mpsc::Sender;
 use std::thread;
 
-use jaka_sim::{ArmFault, State};
+use jaka_sim::{Happening, Level, State};
 use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use super::Typed;
@@ -12,25 +12,38 @@ use crate::failure::Failure;
 use crate::output;
 use crate::raw::{self, Raw};
 
-/// What keys from the first to the last have happen, by their number from 0: this, and where it has happened, the opposite.
+/// Keys from the first to the last, and what they have happen, by their number from 0: this, and where it has happened,
+/// the opposite.
 struct Row {
     keys: (char, char),
-    does: fn(usize) -> ArmFault,
-    undoes: Option<fn(usize) -> ArmFault>,
+    does: fn(usize) -> Happening,
+    undoes: Option<fn(usize) -> Happening>,
 }
 
 const ROWS: [Row; 5] = [
-    Row { keys: ('c', 'c'), does: |_| ArmFault::Collide, undoes: None },
-    Row { keys: ('e', 'e'), does: |_| ArmFault::PressEmergencyStop, undoes: Some(|_| ArmFault::ReleaseEmergencyStop) },
-    Row { keys: ('p', 'p'), does: |_| ArmFault::CutPower, undoes: None },
-    Row { keys: ('0', '9'), does: ArmFault::InputHigh, undoes: Some(ArmFault::InputLow) },
-    Row { keys: ('t', 't'), does: |_| ArmFault::ToolInputHigh(0), undoes: Some(|_| ArmFault::ToolInputLow(0)) },
+    Row { keys: ('c', 'c'), does: |_| Happening::Collide, undoes: None },
+    Row {
+        keys: ('e', 'e'),
+        does: |_| Happening::PressEmergencyStop,
+        undoes: Some(|_| Happening::ReleaseEmergencyStop),
+    },
+    Row { keys: ('p', 'p'), does: |_| Happening::CutPower, undoes: None },
+    Row {
+        keys: ('0', '9'),
+        does: |number| Happening::Input(number, Level::High),
+        undoes: Some(|number| Happening::Input(number, Level::Low)),
+    },
+    Row {
+        keys: ('t', 't'),
+        does: |_| Happening::ToolInput(0, Level::High),
+        undoes: Some(|_| Happening::ToolInput(0, Level::Low)),
+    },
 ];
 
 /// What a key is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Effect {
-    Happens(ArmFault),
+    Happens(Happening),
     Lists,
     Quits,
     Nothing,
@@ -49,11 +62,11 @@ pub(super) fn effect(key: KeyEvent, state: &State) -> Effect {
     match sign {
         'q' => Effect::Quits,
         '?' => Effect::Lists,
-        _ => fault(sign, state).map_or(Effect::Nothing, Effect::Happens),
+        _ => happening(sign, state).map_or(Effect::Nothing, Effect::Happens),
     }
 }
 
-fn fault(sign: char, state: &State) -> Option<ArmFault> {
+fn happening(sign: char, state: &State) -> Option<Happening> {
     let row = ROWS.iter().find(|row| (row.keys.0..=row.keys.1).contains(&sign))?;
     let number = sign.to_digit(10).map_or(0, |digit| digit as usize);
     let does = (row.does)(number);
@@ -64,11 +77,11 @@ fn fault(sign: char, state: &State) -> Option<ArmFault> {
 }
 
 /// Whether this has happened, and the opposite has not.
-fn is_so(fault: ArmFault, state: &State) -> bool {
-    match fault {
-        ArmFault::PressEmergencyStop => state.emergency_stop,
-        ArmFault::InputHigh(index) => state.digital_inputs.get(index) == Some(&true),
-        ArmFault::ToolInputHigh(index) => state.tool_digital_inputs.get(index) == Some(&true),
+fn is_so(happening: Happening, state: &State) -> bool {
+    match happening {
+        Happening::PressEmergencyStop => state.emergency_stop,
+        Happening::Input(index, _) => state.digital_inputs.get(index) == Some(&true),
+        Happening::ToolInput(index, _) => state.tool_digital_inputs.get(index) == Some(&true),
         _ => false,
     }
 }
@@ -125,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_has_a_key() {
+    fn what_happens_to_the_arm_has_a_key() {
         let controller = Controller::start().expect("loopback has free ports");
         let before = controller.state();
         let mut after = before.clone();
@@ -134,8 +147,12 @@ mod tests {
         after.tool_digital_inputs.fill(true);
         let effects = (' '..='~').flat_map(|sign| [effect(key(sign), &before), effect(key(sign), &after)]);
         let found: Vec<_> = effects.collect();
-        for fault in ArmFault::one_of_each(0) {
-            assert!(found.contains(&Effect::Happens(fault)), "{fault} has no key");
+        for happening in Happening::one_of_each() {
+            let has_values = matches!(
+                happening,
+                Happening::AnalogInput(..) | Happening::ToolAnalogInput(..) | Happening::Link { .. }
+            );
+            assert!(has_values || found.contains(&Effect::Happens(happening)), "{happening} has no key");
         }
     }
 
@@ -154,7 +171,7 @@ mod tests {
             (key('x'), Effect::Nothing),
             (KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE), Effect::Nothing),
             (KeyEvent { kind: KeyEventKind::Release, ..key('c') }, Effect::Nothing),
-            (KeyEvent::new(KeyCode::Char('7'), KeyModifiers::NONE), Effect::Happens(ArmFault::InputHigh(7))),
+            (KeyEvent::new(KeyCode::Char('7'), KeyModifiers::NONE), Effect::Happens(Happening::Input(7, Level::High))),
         ] {
             assert_eq!(effect(pressed, &state), expected, "{pressed:?}");
         }

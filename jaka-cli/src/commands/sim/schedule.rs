@@ -1,11 +1,11 @@
-//! What happens to the simulated arm and its inputs, and says so.
+//! What happens to the simulated controller, and says so.
 
 use std::io::{BufRead, stdin};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use jaka_sim::{ArmEvent, Controller};
+use jaka_sim::{Controller, Scheduled};
 
 use super::Typed;
 use super::keys::{self, Effect};
@@ -17,20 +17,22 @@ use crate::output;
 const TICK: Duration = Duration::from_millis(10);
 
 /// Has happen all that is scheduled, and what is typed, and says when; until there is nothing more to come.
-pub(super) fn run(controller: &Controller, scheduled: Vec<ArmEvent>, typed: &Receiver<Typed>) -> Result<(), Failure> {
+pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Receiver<Typed>) -> Result<(), Failure> {
     let mut ahead = Vec::new();
     for event in scheduled {
         schedule(controller, event, &mut ahead);
     }
     loop {
         let now = controller.elapsed();
-        for ArmEvent { fault, at } in ahead.extract_if(.., |event| event.at <= now) {
-            output::line(&format!("{:.3} s: {fault}", at.as_secs_f64()))?;
+        for Scheduled { happening, at } in ahead.extract_if(.., |event| event.at <= now) {
+            output::line(&format!("{:.3} s: {happening}", at.as_secs_f64()))?;
         }
         match typed.recv_timeout(TICK) {
             Ok(Typed::Event(event)) => schedule(controller, event, &mut ahead),
             Ok(Typed::Key(key)) => match keys::effect(key, &controller.state()) {
-                Effect::Happens(fault) => schedule(controller, ArmEvent { fault, at: Duration::ZERO }, &mut ahead),
+                Effect::Happens(happening) => {
+                    schedule(controller, Scheduled { happening, at: Duration::ZERO }, &mut ahead);
+                }
                 Effect::Lists => keys::show()?,
                 Effect::Quits => end_whole(0),
                 Effect::Nothing => {}
@@ -43,11 +45,11 @@ pub(super) fn run(controller: &Controller, scheduled: Vec<ArmEvent>, typed: &Rec
 }
 
 /// Schedules one event. What the controller does not have is told, and nothing happens.
-fn schedule(controller: &Controller, event: ArmEvent, ahead: &mut Vec<ArmEvent>) {
+fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled>) {
     let at = event.at.max(controller.elapsed());
-    match controller.at(at, event.fault) {
-        Ok(()) => ahead.push(ArmEvent { at, ..event }),
-        Err(error) => output::error(&format!("{}: {error}", event.fault)),
+    match controller.at(at, event.happening) {
+        Ok(()) => ahead.push(Scheduled { at, ..event }),
+        Err(error) => output::error(&format!("{}: {error}", event.happening)),
     }
     ahead.sort_by_key(|event| event.at);
 }

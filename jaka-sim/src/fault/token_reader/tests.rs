@@ -1,6 +1,6 @@
 use std::time::Duration;
 
-use crate::{Direction, Fault, FaultPlan, LinkEvent, LinkFault, Port, StatusFault};
+use crate::{Fault, FaultPlan, LinkFault, StatusFault};
 
 fn plan(text: &str) -> FaultPlan {
     text.parse().unwrap_or_else(|error| panic!("{error}"))
@@ -73,14 +73,6 @@ fn each_link_fault_has_a_text() {
     for (text, fault) in faults {
         assert_eq!(text.parse().as_ref(), Ok(&fault));
         assert_eq!(fault.to_string(), text);
-        assert_eq!(plan(&format!("link both both {text}")), FaultPlan::new().link(fault));
-        let event = LinkEvent::new(fault).port(Port::Status).to_client().after(Duration::from_secs(9));
-        let line = format!("link status to-client {text} after 9s for 1.5s");
-        let expected = FaultPlan::new().link(event.lasting(Duration::from_millis(1500)));
-        assert_eq!((plan(&line), expected.to_string()), (expected, line));
-        let line = format!("link command to-controller {text} for 3s");
-        let event = LinkEvent::new(fault).port(Port::Command).direction(Direction::ToController);
-        assert_eq!(plan(&line), FaultPlan::new().link(event.lasting(Duration::from_secs(3))));
     }
 }
 
@@ -94,14 +86,11 @@ fn a_plan_is_its_lines() {
         .then_for("joint_move", Fault::Drop)
         .then_for("joint_move", Fault::Pieces(vec![2]))
         .always(Fault::Close)
-        .link(LinkFault::Hold)
-        .link(LinkEvent::new(LinkFault::Cut).port(Port::Status));
-    let lines = "\n# all of it\ndrop, hold # two\r\n  twice\nfor joint_move: drop, split 2\nrandom 7 1/20 drop,reset\nalways close\nlink both both hold\nlink status both cut";
+        .status(StatusFault::Cut(7));
+    let lines = "\n# all of it\ndrop, hold # two\r\n  twice\nfor joint_move: drop, split 2\nrandom 7 1/20 drop,reset\nalways close\nstatus cut 7";
     assert_eq!(plan(lines), expected);
     assert_eq!(
-        plan(
-            "drop,hold;twice;for joint_move:drop,split 2;random 7 1/20 drop , reset ; always close;link both both hold;link status both cut"
-        ),
+        plan("drop,hold;twice;for joint_move:drop,split 2;random 7 1/20 drop , reset ; always close;status cut 7"),
         expected
     );
     assert_eq!(plan(&expected.to_string()), expected);
@@ -127,14 +116,6 @@ fn errors_name_line_and_word() {
         ("random 7 20 drop", "line 1: `20`: expected odds such as 1/20"),
         ("random 7 1/2 drop\nrandom 8 1/2 drop", "line 2: `8`: the seed is already 7, and a plan has only one"),
         ("status drop", "line 1: `drop`: unknown fault of the status port"),
-        ("link", "line 1: `link`: expected `command`, `status` or `both` next"),
-        ("link arm", "line 1: `arm`: expected `command`, `status` or `both`"),
-        ("link both up", "line 1: `up`: expected `to-controller`, `to-client` or `both`"),
-        ("link both both drop", "line 1: `drop`: unknown fault of a link"),
-        ("link both both slow x", "line 1: `x`: expected a number of bytes a second"),
-        ("link both both hold 5s", "line 1: `5s`: expected the end of the line"),
-        ("link both both hold for 5s after 3s", "line 1: `after`: expected the end of the line"),
-        ("drop, link both both hold", "line 1: `link`: this can only begin a line"),
         ("instead x", "line 1: `x`: expected bytes in quotes"),
         ("instead \"x", "line 1: `\"x`: the quote is not closed"),
         ("instead \"\\q\"", "line 1: `\"\\q\"`: an escape is not one of Rust's for bytes"),

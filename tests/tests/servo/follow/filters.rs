@@ -2,7 +2,7 @@
 
 use jaka_robot::servo::SetServoMoveFilter;
 use jaka_robot::{Cause, Numbering};
-use jaka_sim::DigitalInput;
+use jaka_sim::{Happening, Level};
 
 use super::*;
 use crate::stream::filters;
@@ -36,8 +36,8 @@ fn a_guard_stops_it_on_its_curve_whatever_the_filter() {
         let (arm, mut robot, config) = filtered(&filter, 80);
         let run = robot.start_follow(&made(&to_and_fro()), &config.clone().guard(INPUT.cabinet(3).is_high()));
         let run = run.expect("the input is low");
-        let rises = arm.clock().elapsed() + Duration::from_secs(1);
-        arm.input(DigitalInput::cabinet(3).high_at(rises)).expect("there is such an input");
+        let rises = arm.elapsed() + Duration::from_secs(1);
+        arm.at(rises, Happening::Input(3, Level::High)).expect("there is such an input");
         let end = run.wait();
         judge(&arm, &to_and_fro(), &end);
         assert_eq!((end.cause(), end.rest.was_seen()), (Cause::Guard, true), "{filter:?}: {end}");
