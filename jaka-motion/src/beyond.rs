@@ -4,8 +4,8 @@ mod display;
 
 use std::sync::Arc;
 
+use crate::model::NoSolution;
 use crate::model::{Point, Singularity};
-use crate::no_solution::NoSolution;
 
 /// Why a motion should not be sent: what it would exceed, and where on its way.
 ///

@@ -4,11 +4,9 @@ mod arc;
 mod beyond;
 #[cfg(feature = "generator")]
 mod braking;
-mod branches;
 mod checker;
 mod closed_form;
 mod damped;
-mod fit;
 mod follower;
 mod frames;
 #[cfg(feature = "generator")]
@@ -16,7 +14,6 @@ mod generator;
 mod limits;
 mod links;
 mod model;
-mod no_solution;
 mod pace;
 mod piece;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
@@ -31,9 +28,7 @@ mod tests;
 
 pub use arc::Arc;
 pub use beyond::{Beyond, Exceeded, Way};
-pub use branches::Branches;
 pub use checker::Checker;
-pub use fit::{Fit, FitError, Tolerance};
 pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;
 #[cfg(feature = "generator")]
@@ -41,8 +36,9 @@ pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, S
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
 pub use limits::{InvalidLimit, Limits, Region, RegionFrame};
-pub use model::{DhMismatch, Model, Point, Singularity, SingularityDistance};
-pub use no_solution::NoSolution;
+pub use model::{
+    Branches, DhMismatch, Fit, FitError, Model, NoSolution, Point, Singularity, SingularityDistance, Tolerance,
+};
 pub use pace::{JointPace, TcpPace};
 pub use piece::Sample;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]

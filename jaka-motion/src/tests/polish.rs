@@ -2,7 +2,7 @@
 
 use super::{Random, apart};
 use crate::Model;
-use crate::model::inverse::DAMPING;
+use crate::model::DAMPING;
 
 #[test]
 fn a_step_takes_off_a_small_error() {
