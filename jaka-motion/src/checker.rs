@@ -33,10 +33,10 @@ use crate::limits::Limits;
 use crate::limits::SingularityClearance;
 use crate::model::Point;
 use crate::pace::{JointPace, TcpPace, above_zero, longest};
+#[cfg(feature = "generator")]
+use crate::pace::{TcpVelocity, VelocityFrame};
 use crate::piece::Piece;
 use crate::transform::Transform;
-#[cfg(feature = "generator")]
-use crate::velocity::{TcpVelocity, VelocityFrame};
 
 /// Compares motions with the limits of an arm, before they are sent.
 ///

@@ -20,8 +20,6 @@ mod piece;
 mod text_file;
 mod trajectory;
 mod transform;
-#[cfg(feature = "generator")]
-mod velocity;
 
 #[cfg(test)]
 mod tests;
@@ -40,6 +38,8 @@ pub use model::{
     Branches, DhMismatch, Fit, FitError, Model, NoSolution, Point, Singularity, SingularityDistance, Tolerance,
 };
 pub use pace::{JointPace, TcpPace};
+#[cfg(feature = "generator")]
+pub use pace::{TcpVelocity, VelocityFrame};
 pub use piece::Sample;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
 pub use text_file::FileError;
@@ -49,5 +49,3 @@ pub use text_file::FileErrors as LimitsFileError;
 pub use text_file::FileErrors as TrajectoryFileError;
 pub use trajectory::{Passing, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint};
 pub use transform::Transform;
-#[cfg(feature = "generator")]
-pub use velocity::{TcpVelocity, VelocityFrame};
