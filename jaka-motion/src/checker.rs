@@ -4,10 +4,8 @@ mod arm;
 mod follow;
 mod limited_points;
 mod path;
-mod piece_end;
 mod placed_regions;
 mod radii;
-mod room_to_stop;
 mod solved;
 mod tcp_speed;
 
@@ -19,10 +17,10 @@ use nalgebra::{UnitQuaternion, Vector3, Vector6};
 pub(crate) use self::arm::{Arm, Led};
 use self::follow::Following;
 use self::limited_points::LimitedPoints;
+use self::limited_points::RoomToStop;
 use self::path::Path;
-use self::piece_end::PieceEnd;
 use self::placed_regions::PlacedRegions;
-use self::room_to_stop::RoomToStop;
+use self::radii::PieceEnd;
 pub(crate) use self::solved::Solved;
 use self::tcp_speed::TcpSpeedLimit;
 use crate::arc::Arc;
@@ -35,10 +33,10 @@ use crate::limits::Limits;
 use crate::limits::SingularityClearance;
 use crate::model::Point;
 use crate::pace::{JointPace, TcpPace, above_zero, longest};
+#[cfg(feature = "generator")]
+use crate::pace::{TcpVelocity, VelocityFrame};
 use crate::piece::Piece;
 use crate::transform::Transform;
-#[cfg(feature = "generator")]
-use crate::velocity::{TcpVelocity, VelocityFrame};
 
 /// Compares motions with the limits of an arm, before they are sent.
 ///

@@ -1,12 +1,10 @@
 //! Set-points along a trajectory, one a period, at a rate that may change at any time.
 
 mod overtravel;
-mod stopping;
 
 use jaka_proto::messages::types::JointPosition;
 
 pub use self::overtravel::Overtravel;
-pub use self::stopping::Stopping;
 use crate::limits::Limits;
 use crate::trajectory::Trajectory;
 
@@ -58,6 +56,17 @@ struct State {
 enum Haste {
     Smooth,
     AtOnce,
+}
+
+/// A stop along the curve, looked at before it is made. Made by [`Follower::stopping`].
+///
+/// Each period of it is found as the set-point of that period is, in some microseconds. How many there are depends on what the trajectory leaves of
+/// the joints' accelerations, and can be all that are left of it: so who has to be done in a servo period looks so far ahead in one as there is time for.
+#[derive(Debug, Clone)]
+#[must_use = "it looks ahead as far as it is asked to"]
+pub struct Stopping {
+    follower: Follower,
+    periods: u32,
 }
 
 /// In how many seconds the change of the rate reaches what the curve allows.
@@ -213,6 +222,26 @@ impl Follower {
             let acceleration = (next.step[joint] - self.state.step[joint]).abs() / squared;
             acceleration <= self.accelerations[joint] * (1.0 + 1e-9) + ROUNDING
         })
+    }
+}
+
+impl Stopping {
+    /// Looks ahead by at most so many periods more; in how many periods from the start of the stop it is at rest, if that was found.
+    pub fn look_ahead(&mut self, periods: u32) -> Option<u32> {
+        let last = self.periods.saturating_add(periods);
+        while !self.follower.is_at_rest() {
+            if self.periods == last {
+                return None;
+            }
+            self.follower.advance();
+            self.periods += 1;
+        }
+        Some(self.periods)
+    }
+
+    /// How many periods it has looked at.
+    pub fn periods(&self) -> u32 {
+        self.periods
     }
 }
 

@@ -1,23 +1,19 @@
 //! Set-points, one a period, on the way to a goal that may change at any time.
 
+mod constraints;
 mod dynamics;
-mod error;
-mod goal;
 mod plan;
-mod slower;
-mod tcp_velocity;
-mod tool_pace;
 
 use jaka_proto::messages::types::JointPosition;
 
+use self::constraints::{Constraints, is_at_rest, positions};
 pub use self::dynamics::Dynamics;
-pub use self::error::GeneratorError;
-pub use self::goal::{Bound, Goal, Landing, Step};
 use self::plan::Plan;
-use crate::beyond::{Beyond, Exceeded, Way};
-use crate::braking::{JointLimits, JointState, Stop, longest_stop};
+use crate::beyond::{Beyond, Exceeded};
+use crate::braking::{JointState, Stop, longest_stop};
 use crate::checker::Checker;
 use crate::limits::InvalidLimit;
+use crate::pace::TcpVelocity;
 
 /// Makes one set-point a period, on the way to a goal that may change with each of them.
 ///
@@ -74,17 +70,98 @@ use crate::limits::InvalidLimit;
 /// input makes it panic.
 #[derive(Debug, Clone)]
 pub struct Generator {
-    checker: Checker,
-    limits: [JointLimits; 6],
-    period_s: f64,
-    /// How far the tool may go on until the arm stops, in mm.
-    stopping_mm: f64,
+    constraints: Constraints,
     state: [JointState; 6],
     /// That of the set-point before.
     before: [JointState; 6],
     goal: Goal,
     plan: Plan,
     rejections: u64,
+}
+
+/// What a [`Generator`](crate::Generator) is on the way to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Goal {
+    /// Joint positions, which all joints reach at the same time. From rest the way is straight in joint space; it is not straight for the tool.
+    Joints(JointPosition),
+    /// A speed of each joint in deg/s, which each reaches as soon as it can. A joint stops at the end of its range, the others go on.
+    Velocity([f64; 6]),
+    /// A velocity of the tool.
+    TcpVelocity(TcpVelocity),
+    /// Standstill, as soon as each joint can.
+    Rest,
+}
+
+/// One set-point, and what kept it from being nearer to the goal.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Step {
+    /// The set-point.
+    pub joints: JointPosition,
+    /// What it was slowed or held by, beyond the speeds, accelerations and jerks of the joints.
+    pub bound: Option<Bound>,
+}
+
+/// What slows or holds a motion.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Bound {
+    /// A limit that is near.
+    Limit(Beyond),
+    /// What was computed for the goal did not pass the generator's own check. [`Generator::rejections`](crate::Generator::rejections) counts them.
+    Rejected,
+}
+
+/// Where an arm would come to rest if it stopped now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Landing {
+    /// Its joint positions there.
+    pub joints: JointPosition,
+    /// In how many seconds, 0 for an arm at rest.
+    pub time_s: f64,
+}
+
+jaka_proto::worded! {
+    /// Why a [`Generator`](crate::Generator) or its [`Dynamics`](crate::Dynamics) cannot be made.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum GeneratorError {
+        /// A speed, acceleration or jerk is too small, or not a number.
+        TooLittle {
+            /// What of a joint, for example `speed`.
+            what: &'static str,
+            /// Its unit.
+            unit: &'static str,
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// The number that was given.
+            given: f64,
+            /// The least that there may be.
+            least: f64,
+        } => "{what} of joint {joint}: {given} {unit} is not at least {least} {unit}",
+        /// A speed or an acceleration is higher than the arm's limits allow.
+        BeyondLimit {
+            /// What of a joint, for example `speed`.
+            what: &'static str,
+            /// Its unit.
+            unit: &'static str,
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// The number that was given.
+            given: f64,
+            /// What the limits allow.
+            limit: f64,
+        } => "{what} of joint {joint}: {given} {unit} is beyond the arm's limit of {limit} {unit}",
+        /// The period is not from 1 ms to 1 s.
+        Period {
+            /// The number that was given, in seconds.
+            given: f64,
+        } => "period: {given} s is not from 0.001 s to 1 s",
+        /// The arm starts beyond a limit.
+        Start(beyond: Beyond) => "start: {beyond}",
+    }
 }
 
 /// The periods for which set-points can be generated, in seconds.
@@ -111,11 +188,9 @@ impl Generator {
         }
         dynamics.check(checker.limits())?;
         checker.check_place(start).map_err(GeneratorError::Start)?;
+        let limits = dynamics.joint_limits(period_s);
         Ok(Self {
-            checker: checker.clone(),
-            limits: dynamics.joint_limits(period_s),
-            period_s,
-            stopping_mm: f64::INFINITY,
+            constraints: Constraints { checker: checker.clone(), limits, period_s, stopping_mm: f64::INFINITY },
             state: start.0.map(JointState::at_rest),
             before: start.0.map(JointState::at_rest),
             goal: Goal::Rest,
@@ -131,23 +206,24 @@ impl Generator {
     ///
     /// # Errors
     /// The speed is not above 0.
-    pub fn with_tool_stop(self, speed_mm_s: f64, within_mm: f64) -> Result<Self, InvalidLimit> {
-        let limits = self.checker.limits().clone();
+    pub fn with_tool_stop(mut self, speed_mm_s: f64, within_mm: f64) -> Result<Self, InvalidLimit> {
+        let limits = self.constraints.checker.limits().clone();
         let speed_mm_s = limits.tcp_speed().map_or(speed_mm_s, |limit| limit.min(speed_mm_s));
-        let checker = Checker::new(limits.with_tcp_speed(speed_mm_s)?, *self.checker.frames());
-        Ok(Self { checker, stopping_mm: within_mm, ..self })
+        self.constraints.checker = Checker::new(limits.with_tcp_speed(speed_mm_s)?, *self.constraints.checker.frames());
+        self.constraints.stopping_mm = within_mm;
+        Ok(self)
     }
 
     /// Checks a goal before it is given to [`next`](Self::next): joint positions as a place, speeds of joints and of
     /// the tool centre point by their limits.
     pub fn check_goal(&self, goal: &Goal) -> Result<(), Beyond> {
         let exceeded = match goal {
-            Goal::Joints(joints) => return self.checker.check_place(*joints),
-            Goal::Velocity(speeds) => self.speeds_beyond(speeds),
-            Goal::TcpVelocity(velocity) => self.tcp_velocity_beyond(velocity),
+            Goal::Joints(joints) => return self.constraints.checker.check_place(*joints),
+            Goal::Velocity(speeds) => self.constraints.speeds_beyond(speeds),
+            Goal::TcpVelocity(velocity) => self.constraints.tcp_velocity_beyond(velocity),
             Goal::Rest => None,
         };
-        exceeded.map_or(Ok(()), |exceeded| Err(self.beyond(exceeded)))
+        exceeded.map_or(Ok(()), |exceeded| Err(self.constraints.beyond(exceeded)))
     }
 
     /// The set-point a period after the last one, on the way to a goal.
@@ -161,19 +237,19 @@ impl Generator {
         }
         let (proposed, mut bound) = self.proposed();
         if let Some(proposed) = proposed {
-            let Err(exceeded) = self.check(&proposed) else {
-                self.plan.pass(self.period_s);
+            let Err(exceeded) = self.constraints.check(&self.state, &proposed) else {
+                self.plan.pass(self.constraints.period_s);
                 return self.take(proposed, bound);
             };
             self.plan.drop_way();
             let is_too_fast = matches!(exceeded, Exceeded::TcpSpeed { .. } | Exceeded::LandingWay { .. });
-            bound = Some(Bound::Limit(self.beyond(exceeded)));
+            bound = Some(Bound::Limit(self.constraints.beyond(exceeded)));
             if is_too_fast {
-                return self.take(self.slower(&proposed), bound);
+                return self.take(self.constraints.slower(&self.state, &proposed), bound);
             }
         }
-        let stops = self.stops();
-        self.take(stops.map(|stop| stop.at(self.period_s)), bound)
+        let stops = self.constraints.stops(&self.state);
+        self.take(stops.map(|stop| stop.at(self.constraints.period_s)), bound)
     }
 
     /// No set-point has come when one was due: what comes next starts from standstill at the last one.
@@ -190,7 +266,7 @@ impl Generator {
 
     /// The last set-point.
     pub fn joints(&self) -> JointPosition {
-        JointPosition(self.state.map(|state| state.position))
+        JointPosition(positions(&self.state))
     }
 
     /// The speeds of the joints at the last set-point, in deg/s.
@@ -205,12 +281,12 @@ impl Generator {
 
     /// Whether no joint moves.
     pub fn is_at_rest(&self) -> bool {
-        self.state.iter().all(|state| *state == JointState::at_rest(state.position))
+        is_at_rest(&self.state)
     }
 
     /// Where the arm would come to rest with the goal [`Goal::Rest`], and when.
     pub fn landing(&self) -> Landing {
-        let stops = self.stops();
+        let stops = self.constraints.stops(&self.state);
         Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops) }
     }
 
@@ -222,57 +298,57 @@ impl Generator {
 
     /// The period in seconds.
     pub fn period_s(&self) -> f64 {
-        self.period_s
+        self.constraints.period_s
     }
 
     /// What a set-point is compared with.
     pub fn checker(&self) -> &Checker {
-        &self.checker
+        &self.constraints.checker
     }
 
     /// The states that lead to the goal, unless that is rest; and what slows them.
     fn proposed(&mut self) -> (Option<[JointState; 6]>, Option<Bound>) {
         let slowed = match self.goal {
             Goal::Joints(target) if finite(target.0) => {
-                let target = self.in_range(target);
+                let target = self.constraints.in_range(target);
                 if self.is_there(&target) {
                     return (None, None);
                 }
-                let pace = self.tool_pace_to(&target);
+                let pace = self.constraints.tool_pace_to(&self.state, &target);
                 if let Some(pace) = &pace {
                     self.plan.lead_to_joints(&self.state, &pace.limits, &target);
                 } else if self.plan.is_done() {
-                    self.plan.lead_to_joints(&self.state, &self.limits, &target);
+                    self.plan.lead_to_joints(&self.state, &self.constraints.limits, &target);
                 }
                 pace.and_then(|pace| pace.exceeded)
             }
             Goal::Velocity(speeds) if finite(speeds) => {
-                let limits = self.checker.limits();
+                let limits = self.constraints.checker.limits();
                 let ranges = [limits.joint_min(), limits.joint_max()];
-                let pace = self.tool_pace(&speeds, 1.0);
+                let pace = self.constraints.tool_pace(&self.state, &speeds, 1.0);
                 let share = pace.as_ref().map_or(1.0, |pace| pace.share);
                 let speeds = speeds.map(|speed| share * speed);
                 if let Some(pace) = &pace {
                     self.plan.lead_to_speeds(&self.state, &pace.limits, &speeds, ranges);
                 } else if !self.plan.is_fresh() {
-                    self.plan.lead_to_speeds(&self.state, &self.limits, &speeds, ranges);
+                    self.plan.lead_to_speeds(&self.state, &self.constraints.limits, &speeds, ranges);
                 }
-                self.held_in_range(&speeds).or(pace.and_then(|pace| pace.exceeded))
+                self.constraints.held_in_range(&self.state, &speeds).or(pace.and_then(|pace| pace.exceeded))
             }
             Goal::TcpVelocity(velocity) if velocity.numbers().all(|number| number.abs() <= MOST) => {
-                let (speeds, exceeded) = self.speeds_for(&velocity);
-                self.plan.lead_to_speeds_together(&self.state, &self.limits, &speeds);
+                let (speeds, exceeded) = self.constraints.speeds_for(&self.state, &velocity);
+                self.plan.lead_to_speeds_together(&self.state, &self.constraints.limits, &speeds);
                 exceeded
             }
             _ => return (None, None),
         };
-        let proposed = self.plan.next(&self.state, &self.limits, self.period_s);
+        let proposed = self.plan.next(&self.state, &self.constraints.limits, self.constraints.period_s);
         if proposed.is_none() {
             self.rejections += 1;
             self.plan.drop_way();
             return (None, Some(Bound::Rejected));
         }
-        (proposed, slowed.map(|exceeded| Bound::Limit(self.beyond(exceeded))))
+        (proposed, slowed.map(|exceeded| Bound::Limit(self.constraints.beyond(exceeded))))
     }
 
     fn take(&mut self, next: [JointState; 6], bound: Option<Bound>) -> Step {
@@ -280,58 +356,19 @@ impl Generator {
         Step { joints: self.joints(), bound }
     }
 
-    /// Whether the arm may go to these states: what comes after them is the way to rest.
-    fn check(&self, next: &[JointState; 6]) -> Result<(), Exceeded> {
-        let stops = std::array::from_fn(|index| Stop::of(next[index], self.limits[index]));
-        let last = self.joints().0;
-        let rested = self.is_at_rest().then_some(&last);
-        self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))
-    }
-
-    fn stops(&self) -> [Stop; 6] {
-        std::array::from_fn(|index| Stop::of(self.state[index], self.limits[index]))
-    }
-
     /// Whether the way is at its end and the rest of it not worth a motion.
     fn is_there(&self, target: &[f64; 6]) -> bool {
         let is_near = |(stop, target): (&Stop, &f64)| (stop.end() - target).abs() < THERE;
-        self.plan.is_done() && self.stops().iter().zip(target).all(is_near)
+        self.plan.is_done() && self.constraints.stops(&self.state).iter().zip(target).all(is_near)
     }
+}
 
-    fn in_range(&self, target: JointPosition) -> [f64; 6] {
-        let limits = self.checker.limits();
-        std::array::from_fn(|index| target.0[index].clamp(limits.joint_min()[index], limits.joint_max()[index]))
-    }
-
-    /// The joint that rests at the end of its range, and is meant to go on.
-    fn held_in_range(&self, speeds: &[f64; 6]) -> Option<Exceeded> {
-        let limits = self.checker.limits();
-        (0..6).find_map(|index| {
-            let (speed, position_deg) = (speeds[index], self.state[index].position);
-            let limit_deg = if speed > 0.0 { limits.joint_max()[index] } else { limits.joint_min()[index] };
-            let is_slowed = self.state[index].speed.abs() < 0.99 * speed.abs();
-            let is_held = is_slowed && (limit_deg - position_deg).abs() < self.stopping_room(index);
-            is_held.then_some(Exceeded::LandingRange { joint: index + 1, end_deg: position_deg, limit_deg })
-        })
-    }
-
-    /// What a joint takes to stop from its full speed, in degrees.
-    fn stopping_room(&self, index: usize) -> f64 {
-        let fast = JointState { speed: self.limits[index].speed, ..JointState::default() };
-        Stop::of(fast, self.limits[index]).end()
-    }
-
-    fn speeds_beyond(&self, speeds: &[f64; 6]) -> Option<Exceeded> {
-        if !finite(*speeds) {
-            return Some(Exceeded::NotFinite);
+impl std::error::Error for GeneratorError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Start(beyond) => Some(beyond),
+            Self::TooLittle { .. } | Self::BeyondLimit { .. } | Self::Period { .. } => None,
         }
-        let index = (0..6).find(|index| speeds[*index].abs() > self.limits[*index].speed)?;
-        let (speed_deg_s, limit_deg_s) = (speeds[index].abs(), self.limits[index].speed);
-        Some(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near: None })
-    }
-
-    fn beyond(&self, exceeded: Exceeded) -> Beyond {
-        self.checker.beyond_of(Way::SetPoint, exceeded)
     }
 }
 

@@ -4,11 +4,9 @@ mod arc;
 mod beyond;
 #[cfg(feature = "generator")]
 mod braking;
-mod branches;
 mod checker;
 mod closed_form;
 mod damped;
-mod fit;
 mod follower;
 mod frames;
 #[cfg(feature = "generator")]
@@ -16,24 +14,19 @@ mod generator;
 mod limits;
 mod links;
 mod model;
-mod no_solution;
 mod pace;
 mod piece;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
 mod text_file;
 mod trajectory;
 mod transform;
-#[cfg(feature = "generator")]
-mod velocity;
 
 #[cfg(test)]
 mod tests;
 
 pub use arc::Arc;
 pub use beyond::{Beyond, Exceeded, Way};
-pub use branches::Branches;
 pub use checker::Checker;
-pub use fit::{Fit, FitError, Tolerance};
 pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;
 #[cfg(feature = "generator")]
@@ -41,9 +34,12 @@ pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, S
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
 pub use limits::{InvalidLimit, Limits, Region, RegionFrame};
-pub use model::{DhMismatch, Model, Point, Singularity, SingularityDistance};
-pub use no_solution::NoSolution;
+pub use model::{
+    Branches, DhMismatch, Fit, FitError, Model, NoSolution, Point, Singularity, SingularityDistance, Tolerance,
+};
 pub use pace::{JointPace, TcpPace};
+#[cfg(feature = "generator")]
+pub use pace::{TcpVelocity, VelocityFrame};
 pub use piece::Sample;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
 pub use text_file::FileError;
@@ -53,5 +49,3 @@ pub use text_file::FileErrors as LimitsFileError;
 pub use text_file::FileErrors as TrajectoryFileError;
 pub use trajectory::{Passing, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint};
 pub use transform::Transform;
-#[cfg(feature = "generator")]
-pub use velocity::{TcpVelocity, VelocityFrame};

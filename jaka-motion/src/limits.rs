@@ -4,12 +4,12 @@ mod axes;
 mod clearance;
 #[cfg(feature = "toml")]
 mod file;
-mod invalid;
 mod region;
+
+use std::sync::Arc;
 
 pub(crate) use self::axes::AxisLimits;
 pub(crate) use self::clearance::SingularityClearance;
-pub use self::invalid::InvalidLimit;
 pub use self::region::{Region, RegionFrame};
 use crate::model::Model;
 
@@ -44,13 +44,88 @@ pub struct Limits {
     regions: Vec<Region>,
 }
 
+jaka_proto::worded! {
+    /// Why something cannot be a limit.
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub enum InvalidLimit {
+        /// A number is not finite.
+        NotFinite {
+            /// Of what, for example `joint range`.
+            what: &'static str,
+        } => "{what}: a number is not finite",
+        /// A number that must be above 0 is not.
+        NotPositive {
+            /// Of what, for example `joint speed`.
+            what: &'static str,
+            /// The number.
+            given: f64,
+        } => "{what}: {given} is not above 0",
+        /// Joints are numbered from 1 to 6.
+        NoSuchJoint {
+            /// The number that was given.
+            joint: usize,
+        } => "there is no joint {joint}; joints are numbered from 1 to 6",
+        /// The lower end of a range is above the upper one.
+        EmptyRange {
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// The lower end, in degrees.
+            min_deg: f64,
+            /// The upper end, in degrees.
+            max_deg: f64,
+        } => "joint {joint}: the range from {min_deg} to {max_deg} deg is empty",
+        /// A limit allows more than the arm's published figure.
+        Wider {
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// The limit.
+            given: f64,
+            /// The arm's figure.
+            published: f64,
+            /// The unit of both, `deg` or `deg/s`.
+            unit: &'static str,
+            /// The arm's name.
+            model: &'static str,
+        } =>
+            "joint {joint}: {given} {unit} is beyond the {published} {unit} of the {model}; a limit can \
+             only be tighter",
+        /// A distance from a singularity is from 0 to below 1.
+        NotADistance {
+            /// The number that was given.
+            given: f64,
+        } => "distance from a singularity: {given} is not from 0 to below 1",
+        /// A region has no name.
+        NoName => "a region has no name",
+        /// Two regions have the same name.
+        NameTaken {
+            /// The name.
+            name: Arc<str>,
+        } => (format!("two regions are called `{}`", name.escape_debug())),
+        /// A box is too thin: less than nothing, or to be kept outside of and thinner than 1 mm.
+        ThinBox {
+            /// The region's name.
+            name: Arc<str>,
+            /// The box's smallest side, in mm.
+            side_mm: f64,
+        } => (format!(
+            "box `{}`: a side of {side_mm} mm; a box is not thinner than 0 mm, and than 1 mm if kept outside of",
+            name.escape_debug()
+        )),
+        /// The direction of a half-space has no length.
+        NoDirection {
+            /// The region's name.
+            name: Arc<str>,
+        } => (format!("half-space `{}`: the direction inward has no length", name.escape_debug())),
+    }
+}
+
 /// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has
 /// accelerations of these arms.
 const SPEED_GAINED: f64 = 0.2 / 0.5;
 /// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a
 /// hundred times as fast as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
-
 /// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated
 /// amounts, and far above how exactly joint positions are found for a pose.
 pub(crate) const ROUNDING: f64 = 1e-5;
@@ -214,6 +289,8 @@ impl Limits {
         self.clearance
     }
 }
+
+impl std::error::Error for InvalidLimit {}
 
 /// A limit, and what rounding adds to a number that is at it.
 pub(crate) fn rounded_up(limit: f64) -> f64 {

@@ -1,20 +1,24 @@
 //! One arm's figures.
 
-mod dh;
-mod forward;
+mod fit;
 pub(crate) mod inverse;
-mod point;
 mod published;
 mod singularity;
 
-use jaka_proto::messages::types::JointPosition;
-
-pub use self::dh::DhMismatch;
-pub use self::point::Point;
+pub use self::fit::{Fit, FitError, Tolerance};
+pub use self::inverse::{Branches, NoSolution};
+use self::inverse::{RADIAN, off};
 use self::published::PUBLISHED;
+use self::singularity::smallest_singular_value;
 pub use self::singularity::{Singularity, SingularityDistance};
-use crate::closed_form::{ClosedForm, Precision};
-use crate::links::Links;
+use crate::closed_form::{ClosedForm, Precision, UpToEight};
+use crate::damped::Damped;
+use crate::links::{Links, jacobian};
+use crate::transform::Transform;
+use jaka_proto::messages::kinematics::GetDhParamReply;
+use jaka_proto::messages::types::{JointPosition, Pose};
+use nalgebra::{Isometry3, Vector3};
+use std::fmt;
 
 /// The figures of one arm: its Denavit-Hartenberg parameters, joint ranges and joint speeds, in millimetres and
 /// degrees.
@@ -39,6 +43,54 @@ pub struct Model {
     pub(crate) joint_max: [f64; 6],
     pub(crate) joint_speed: [f64; 6],
 }
+
+jaka_proto::worded! {
+    /// A point of the arm.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Point {
+        /// The tool centre point.
+        Tcp => "tool centre point",
+        /// The end of the upper arm, on the axis of joint 3: the third of
+        /// [`Model::joint_frames`](crate::Model::joint_frames).
+        Elbow => "elbow",
+        /// Where the axes of joints 5 and 6 meet: the fifth of [`Model::joint_frames`](crate::Model::joint_frames).
+        Wrist => "wrist",
+    }
+}
+
+/// Denavit-Hartenberg parameters that are not those of the published arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct DhMismatch {
+    /// The published arm's name.
+    pub model: &'static str,
+    /// Which parameter differs: `alpha`, `a`, `d` or `joint_home_offset`.
+    pub parameter: &'static str,
+    /// The joint, 1 to 6.
+    pub joint: usize,
+    /// What the controller has, in mm or degrees.
+    pub found: f64,
+    /// What the published arm has.
+    pub published: f64,
+}
+
+/// How far a length of a controller may be from the published one, in mm.
+const LENGTH: f64 = 5.0;
+/// How far an angle of a controller may be from the published one, in degrees.
+const ANGLE: f64 = 1.0;
+/// How far a solution's flange may be off: mm, and radians times [`RADIAN`].
+const ACCEPTED: f64 = 1e-3;
+/// An error not worth a Newton step, in the same unit.
+const EXACT: f64 = 1e-8;
+/// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
+/// singularities.
+pub(crate) const DAMPING: f64 = 1.0;
+/// The most Newton steps. Away from singularities each squares the error.
+const STEPS: usize = 12;
+/// Further away than this, in mm, the closed form's numbers could overflow.
+const FAR: f64 = 1e9;
+/// A joint that is beyond its limit by this many degrees or less, which is rounding, is set to the limit.
+const ON_LIMIT: f64 = 1e-6;
 
 impl Model {
     /// Every published arm, the default first.
@@ -107,9 +159,295 @@ impl Model {
         joints.into().0.iter().zip(ranges).all(|(joint, (min, max))| min <= joint && joint <= max)
     }
 
+    /// The flange in the arm's base for these joint positions; the joints' ranges are not checked.
+    ///
+    /// Joint positions that are not finite give a transform that is not finite either. For the pose of a tool in a user frame
+    /// see [`Frames::pose`](crate::Frames::pose).
+    pub fn forward(&self, joints: impl Into<JointPosition>) -> Transform {
+        Transform(self.links.flange(&joints.into().0))
+    }
+
+    /// The frames of the six joints in the arm's base; the last one is the flange.
+    ///
+    /// The axis of each joint is the z axis of its frame. The third lies at the elbow, the fifth at the wrist, where the axes
+    /// of joints 5 and 6 meet.
+    pub fn joint_frames(&self, joints: impl Into<JointPosition>) -> [Transform; 6] {
+        self.links.frames(&joints.into().0).map(Transform)
+    }
+
+    /// How the tool moves with each joint: the rows are its velocity along x, y, z of the arm's base in mm/s and its turning
+    /// about these directions in deg/s, the columns the joints, each for 1 deg/s.
+    ///
+    /// `tool` is seen from the flange; only its position counts.
+    pub fn jacobian(&self, joints: impl Into<JointPosition>, tool: &Transform) -> [[f64; 6]; 6] {
+        let frames = self.links.frames(&joints.into().0);
+        let tool: Isometry3<f64> = frames[5] * tool.0;
+        let jacobian = jacobian(&frames, &tool.translation.vector);
+        std::array::from_fn(|row| {
+            std::array::from_fn(|joint| {
+                let entry = jacobian[(row, joint)];
+                // mm for a radian are more than mm for a degree; a turn has the same unit above and below.
+                if row < 3 { entry.to_radians() } else { entry }
+            })
+        })
+    }
+
+    /// This arm with the parameters that its controller's `get_dh_param` (section 4.82) answers.
+    ///
+    /// Joint ranges and speeds stay the published ones. No source says how a controller means its parameters, and whether its
+    /// own kinematics follow them: [`fit`](Self::fit) compares. Where the controller's are calibrated, so that axes are no longer quite parallel or at
+    /// right angles, there is no closed form: the inverse starts from that of the nearest arm that has one and goes on step by step. It
+    /// takes longer, and near a singularity it can miss a branch, or find nothing.
+    ///
+    /// # Errors
+    /// A length differs from the published one by more than 5 mm, or an angle by more than 1 degree: it is another arm, or the
+    /// parameters are meant in another way.
+    pub fn with_dh(&self, reply: &GetDhParamReply) -> Result<Self, DhMismatch> {
+        let (published, GetDhParamReply { alpha, a, d, joint_home_offset, .. }) = (&self.links, reply);
+        self.compare("alpha", alpha, &published.alpha, ANGLE)?;
+        self.compare("a", a, &published.a, LENGTH)?;
+        self.compare("d", d, &published.d, LENGTH)?;
+        self.compare("joint_home_offset", joint_home_offset, &published.joint_home_offset, ANGLE)?;
+        let links = Links { alpha: *alpha, a: *a, d: *d, joint_home_offset: *joint_home_offset };
+        let mut model = Self { links, ..self.clone() };
+        model.closed_form.links = self.closed_form.nearest_to(&links);
+        if model.closed_form.links != links {
+            model.closed_form.precision = Precision::FirstGuess;
+        }
+        Ok(model)
+    }
+
+    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions
+    /// that are not finite.
+    ///
+    /// ```
+    /// use jaka_motion::Model;
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let stretched = arm.singularity_distance([0.0, 60.0, 0.0, 30.0, -90.0, 0.0]);
+    /// assert!(stretched.elbow < 1e-9 && stretched.wrist > 0.9 && stretched.smallest_singular_value < 1e-9);
+    /// ```
+    pub fn singularity_distance(&self, joints: impl Into<JointPosition>) -> SingularityDistance {
+        let frames = self.links.frames(&joints.into().0);
+        let [shoulder, elbow, wrist] = self.distances(&frames);
+        let mut unitless = jacobian(&frames, &frames[5].translation.vector);
+        unitless.fixed_rows_mut::<3>(0).unscale_mut(self.reach_mm());
+        SingularityDistance { shoulder, elbow, wrist, smallest_singular_value: smallest_singular_value(&unitless) }
+    }
+
+    /// The joint positions that bring the flange to a pose in the arm's base, on the branch nearest to `reference`.
+    ///
+    /// Nearest is the least sum of squares over the six joints. A joint that may turn more than once takes the turn
+    /// nearest to the reference. Where the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the
+    /// reference's position. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a user
+    /// frame see [`Frames::flange`](crate::Frames::flange).
+    pub fn inverse(
+        &self,
+        flange: impl Into<Transform>,
+        reference: impl Into<JointPosition>,
+    ) -> Result<JointPosition, NoSolution> {
+        let target = flange.into().0;
+        let candidates = self.candidates(&target, &reference.into().0)?;
+        let mut confirmed = candidates.iter().filter_map(|joints| self.confirmed(joints, &target));
+        confirmed.next().ok_or(NoSolution::NotConfirmed)
+    }
+
+    /// The joint positions of every branch that bring the flange to a pose in the arm's base, as [`inverse`](Self::inverse)
+    /// finds them, the nearest to `reference` first.
+    ///
+    /// Where the wrist is singular any position of one joint would do, and there is a branch for the reference's alone.
+    pub fn inverse_all(
+        &self,
+        flange: impl Into<Transform>,
+        reference: impl Into<JointPosition>,
+    ) -> Result<Branches, NoSolution> {
+        let target = flange.into().0;
+        let candidates = self.candidates(&target, &reference.into().0)?;
+        let mut branches = Branches::default();
+        let confirmed = candidates.iter().filter_map(|joints| self.confirmed(joints, &target));
+        confirmed.for_each(|joints| branches.add(joints));
+        if branches.is_empty() { Err(NoSolution::NotConfirmed) } else { Ok(branches) }
+    }
+
+    /// Joint positions at which to ask a controller for `kine_forward` (section 4.46), which moves nothing, for
+    /// [`fit`](Self::fit): all joints differ, within the middle of their ranges.
+    pub fn positions_to_compare(&self) -> [JointPosition; 12] {
+        fit::positions_to_compare(self)
+    }
+
+    /// Compares the model with poses that the controller's `kine_forward` (section 4.46) answers for joint positions.
+    ///
+    /// The controller's poses are of its tool in its user frame, and follow its mounting, which no known query gives. So the two
+    /// constant transforms before and after the arm are found first, as those that fit all poses best. What these can
+    /// take up is not compared: the height of the base, the length of the flange, and the zeros of joints 1 and 6.
+    ///
+    /// ```
+    /// use jaka_motion::{Frames, Model, Tolerance};
+    /// use jaka_proto::messages::types::Pose;
+    ///
+    /// let arm = Model::named("Zu 7").expect("a published arm");
+    /// let tool = Pose::from_millimetres_degrees([10.0, 0.0, 150.0], [0.0, 30.0, 0.0]);
+    /// let frames = Frames::new().with_tool(tool);
+    /// // In place of what the controller answers:
+    /// let pairs = arm.positions_to_compare().map(|joints| (joints, frames.pose(arm.forward(joints))));
+    ///
+    /// let fit = arm.fit(&pairs, Tolerance::default())?;
+    /// assert!(fit.position_mm < 1e-6 && fit.frames.tool().distance_mm(&tool.into()) < 1e-6);
+    ///
+    /// let other = Model::named("Zu 5").expect("a published arm");
+    /// assert!(other.fit(&pairs, Tolerance::default()).is_err());
+    /// # Ok::<(), jaka_motion::FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The poses do not tell enough, or the model differs from them.
+    pub fn fit(&self, pairs: &[(JointPosition, Pose)], tolerance: Tolerance) -> Result<Fit, FitError> {
+        fit::fit(self, pairs, tolerance)
+    }
+
+    /// The range of each joint in degrees, or that of the catalogue where it is tighter.
+    pub(crate) fn tighter_range(&self) -> ([f64; 6], [f64; 6]) {
+        published::tighter_range(self.name).unwrap_or((self.joint_min, self.joint_max))
+    }
+
+    /// How far shoulder, elbow and wrist are from their singularities, for the frames of the joints.
+    pub(crate) fn distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
+        self.signed_distances(frames).map(f64::abs)
+    }
+
+    /// The distances, with another sign on each side of a singularity.
+    pub(crate) fn signed_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
+        let at = |index: usize| frames[index].translation.vector;
+        let axis = |index: usize| frames[index].rotation * Vector3::z();
+        // Joint 2 turns both in one plane, to which lengths along its axis do not count.
+        let in_plane = |bar: Vector3<f64>| bar - axis(1) * axis(1).dot(&bar);
+        let (upper_arm, forearm) = (in_plane(at(2) - at(1)), in_plane(at(3) - at(2)));
+        let (bend, turn) = (upper_arm.cross(&forearm), axis(3).cross(&axis(5)));
+        [
+            axis(0).cross(&axis(1)).dot(&(at(4) - at(0))) / self.reach_mm(),
+            bend.norm().copysign(bend.dot(&axis(1))) / (upper_arm.norm() * forearm.norm()),
+            turn.norm().copysign(turn.dot(&axis(4))),
+        ]
+    }
+
+    /// One damped Newton step: damping limits a joint that hardly moves the flange.
+    pub(crate) fn newton(&self, joints: &[f64; 6], target: &Isometry3<f64>, damping: f64) -> Option<[f64; 6]> {
+        let frames = self.links.frames(joints);
+        let mut jacobian = jacobian(&frames, &frames[5].translation.vector);
+        jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
+        let step = Damped::new(&jacobian, damping)?.turns(&off(&frames[5], target));
+        Some(std::array::from_fn(|index| joints[index] + step[index].to_degrees()))
+    }
+
     /// Whether the closed form is that of other links, so that its angles are improved step by step.
     fn is_calibrated(&self) -> bool {
         self.closed_form.precision == Precision::FirstGuess
+    }
+
+    fn compare(
+        &self,
+        parameter: &'static str,
+        found: &[f64; 6],
+        published: &[f64; 6],
+        most: f64,
+    ) -> Result<(), DhMismatch> {
+        // Not `>`: a number that is not one differs too.
+        let near = |index: &usize| (found[*index] - published[*index]).abs() <= most;
+        (0..6).find(|index| !near(index)).map_or(Ok(()), |index| {
+            let (found, published) = (found[index], published[index]);
+            Err(DhMismatch { model: self.name, parameter, joint: index + 1, found, published })
+        })
+    }
+
+    /// What the closed form says, in degrees and within the joints' ranges, nearest to the reference first.
+    fn candidates(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<UpToEight, NoSolution> {
+        if !target.to_homogeneous().iter().chain(reference).all(|number| number.is_finite()) {
+            return Err(NoSolution::NotFinite);
+        }
+        let distance = target.translation.vector.norm();
+        if distance > FAR {
+            return Err(NoSolution::OutOfReach { by_mm: distance });
+        }
+        let form = &self.closed_form;
+        let found = form.solve(target, &form.links.angles(reference));
+        let (mut candidates, mut beyond) = (UpToEight::new(), None::<(f64, NoSolution)>);
+        for angles in &found.angles {
+            let joints = form.links.positions(angles);
+            let joints = if self.is_calibrated() { self.refined(joints, target) } else { joints };
+            match self.nearest_turns(&joints, reference) {
+                Ok(joints) => candidates.push(joints),
+                Err(other) => beyond = Some(beyond.filter(|least| least.0 <= other.0).unwrap_or(other)),
+            }
+        }
+        if candidates.is_empty() {
+            let out_of_reach = NoSolution::OutOfReach { by_mm: found.short_mm };
+            return Err(beyond.map_or(out_of_reach, |(_, reason)| reason));
+        }
+        let distance = |joints: &[f64; 6]| -> f64 {
+            joints.iter().zip(reference).map(|(joint, reference)| (joint - reference).powi(2)).sum()
+        };
+        candidates.sort_unstable_by(|one, other| distance(one).total_cmp(&distance(other)));
+        Ok(candidates)
+    }
+
+    /// Each joint by as many full turns as bring it nearest to the reference, or by how much the joint that is furthest beyond its range is
+    /// beyond it, in degrees.
+    fn nearest_turns(&self, joints: &[f64; 6], reference: &[f64; 6]) -> Result<[f64; 6], (f64, NoSolution)> {
+        let (mut turned, mut furthest) = ([0.0; 6], None::<(f64, NoSolution)>);
+        for index in 0..6 {
+            match self.nearest_turn(index, joints[index], reference[index]) {
+                Ok(position) => turned[index] = position,
+                Err(other) => furthest = Some(furthest.filter(|beyond| beyond.0 >= other.0).unwrap_or(other)),
+            }
+        }
+        furthest.map_or(Ok(turned), Err)
+    }
+
+    fn nearest_turn(&self, index: usize, position: f64, reference: f64) -> Result<f64, (f64, NoSolution)> {
+        let (min, max) = (self.joint_min[index], self.joint_max[index]);
+        let lowest = min - ON_LIMIT + (position - min + ON_LIMIT).rem_euclid(360.0);
+        let from_reference = |position: &f64| (position - reference).abs();
+        std::iter::successors(Some(lowest), |position| Some(position + 360.0))
+            .take_while(|position| *position <= max + ON_LIMIT)
+            .min_by(|one, other| from_reference(one).total_cmp(&from_reference(other)))
+            .map(|position| position.clamp(min, max))
+            .ok_or_else(|| {
+                let beyond = |position_deg: f64, limit_deg: f64| {
+                    let reason = NoSolution::BeyondRange { joint: index + 1, position_deg, limit_deg };
+                    ((position_deg - limit_deg).abs(), reason)
+                };
+                let (above, below) = (beyond(lowest, max), beyond(lowest - 360.0, min));
+                if above.0 <= below.0 { above } else { below }
+            })
+    }
+
+    /// The joint positions, after Newton steps if rounding has left an error; none if they do not
+    /// bring the flange to the target.
+    fn confirmed(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> Option<JointPosition> {
+        let refined = self.refined(*joints, target);
+        let joints = if self.is_within_range(refined) { refined } else { *joints };
+        (self.error(&joints, target) < ACCEPTED).then_some(JointPosition(joints))
+    }
+
+    /// The joint positions after as many Newton steps as make the error smaller.
+    fn refined(&self, joints: [f64; 6], target: &Isometry3<f64>) -> [f64; 6] {
+        let (mut best, mut error, mut damping) = (joints, self.error(&joints, target), DAMPING);
+        for _ in 0..STEPS {
+            let Some(next) = (error >= EXACT).then(|| self.newton(&best, target, damping)).flatten() else { break };
+            let next_error = self.error(&next, target);
+            if next_error < error {
+                (best, error, damping) = (next, next_error, DAMPING);
+            } else {
+                // Too far for a straight step.
+                damping *= 100.0;
+            }
+        }
+        best
+    }
+
+    /// How far the flange is off.
+    fn error(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> f64 {
+        off(&self.links.flange(joints), target).norm()
     }
 }
 
@@ -119,6 +457,33 @@ impl Default for Model {
         PUBLISHED[0].clone()
     }
 }
+
+impl Point {
+    /// All points, in the order of their numbers.
+    pub(crate) const ALL: [Self; 3] = [Self::Tcp, Self::Elbow, Self::Wrist];
+
+    /// Index of the joint frame that has the point; that of the tool centre point but for the tool.
+    pub(crate) fn frame(self) -> usize {
+        match self {
+            Self::Tcp => 5,
+            Self::Elbow => 2,
+            Self::Wrist => 4,
+        }
+    }
+}
+
+impl fmt::Display for DhMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { model, parameter, joint, found, published } = self;
+        let unit = if matches!(*parameter, "a" | "d") { "mm" } else { "deg" };
+        write!(
+            f,
+            "DH parameter {parameter} of joint {joint} is {found} {unit}; that of the {model} is {published} {unit}"
+        )
+    }
+}
+
+impl std::error::Error for DhMismatch {}
 
 /// The letters and digits of a name in lower case, without the vendor's.
 fn plain(name: &str) -> String {

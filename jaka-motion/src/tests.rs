@@ -3,7 +3,6 @@
 #[cfg(feature = "generator")]
 mod braking;
 mod calibrated;
-mod captured;
 mod checker;
 mod conventions;
 mod differences;
@@ -14,10 +13,7 @@ mod generator;
 mod hostile;
 mod limits;
 mod overtravel;
-mod place;
-mod polish;
 mod round_trip;
-mod singular;
 mod trajectory;
 
 use jaka_proto::messages::types::Pose;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
-use super::piece_end::PieceEnd;
+use super::radii::PieceEnd;
 use super::radii::Radii;
 use super::solved::Solved;
 use crate::beyond::Exceeded;

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use super::arm::Arm;
-use super::piece_end::PieceEnd;
+use super::radii::PieceEnd;
 use super::radii::{Course, LEAST_STEP};
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]

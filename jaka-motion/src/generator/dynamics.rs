@@ -1,6 +1,6 @@
 //! How joints may move.
 
-use super::error::GeneratorError;
+use super::GeneratorError;
 use crate::braking::JointLimits;
 use crate::limits::Limits;
 

@@ -10,7 +10,7 @@
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
 //! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6 and on the Zu 18 -50 to 230
-//!   for joint 2 and 155 for joint 3. The models have those of the URDF, [`Model::tighter_range`] these.
+//!   for joint 2 and 155 for joint 3. The models have those of the URDF, [`tighter_range`] these.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
@@ -45,14 +45,12 @@ pub(super) static PUBLISHED: [Model; 20] = [
     MINICOBO,
 ];
 
-impl Model {
-    /// The range of each joint in degrees, or that of the catalogue where it is tighter.
-    pub(crate) fn tighter_range(&self) -> ([f64; 6], [f64; 6]) {
-        match self.name {
-            "Zu 12" => ([-270.0, -85.0, -175.0, -85.0, -270.0, -270.0], [270.0, 265.0, 175.0, 265.0, 270.0, 270.0]),
-            "Zu 18" => ([-270.0, -50.0, -155.0, -85.0, -270.0, -270.0], [270.0, 230.0, 155.0, 265.0, 270.0, 270.0]),
-            _ => (self.joint_min, self.joint_max),
-        }
+/// Ranges of the joints of an arm in degrees that the catalogue has tighter.
+pub(super) fn tighter_range(name: &str) -> Option<([f64; 6], [f64; 6])> {
+    match name {
+        "Zu 12" => Some(([-270.0, -85.0, -175.0, -85.0, -270.0, -270.0], [270.0, 265.0, 175.0, 265.0, 270.0, 270.0])),
+        "Zu 18" => Some(([-270.0, -50.0, -155.0, -85.0, -270.0, -270.0], [270.0, 230.0, 155.0, 265.0, 270.0, 270.0])),
+        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@ use super::leg::{Budget, Leg, Tolerances, Way};
 use super::line::Line;
 use super::plan::{Bounds, Corner, Passage, plan};
 use super::tool_way::{Course, ToolWay};
-use super::way_point::{Passing, WayPoint};
+use super::{Passing, WayPoint};
 use crate::beyond::{Exceeded, Way as Checked};
 use crate::checker::Checker;
 use crate::piece::{Piece, Sample};

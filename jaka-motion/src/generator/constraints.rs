@@ -1,0 +1,319 @@
+//! The limits of a generated motion, and how much of it they allow.
+
+use jaka_proto::messages::types::JointPosition;
+
+use super::dynamics::LEAST;
+use super::finite;
+use crate::beyond::{Beyond, Exceeded, Way};
+use crate::braking::{JointLimits, JointState, Stop};
+use crate::checker::Checker;
+use crate::pace::TcpVelocity;
+
+/// Limits of a generated motion: those of the arm, of its joints' dynamics, and of a tool that must be able to stop.
+///
+/// States are those of the last set-point.
+#[derive(Debug, Clone)]
+pub(super) struct Constraints {
+    pub(super) checker: Checker,
+    pub(super) limits: [JointLimits; 6],
+    pub(super) period_s: f64,
+    /// How far the tool may go on until the arm stops, in mm.
+    pub(super) stopping_mm: f64,
+}
+
+/// What the tool allows of rates of the joints.
+pub(super) struct ToolPace {
+    /// How much of the rates.
+    pub(super) share: f64,
+    /// Limits of the joints for that, in proportion to the rates, so that all joints do the same at a time: a straight
+    /// way stays straight.
+    pub(super) limits: [JointLimits; 6],
+    /// What allows no more, unless it is the reserve alone.
+    pub(super) exceeded: Option<Exceeded>,
+}
+
+/// Of what the tool may do, how much is planned: the rest is for how joints' speeds move it on the way.
+const PACE_USED: f64 = 0.9;
+/// How often the speed is cut for a stop that is too long, and to how much of it.
+const CUTS: u32 = 24;
+const CUT: f64 = 0.8;
+/// Of what the tool may do, how much is looked for: what is found is compared with all of it, more exactly.
+const STEP_USED: f64 = 0.98;
+/// How often the step towards the proposed states is halved at most. It is above 1e-10 then.
+const HALVINGS: f64 = 32.0;
+/// How often the count of halvings is bisected, which leaves an eighth of one.
+const BISECTIONS: u32 = 8;
+/// How many steps are compared with all limits, each a quarter of the one before.
+const TRIES: u32 = 3;
+/// Of the speeds, what is asked for at most.
+const VELOCITY_USED: f64 = 0.99;
+/// Of accelerations and jerks, what slowing in front of a limit counts on: the rest is for how the joints' speeds
+/// change on the tool's way.
+const COUNTED_ON: f64 = 0.5;
+/// In how many periods what is left of the way in front of a limit is done at most.
+const CREEP_PERIODS: f64 = 10.0;
+/// A joint is fast near a singularity where its distance is below this.
+const NEAR: f64 = 0.1;
+/// A share of the speeds below which the motion counts as slowed.
+const SLOWED: f64 = 0.98;
+
+impl Constraints {
+    /// Whether the arm may go to these states: what comes after them is the way to rest.
+    pub(super) fn check(&self, state: &[JointState; 6], next: &[JointState; 6]) -> Result<(), Exceeded> {
+        let stops = self.stops(next);
+        let last = positions(state);
+        let rested = is_at_rest(state).then_some(&last);
+        self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))
+    }
+
+    /// The ways to rest of the joints from these states.
+    pub(super) fn stops(&self, state: &[JointState; 6]) -> [Stop; 6] {
+        std::array::from_fn(|index| Stop::of(state[index], self.limits[index]))
+    }
+
+    /// The nearest joint positions within the joints' ranges.
+    pub(super) fn in_range(&self, target: JointPosition) -> [f64; 6] {
+        let limits = self.checker.limits();
+        std::array::from_fn(|index| target.0[index].clamp(limits.joint_min()[index], limits.joint_max()[index]))
+    }
+
+    /// The joint that rests at the end of its range, and is meant to go on.
+    pub(super) fn held_in_range(&self, state: &[JointState; 6], speeds: &[f64; 6]) -> Option<Exceeded> {
+        let limits = self.checker.limits();
+        (0..6).find_map(|index| {
+            let (speed, position_deg) = (speeds[index], state[index].position);
+            let limit_deg = if speed > 0.0 { limits.joint_max()[index] } else { limits.joint_min()[index] };
+            let is_slowed = state[index].speed.abs() < 0.99 * speed.abs();
+            let is_held = is_slowed && (limit_deg - position_deg).abs() < self.stopping_room(index);
+            is_held.then_some(Exceeded::LandingRange { joint: index + 1, end_deg: position_deg, limit_deg })
+        })
+    }
+
+    pub(super) fn speeds_beyond(&self, speeds: &[f64; 6]) -> Option<Exceeded> {
+        if !finite(*speeds) {
+            return Some(Exceeded::NotFinite);
+        }
+        let index = (0..6).find(|index| speeds[*index].abs() > self.limits[*index].speed)?;
+        let (speed_deg_s, limit_deg_s) = (speeds[index].abs(), self.limits[index].speed);
+        Some(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near: None })
+    }
+
+    pub(super) fn beyond(&self, exceeded: Exceeded) -> Beyond {
+        self.checker.beyond_of(Way::SetPoint, exceeded)
+    }
+
+    /// What the tool allows on the way to a target; none where it allows all speeds of the joints.
+    pub(super) fn tool_pace_to(&self, state: &[JointState; 6], target: &[f64; 6]) -> Option<ToolPace> {
+        let by: [f64; 6] = std::array::from_fn(|index| target[index] - state[index].position);
+        let seconds = (0..6).map(|index| by[index].abs() / self.limits[index].speed).fold(0.0, f64::max);
+        self.tool_pace(state, &by, 1.0 / seconds)
+    }
+
+    /// What the tool allows of these rates, of which the joints allow `most`; none where it is no less.
+    pub(super) fn tool_pace(&self, state: &[JointState; 6], rates: &[f64; 6], most: f64) -> Option<ToolPace> {
+        let limit_mm_s = self.checker.limits().tcp_speed()?;
+        let here = positions(state);
+        let rate_mm = self.checker.arm().tcp_rate(&here, rates);
+        let fast = most.min(PACE_USED * limit_mm_s / rate_mm);
+        let way_mm = |share: f64| self.way_to_rest(&here, rates, share, rate_mm);
+        let mut shares = (0..CUTS).scan(fast, |share, _| Some(std::mem::replace(share, CUT * *share)));
+        let share = shares.find(|share| way_mm(*share) <= PACE_USED * self.stopping_mm).unwrap_or(fast);
+        (share < most).then(|| {
+            let (speed_mm_s, way_mm, limit_mm) = (most * rate_mm, way_mm(most), self.stopping_mm);
+            let exceeded = match (speed_mm_s > limit_mm_s, way_mm > limit_mm) {
+                (true, _) => Some(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s }),
+                (false, true) => Some(Exceeded::LandingWay { way_mm, limit_mm }),
+                (false, false) => None,
+            };
+            ToolPace { share, limits: self.in_proportion(state, &rates.map(|rate| share * rate)), exceeded }
+        })
+    }
+
+    /// The states on the way from as fast as before, or from braking where that is too fast already, to the proposed
+    /// ones: about the furthest that the tool may get to.
+    ///
+    /// The jerks that lead there are means of those of both ends, and so are accelerations and speeds: they keep their
+    /// limits.
+    pub(super) fn slower(&self, state: &[JointState; 6], proposed: &[JointState; 6]) -> [JointState; 6] {
+        let coasted = self.coasted(state);
+        let base =
+            if self.may_be(state, &coasted) { coasted } else { self.stops(state).map(|stop| stop.at(self.period_s)) };
+        let after = |halvings: f64| {
+            let share = (-halvings).exp2();
+            std::array::from_fn(|index| base[index].towards(proposed[index], share))
+        };
+        let (mut least, mut most) = (0.0, HALVINGS);
+        for _ in 0..BISECTIONS {
+            let middle = f64::midpoint(least, most);
+            if self.seems_slow(state, &after(middle)) {
+                most = middle;
+            } else {
+                least = middle;
+            }
+        }
+        if most >= HALVINGS {
+            return base;
+        }
+        let mut tries = (0..TRIES).map(|tried| after(most + 2.0 * f64::from(tried)));
+        tries.find(|next| self.may_be(state, next)).unwrap_or(base)
+    }
+
+    /// How fast the joints should go, all scaled by one factor, and what made it less than 1.
+    pub(super) fn speeds_for(&self, state: &[JointState; 6], velocity: &TcpVelocity) -> ([f64; 6], Option<Exceeded>) {
+        let here = positions(state);
+        let twist = self.checker.twist_in_base(velocity, &here);
+        let (rates, distances) = self.checker.arm().rates(&here, &twist);
+        let near = self.checker.limits().clearance().nearest(&distances);
+        let Some(rates) = rates.filter(|rates| finite(*rates)) else { return ([0.0; 6], Some(near)) };
+        let (full, too_fast) = self.full_share(velocity, &rates, &near);
+        let room = self.checker.room_along(&here, &rates, self.length_to_stop(&rates, full));
+        let allowed = room.as_ref().map_or(full, |(length, _)| full.min(self.share_for(&rates, *length)));
+        let bound = if allowed < SLOWED * full { room.map(|(_, exceeded)| exceeded) } else { too_fast };
+        (rates.map(|rate| rate * allowed), bound)
+    }
+
+    pub(super) fn tcp_velocity_beyond(&self, velocity: &TcpVelocity) -> Option<Exceeded> {
+        if !finite(velocity.numbers()) {
+            return Some(Exceeded::NotFinite);
+        }
+        let (speed_mm_s, limit_mm_s) = (velocity.linear().norm(), self.checker.limits().tcp_speed()?);
+        (speed_mm_s > limit_mm_s).then_some(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s })
+    }
+
+    /// What a joint takes to stop from its full speed, in degrees.
+    fn stopping_room(&self, index: usize) -> f64 {
+        let fast = JointState { speed: self.limits[index].speed, ..JointState::default() };
+        Stop::of(fast, self.limits[index]).end()
+    }
+
+    /// How far the tool goes in a period at this share of the rates, and then until it rests, in mm; 0 where that does
+    /// not matter.
+    fn way_to_rest(&self, here: &[f64; 6], rates: &[f64; 6], share: f64, rate_mm: f64) -> f64 {
+        if self.stopping_mm.is_infinite() {
+            return 0.0;
+        }
+        let ends: [f64; 6] = std::array::from_fn(|index| {
+            let from = JointState { speed: share * rates[index], ..JointState::default() };
+            Stop::of(from, self.limits[index]).end()
+        });
+        share * rate_mm * self.period_s + self.checker.arm().tcp_rate(here, &ends)
+    }
+
+    /// Limits for these speeds, or those that the joints have.
+    fn in_proportion(&self, state: &[JointState; 6], speeds: &[f64; 6]) -> [JointLimits; 6] {
+        let speeds: [f64; 6] = std::array::from_fn(|index| {
+            let speed = speeds[index].abs().max(state[index].speed.abs()).max(LEAST);
+            speed.min(self.limits[index].speed)
+        });
+        let least = |of: fn(&JointLimits) -> f64, start: f64| {
+            self.limits.iter().zip(&speeds).map(|(limits, speed)| of(limits) / speed).fold(start, f64::min)
+        };
+        // As for all limits, none is reached in less than a period.
+        let faster = least(|limits| limits.acceleration, 1.0 / self.period_s);
+        let sooner = least(|limits| limits.jerk, faster / self.period_s);
+        speeds.map(|speed| JointLimits { speed, acceleration: faster * speed, jerk: sooner * speed })
+    }
+
+    /// As fast as before, with accelerations that go to zero together.
+    fn coasted(&self, state: &[JointState; 6]) -> [JointState; 6] {
+        let ramp_s = self.ramp_s(state);
+        state.map(|state| state.coasted(self.period_s, ramp_s))
+    }
+
+    /// In which time all accelerations can go to zero, in seconds.
+    fn ramp_s(&self, states: &[JointState; 6]) -> f64 {
+        let each = states.iter().zip(&self.limits).map(|(state, limits)| state.acceleration.abs() / limits.jerk);
+        each.fold(0.0, f64::max)
+    }
+
+    fn may_be(&self, state: &[JointState; 6], next: &[JointState; 6]) -> bool {
+        next.iter().zip(&self.limits).all(|(next, limits)| next.is_within(*limits)) && self.check(state, next).is_ok()
+    }
+
+    /// Whether the tool is slow enough, as far as a few places tell, on the way to these states and where it goes on as
+    /// fast from there, so that it can.
+    fn seems_slow(&self, state: &[JointState; 6], next: &[JointState; 6]) -> bool {
+        let ramp_s = self.ramp_s(next);
+        let settled = next.map(|state| state.coasted(ramp_s, ramp_s));
+        let stepped_mm = self.checker.arm().tcp_distance(&positions(state), &positions(next));
+        let rate = self.checker.arm().tcp_rate(&positions(&settled), &settled.map(|state| state.speed));
+        let fast_mm = stepped_mm.max(rate * self.period_s);
+        self.checker.limits().tcp_speed().is_none_or(|limit| fast_mm <= STEP_USED * limit * self.period_s)
+            && [(stepped_mm, next), (rate * self.period_s, &settled)].into_iter().all(|(stepped_mm, states)| {
+                self.stopping_mm.is_infinite() || stepped_mm + self.stop_mm(states) <= STEP_USED * self.stopping_mm
+            })
+    }
+
+    /// How far the tool gets from these states to rest, as the crow flies, in mm.
+    fn stop_mm(&self, from: &[JointState; 6]) -> f64 {
+        self.checker.arm().tcp_distance(&positions(from), &self.stops(from).map(|stop| stop.end()))
+    }
+
+    /// The share of the velocity that speeds allow, and what allows no more.
+    fn full_share(&self, velocity: &TcpVelocity, rates: &[f64; 6], near: &Exceeded) -> (f64, Option<Exceeded>) {
+        let share = |index: usize| VELOCITY_USED * self.limits[index].speed / rates[index].abs();
+        let least = (0..6).map(share).fold(1.0, f64::min);
+        let tcp_speed = self.checker.limits().tcp_speed().unwrap_or(f64::INFINITY);
+        let tcp = VELOCITY_USED * tcp_speed / velocity.linear().norm();
+        match (least < 1.0, tcp < least) {
+            (_, true) => (tcp, self.tcp_velocity_beyond(velocity)),
+            (true, false) => (least, Some(self.too_fast(rates, near))),
+            (false, false) => (1.0, None),
+        }
+    }
+
+    /// The joint that is the fastest compared with its limit, and the singularity that is near, if one is.
+    fn too_fast(&self, rates: &[f64; 6], near: &Exceeded) -> Exceeded {
+        let over = |index: usize| rates[index].abs() / self.limits[index].speed;
+        let index = (0..6).fold(0, |worst, index| if over(index) > over(worst) { index } else { worst });
+        let near = match near {
+            Exceeded::Singularity { which, distance, .. } if *distance < NEAR => Some(*which),
+            _ => None,
+        };
+        let (speed_deg_s, limit_deg_s) = (rates[index].abs(), self.limits[index].speed);
+        Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near }
+    }
+
+    /// How much of a second of these rates a stop takes, from a share of them.
+    fn length_to_stop(&self, rates: &[f64; 6], share: f64) -> f64 {
+        let (acceleration, jerk) = self.along(rates);
+        let stop = if share * jerk < acceleration * acceleration {
+            share * (share / jerk).sqrt()
+        } else {
+            0.5 * share * (share / acceleration + acceleration / jerk)
+        };
+        stop.max(share * CREEP_PERIODS * self.period_s)
+    }
+
+    /// The share of the rates from which a stop takes this length.
+    fn share_for(&self, rates: &[f64; 6], length: f64) -> f64 {
+        let (acceleration, jerk) = self.along(rates);
+        let ramp = acceleration / jerk;
+        let soft = (length * length * jerk).cbrt();
+        let share = if soft * jerk < acceleration * acceleration {
+            soft
+        } else {
+            0.5 * acceleration * ((ramp * ramp + 8.0 * length / acceleration).sqrt() - ramp)
+        };
+        share.min(length / CREEP_PERIODS / self.period_s)
+    }
+
+    /// The most acceleration and jerk along the rates, as shares of them.
+    fn along(&self, rates: &[f64; 6]) -> (f64, f64) {
+        let least = |of: fn(&JointLimits) -> f64| {
+            let share = |index: usize| COUNTED_ON * of(&self.limits[index]) / rates[index].abs();
+            (0..6).map(share).fold(f64::MAX, f64::min)
+        };
+        (least(|limits| limits.acceleration), least(|limits| limits.jerk))
+    }
+}
+
+/// Positions of the joints.
+pub(super) fn positions(state: &[JointState; 6]) -> [f64; 6] {
+    state.map(|state| state.position)
+}
+
+/// Whether no joint moves.
+pub(super) fn is_at_rest(state: &[JointState; 6]) -> bool {
+    state.iter().all(|state| *state == JointState::at_rest(state.position))
+}
