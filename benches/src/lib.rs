@@ -1,7 +1,7 @@
 //! What the benchmarks share.
 
 pub mod beginning;
-#[path = "../../jaka-cli/src/chart.rs"]
+#[path = "../../jaka-cli/src/plots/chart.rs"]
 mod chart;
 pub mod encode;
 pub mod follower;

@@ -1,5 +1,7 @@
 //! Why a command failed.
 
+pub(crate) mod command_line;
+
 use std::error::Error as StdError;
 use std::fmt;
 use std::io;
@@ -9,8 +11,6 @@ use itertools::Itertools as _;
 use jaka_robot::{Error, ErrorKind, Explanation, Refusal, Remedy, jaka_sync};
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
-
-use crate::command_line;
 
 /// Why a command failed.
 #[derive(Debug)]

@@ -8,7 +8,7 @@ use itertools::Itertools as _;
 use jaka_sim::{Builder, Controller};
 
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// The options that give the addresses.
 #[derive(Debug, Args)]

@@ -1,47 +1,19 @@
 //! The `jaka` command: see the crate's README.
 
-mod acting;
+mod arm;
 mod builtin;
-mod chart;
 mod choice;
-mod command_line;
 mod commands;
-mod condition;
-mod consent;
-mod console;
-mod csv;
-mod dashboard;
-mod event;
-mod exit;
 mod failure;
-mod fields;
-mod flags;
-mod going;
-mod interrupt;
-mod limits;
 mod listen;
-mod logging;
-mod motion;
-mod number;
-mod output;
-mod packed_status;
-mod packs;
-mod planned;
+mod packets;
 mod plots;
-mod proxy;
-mod question;
-mod raw;
-mod record;
-mod recorded;
-mod report;
-mod seat;
-mod seconds;
+mod recordings;
 mod target;
+mod terminal;
 #[cfg(test)]
 mod tests;
-mod units;
-mod utc;
-mod value_rows;
+mod text;
 mod words;
 
 use std::env::args_os;
@@ -50,8 +22,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::commands::Command;
-use crate::console::ConsoleArgs;
 use crate::failure::Failure;
+use crate::terminal::console::ConsoleArgs;
 
 /// What `jaka --help` says after the list of commands.
 const NOTES: &str = "\
@@ -114,18 +86,18 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    let caught = interrupt::begin();
-    logging::begin();
-    console::color(args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
+    let caught = arm::interrupt::begin();
+    terminal::logging::begin();
+    terminal::console::color(args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
     let result = caught.and_then(|()| run());
-    logging::finish();
-    result.map_or_else(|failure| exit::report(&failure), |()| ExitCode::SUCCESS)
+    terminal::logging::finish();
+    result.map_or_else(|failure| terminal::exit::report(&failure), |()| ExitCode::SUCCESS)
 }
 
 fn run() -> Result<(), Failure> {
     let cli = Cli::try_parse()?;
     cli.console.apply();
     let result = cli.command.run();
-    let recorded = record::finish();
+    let recorded = recordings::record::finish();
     result.and(recorded.map(drop))
 }

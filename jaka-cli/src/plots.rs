@@ -4,6 +4,7 @@
 
 mod calls;
 mod canvas;
+pub(crate) mod chart;
 mod histogram;
 mod series;
 mod strips;

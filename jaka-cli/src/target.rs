@@ -3,6 +3,8 @@
 mod address;
 mod config_file;
 mod environment;
+pub(crate) mod packs;
+pub(crate) mod seat;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -21,8 +23,8 @@ use self::address::RobotAddress;
 use self::environment::Environment;
 use crate::builtin;
 use crate::failure::Failure;
-use crate::record;
-use crate::seconds::some_seconds;
+use crate::recordings::record;
+use crate::text::seconds::some_seconds;
 
 /// How long connecting may take by default.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);

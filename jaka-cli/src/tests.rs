@@ -24,11 +24,12 @@ use jaka_tests::Arm;
 use jaka_tests::simulated::beside;
 use serde_json::Value;
 
+use crate::Cli;
 use crate::builtin::of_status;
-use crate::command_line::is_help;
 use crate::failure::Failure;
+use crate::failure::command_line::is_help;
 use crate::target::Target;
-use crate::{Cli, exit};
+use crate::terminal::exit;
 
 /// Handler of Ctrl-C, once a command has one.
 type Handler = Arc<Mutex<Option<Box<dyn FnMut() + Send>>>>;

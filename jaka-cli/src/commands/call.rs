@@ -22,10 +22,10 @@ use jaka_spec::{Command, Effect, Spec};
 
 use self::outline::Outline;
 use self::parser::Parser;
-use crate::command_line;
 use crate::failure::Failure;
-use crate::output;
-use crate::packs::Protocol;
+use crate::failure::command_line;
+use crate::target::packs::Protocol;
+use crate::terminal::output;
 
 pub(crate) use self::parser::{all, page};
 pub(crate) use self::reply::json as reply_json;

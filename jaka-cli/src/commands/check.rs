@@ -7,11 +7,13 @@ use jaka_motion::{Limits, Model};
 use jaka_robot::preflight::{Finding, Preflight, Verdict};
 use serde_json::{Value, json};
 
+use crate::arm::limits;
 use crate::failure::Failure;
-use crate::packed_status::PackedStatus;
-use crate::packs::SpecArgs;
+use crate::packets::packed_status::PackedStatus;
+use crate::target::packs::SpecArgs;
+use crate::target::seat;
 use crate::target::{RobotArgs, model};
-use crate::{exit, limits, output, seat};
+use crate::terminal::{exit, output};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -5,11 +5,11 @@ use std::time::Duration;
 use clap::Args;
 use jaka_sync::collision::ClearError;
 
-use crate::acting::{ActArgs, intent};
+use crate::arm::acting::{ActArgs, intent};
 use crate::failure::Failure;
-use crate::output;
-use crate::packed_status::PackedStatus;
+use crate::packets::packed_status::PackedStatus;
 use crate::target::Target;
+use crate::terminal::output;
 
 /// How long it may take by default.
 const PATIENCE: Duration = Duration::from_secs(15);

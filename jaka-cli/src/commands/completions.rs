@@ -9,7 +9,7 @@ use jaka_sync::proto::text::visible;
 
 use self::completion::{Completion, complete};
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// Print the completion script of a shell
 ///

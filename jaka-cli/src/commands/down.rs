@@ -4,9 +4,9 @@ use clap::Args;
 use jaka_sync::power::{DisableRobot, PowerOff};
 
 use super::up::PATIENCE;
-use crate::acting::{ActArgs, intent};
+use crate::arm::acting::{ActArgs, intent};
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// Disable the arm and switch its power off, each step when the one before is done
 ///

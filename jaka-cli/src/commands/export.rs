@@ -12,12 +12,13 @@ use serde_json::{Map, Value};
 use self::columns::{Columns, seconds};
 use crate::builtin::of_status;
 use crate::failure::Failure;
-use crate::fields::Field;
-use crate::number::count;
-use crate::output;
-use crate::packs::SpecArgs;
-use crate::recorded::{self, RecordedArgs, packets};
+use crate::packets::fields::Field;
+use crate::recordings::recorded;
+use crate::recordings::recorded::{RecordedArgs, packets};
 use crate::target::Lookup;
+use crate::target::packs::SpecArgs;
+use crate::terminal::output;
+use crate::text::number::count;
 
 const EXAMPLES: &str = "\
 Examples:

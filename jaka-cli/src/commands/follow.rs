@@ -12,10 +12,11 @@ use jaka_motion::{Checker, Frames, Limits, TimedPoint, Trajectory};
 use jaka_robot::FollowConfig;
 
 use self::report::Peaks;
-use crate::acting::ActArgs;
+use crate::arm::acting::ActArgs;
+use crate::arm::limits::LimitsArgs;
 use crate::failure::Failure;
-use crate::limits::LimitsArgs;
-use crate::{output, packs};
+use crate::target::packs;
+use crate::terminal::output;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -12,7 +12,9 @@ use clap::Args;
 use self::measured::{Lateness, Measured, RoundTrip};
 use crate::failure::Failure;
 use crate::target::AddressArgs;
-use crate::{output, seat, seconds};
+use crate::target::seat;
+use crate::terminal::output;
+use crate::text::seconds;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -4,9 +4,9 @@ use std::str::FromStr;
 
 use clap::Args;
 
+use crate::arm::going::GoArgs;
+use crate::arm::planned::Goal;
 use crate::failure::Failure;
-use crate::going::GoArgs;
-use crate::planned::Goal;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -8,7 +8,7 @@ use clap_mangen::Man as Page;
 
 use super::call;
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// Write the pages of the manual, one for each command
 ///

@@ -1,5 +1,7 @@
 //! `jaka monitor`: a live dashboard in the terminal.
 
+pub(crate) mod dashboard;
+
 use std::io::{self, IsTerminal, stderr, stdin, stdout};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,12 +12,12 @@ use jaka_sync::Reconnect;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event};
 
-use crate::dashboard::{AfterKey, Feed, View, draw};
+use crate::arm::interrupt::on_interrupt;
+use crate::commands::monitor::dashboard::{AfterKey, Feed, View, draw};
 use crate::failure::Failure;
-use crate::interrupt::on_interrupt;
-use crate::logging;
-use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
+use crate::target::packs::SpecArgs;
+use crate::terminal::logging;
 
 /// The interval at which the screen is drawn; each key draws it, too.
 const TICK: Duration = Duration::from_millis(100);

@@ -2,9 +2,9 @@
 
 use clap::{ArgGroup, Args};
 
+use crate::arm::going::GoArgs;
+use crate::arm::planned::Goal;
 use crate::failure::Failure;
-use crate::going::GoArgs;
-use crate::planned::Goal;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -18,9 +18,10 @@ use jaka_spec::Spec;
 use self::finding::Findings;
 use self::progress::Progress;
 use crate::failure::Failure;
-use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
-use crate::{output, seat};
+use crate::target::packs::SpecArgs;
+use crate::target::seat;
+use crate::terminal::output;
 
 /// Send a controller every query of the protocol, and report where its answers depart from the spec.
 ///

@@ -1,5 +1,7 @@
 //! `jaka record`: a robot's session in a file.
 
+pub(crate) mod proxy;
+
 use std::net::IpAddr;
 use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -10,12 +12,14 @@ use clap::{ArgGroup, Args};
 use jaka_sync::recording::Port;
 use jaka_sync::{ErrorKind, Recorder, RecorderReport, StatusSampling, StatusStream};
 
+use crate::arm::interrupt::on_interrupt;
+use crate::commands::record::proxy::{ProxyPort, RecordingQueue};
 use crate::failure::Failure;
-use crate::interrupt::on_interrupt;
-use crate::proxy::{ProxyPort, RecordingQueue};
-use crate::seconds::some_seconds;
+use crate::listen;
+use crate::recordings::record;
 use crate::target::{AddressArgs, Target};
-use crate::{listen, output, record};
+use crate::terminal::output;
+use crate::text::seconds::some_seconds;
 
 /// Record a session to a new file, until it is interrupted.
 ///

@@ -12,12 +12,13 @@ use clap::Args;
 use jaka_sim::{Controller, Replay as Mode, ReplayTiming};
 
 use self::filter::FilterArgs;
+use crate::arm::interrupt::on_interrupt;
 use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
-use crate::interrupt::on_interrupt;
 use crate::listen::ListenArgs;
-use crate::number::count;
-use crate::{output, recorded};
+use crate::recordings::recorded;
+use crate::terminal::output;
+use crate::text::number::count;
 
 /// The interval at which Ctrl-C is checked.
 const TICK: Duration = Duration::from_millis(100);

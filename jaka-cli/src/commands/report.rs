@@ -1,12 +1,20 @@
-//! `jaka report`: a recording as a page with pictures.
+//! `jaka report`: a recording as a page with pictures. `session` reads it, `pictures` draws, `page` writes HTML.
+
+mod page;
+mod pictures;
+mod session;
 
 use clap::Args;
+use jaka_sync::recording::Recording;
 
+use self::page::Page;
+use self::session::Session;
 use crate::failure::Failure;
-use crate::packs::SpecArgs;
-use crate::recorded::{self, RecordedArgs};
-use crate::report;
+use crate::recordings::recorded;
+use crate::recordings::recorded::RecordedArgs;
 use crate::target::Lookup;
+use crate::target::packs::SpecArgs;
+use crate::text::number::count;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -31,9 +39,28 @@ impl Report {
         self.spec.load(Lookup::default())?.read_status();
         let recording = recorded::read(&self.recorded.file)?;
         let name = self.recorded.file.file_name().unwrap_or_default().to_string_lossy();
-        let page = report::page(&name, &recording)?;
+        let page = page_of(&name, &recording)?;
         let mut out = self.recorded.create()?;
         out.write(&page)?;
         out.finish()
     }
+}
+
+/// Page of a recording of this name: HTML without scripts, which refers to nothing outside of itself.
+fn page_of(name: &str, recording: &Recording) -> Result<String, Failure> {
+    let session = Session::read(recording);
+    let mut page = Page::new(name);
+    page.section("summary", "Summary", &page::facts(&session));
+    page.section("problems", "What went wrong", &page::problems(&session));
+    for (id, title, html) in pictures::sections(&session)? {
+        page.section(id, title, &html);
+    }
+    page.section("commands", "Commands", &page::commands(&session));
+    page.section("list", "List of events", &page::events(&session));
+    Ok(page.end())
+}
+
+/// So many, and how many more there are than are shown.
+fn more(all: usize, shown: usize, noun: &str) -> Option<String> {
+    (all > shown).then(|| format!("{} of {} are shown.", shown, count(all, noun)))
 }

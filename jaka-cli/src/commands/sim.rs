@@ -15,14 +15,14 @@ use itertools::Itertools as _;
 use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Scheduled, Takeover, Trip, Underrun};
 use ratatui::crossterm::event::KeyEvent;
 
+use crate::arm::interrupt::end_on_interrupt;
 use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
-use crate::interrupt::end_on_interrupt;
 use crate::listen::ListenArgs;
-use crate::packs::SpecArgs;
 use crate::target::Lookup;
 use crate::target::model;
-use crate::{logging, output};
+use crate::target::packs::SpecArgs;
+use crate::terminal::{logging, output};
 
 /// Run a simulated controller until it is interrupted.
 ///

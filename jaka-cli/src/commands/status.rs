@@ -17,17 +17,17 @@ use self::lines::Columns;
 use self::packets::{Due, Overdue, Packets};
 use self::table::StatusTable;
 use self::until::{POLL, Until};
-use crate::condition::Condition;
-use crate::exit;
+use crate::arm::interrupt::end_on_interrupt;
 use crate::failure::Failure;
-use crate::fields::Field;
-use crate::interrupt::end_on_interrupt;
-use crate::output;
-use crate::packs::SpecArgs;
-use crate::seconds::seconds;
+use crate::packets::condition::Condition;
+use crate::packets::fields::Field;
 use crate::target::RobotArgs;
+use crate::target::packs::SpecArgs;
+use crate::terminal::exit;
+use crate::terminal::output;
 #[cfg(test)]
 use crate::tests::now;
+use crate::text::seconds::seconds;
 
 /// Print the robot's state, once or repeatedly.
 ///

@@ -3,10 +3,10 @@
 use clap::Args;
 use jaka_sync::program::StopProgram;
 
-use crate::acting::Act;
+use crate::arm::acting::Act;
 use crate::failure::Failure;
-use crate::output;
 use crate::target::{RobotArgs, Target};
+use crate::terminal::output;
 
 /// Stop the motion or the program that is running; sent without a question
 ///

@@ -7,9 +7,9 @@ use jaka_robot::PowerStep;
 use jaka_robot::power::{EnableRobot, PowerOn};
 use jaka_robot::proto::Command;
 
-use crate::acting::{ActArgs, intent};
+use crate::arm::acting::{ActArgs, intent};
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// How long it may take by default.
 pub(super) const PATIENCE: Duration = Duration::from_secs(60);

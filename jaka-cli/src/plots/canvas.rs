@@ -6,9 +6,9 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::chart;
-pub(super) use crate::chart::{Chart, Drawn, FINE};
 use crate::failure::Failure;
+use crate::plots::chart;
+pub(super) use crate::plots::chart::{Chart, Drawn, FINE};
 
 /// Width of a picture over time, in pixels.
 pub(super) const WIDTH: u32 = 1000;
@@ -60,7 +60,7 @@ pub(super) fn label(number: f64, length: f64) -> String {
         _ if length < 10.0 => 1,
         _ => 0,
     };
-    crate::number::fixed(number, decimals)
+    crate::text::number::fixed(number, decimals)
 }
 
 /// What the numbers of an axis say.

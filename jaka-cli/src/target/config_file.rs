@@ -9,7 +9,7 @@ use std::time::Duration;
 use serde::Deserialize;
 
 use crate::failure::Failure;
-use crate::seconds;
+use crate::text::seconds;
 
 /// What a config file says. Keys it does not know are errors.
 #[derive(Debug, Default, PartialEq, Deserialize)]

@@ -9,20 +9,20 @@ use jaka_tests::spec;
 /// Files that name commands other than by a typed call, with the reason.
 const NAMED: &[(&str, &str, &str)] = &[
     (
-        "jaka-cli/src/acting.rs",
+        "jaka-cli/src/arm/acting.rs",
         "get_joint_pos get_robot_state get_tcp_pos is_in_servomove",
         "the queries that a robot sends by itself, which a pack must not change",
     ),
     ("jaka-cli/src/commands/jitter/report.rs", "get_joint_pos", "the query that it has sent, for the report"),
     ("jaka-cli/src/commands/probe/finding.rs", "get_version", "the reply that names the firmware"),
     ("jaka-cli/src/commands/up.rs", "power_on", "the step that the progress is about"),
-    ("jaka-cli/src/dashboard/keys.rs", "quit", "a word of the help for keys"),
+    ("jaka-cli/src/commands/monitor/dashboard/keys.rs", "quit", "a word of the help for keys"),
     (
-        "jaka-cli/src/report/session/lateness.rs",
+        "jaka-cli/src/commands/report/session/lateness.rs",
         "servo_j servo_move servo_p",
         "typed set-points with their step counts",
     ),
-    ("jaka-cli/src/report/session/packets.rs", "drag_status", "a key of the status packet"),
+    ("jaka-cli/src/commands/report/session/packets.rs", "drag_status", "a key of the status packet"),
     ("jaka-robot/src/arm/position.rs", "get_joint_pos get_tcp_pos", "the queries that it sends"),
     ("jaka-robot/src/guard/set_points.rs", "servo_j", "the command of the set-points, for an error"),
     ("jaka-robot/src/limits.rs", "kine_forward servo_j servo_move servo_p", "the commands that it sends, for errors"),

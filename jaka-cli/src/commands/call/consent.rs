@@ -6,12 +6,12 @@ use serde_json::Value;
 use super::options::Options;
 use super::reply;
 use super::request::Request;
+use crate::arm::consent;
 use crate::builtin;
-use crate::consent;
 use crate::failure::Failure;
-use crate::output;
-use crate::packs::Protocol;
-use crate::seat;
+use crate::target::packs::Protocol;
+use crate::target::seat;
+use crate::terminal::output;
 
 /// Makes sure that the user wants the request to be sent to the robot of this title.
 ///

@@ -11,13 +11,14 @@ use super::forms::{self, FirmwareForms};
 use super::options::{Keys, Options};
 use super::request::Request;
 use super::{consent, reply, wait};
+use crate::arm::interrupt::{Stage, UnderWay};
+use crate::arm::motion;
+use crate::arm::motion::Form;
 use crate::failure::Failure;
-use crate::interrupt::{Stage, UnderWay};
-use crate::motion::{self, Form};
-use crate::output;
-use crate::packed_status::{PackedRobot, PackedStatus};
-use crate::packs::Protocol;
+use crate::packets::packed_status::{PackedRobot, PackedStatus};
 use crate::target::Target;
+use crate::target::packs::Protocol;
+use crate::terminal::output;
 
 /// Sends the request and prints the reply; with `--dry-run`, prints the bytes alone.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {

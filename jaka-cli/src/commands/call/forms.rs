@@ -8,7 +8,7 @@ use jaka_sync::{Client, Error, ErrorKind};
 
 use super::request::Request;
 use crate::failure::Failure;
-use crate::packs::Protocol;
+use crate::target::packs::Protocol;
 
 /// Forms of the firmware, where the protocol has several: the controller is asked for its version before the first
 /// request that needs them, and never before another, such as a stop.

@@ -9,9 +9,9 @@ use jaka_spec::words::{first_sentence, requirements};
 use jaka_spec::{Command, Reply, Request, Spec, Topic};
 use jaka_sync::proto::text::{visible, visible_lines};
 
-use crate::consent::effect;
+use crate::arm::consent::effect;
 use crate::failure::Failure;
-use crate::output;
+use crate::terminal::output;
 
 /// What a command does, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {

@@ -12,12 +12,14 @@ use super::forms::FirmwareForms;
 use super::options::Options;
 use super::request::Request;
 use super::{consent, exchange, reply, request, wait};
-use crate::exit;
+use crate::arm::interrupt::{Stage, UnderWay};
+use crate::arm::motion;
 use crate::failure::{Failure, chain};
-use crate::interrupt::{Stage, UnderWay};
-use crate::packs::Protocol;
 use crate::target::Target;
-use crate::{motion, output, seat};
+use crate::target::packs::Protocol;
+use crate::target::seat;
+use crate::terminal::exit;
+use crate::terminal::output;
 
 /// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go
 /// on.

@@ -4,9 +4,9 @@ use clap::{Args, ValueEnum};
 use jaka_dynamic::AdvisoryRanges;
 
 use crate::choice::{Choice, one_of};
-use crate::console::ConsoleArgs;
-use crate::packs::SpecArgs;
 use crate::target::RobotArgs;
+use crate::target::packs::SpecArgs;
+use crate::terminal::console::ConsoleArgs;
 
 /// The options that every command has.
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::parser;
 use crate::failure::Failure;
-use crate::packs::{Protocol, SpecArgs};
 use crate::target::Lookup;
+use crate::target::packs::{Protocol, SpecArgs};
 use crate::words::Words;
 
 /// Command, packs and rest of a line.

@@ -7,10 +7,10 @@ use jaka_sync::proto::text::visible;
 use jaka_sync::proto::wire::{Decode, Reader};
 use serde_json::Value;
 
-use crate::fields::{leaf_text, plain};
-use crate::number::fixed;
-use crate::output;
-use crate::value_rows::Row;
+use crate::packets::fields::{leaf_text, plain};
+use crate::packets::value_rows::Row;
+use crate::terminal::output;
+use crate::text::number::fixed;
 
 /// A reply's JSON; its text as a JSON string where it is not JSON, as a bare Python tuple, or where a key comes twice.
 pub(crate) fn json(text: &str) -> Value {

@@ -7,9 +7,9 @@ use jaka_spec::{COMMAND_NAME, Command, Effect, Spec};
 use serde_json::{Map, Value};
 
 use super::parser::CommandLine;
-pub(super) use crate::consent::Intent as Request;
+pub(super) use crate::arm::consent::Intent as Request;
+use crate::arm::units::other_unit;
 use crate::failure::Failure;
-use crate::units::other_unit;
 
 /// The request that a line asks for; none if it names no command.
 ///

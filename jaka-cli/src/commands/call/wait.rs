@@ -6,7 +6,7 @@ use jaka_spec::words;
 use super::request::Request;
 use crate::builtin;
 use crate::failure::Failure;
-use crate::packs::Protocol;
+use crate::target::packs::Protocol;
 
 /// The motion that the request asks for, if its end can be waited for; `text` is sent.
 ///

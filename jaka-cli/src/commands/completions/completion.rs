@@ -7,10 +7,11 @@ use std::ffi::OsString;
 use clap::{Arg, ArgAction, Command, CommandFactory, ValueHint};
 use jaka_spec::words::first_sentence;
 
+use crate::Cli;
 use crate::builtin;
 use crate::commands::{all_of_call, protocol_of};
+use crate::terminal::output;
 use crate::words::{LastWord, Words};
-use crate::{Cli, output};
 
 /// What the word at the cursor can become.
 #[derive(Debug, PartialEq)]

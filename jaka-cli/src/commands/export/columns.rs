@@ -7,8 +7,8 @@ use jaka_dynamic::Node;
 use jaka_robot::proto::text::visible_json;
 use serde_json::Value;
 
-use crate::csv::{cell, row};
-use crate::fields::Field;
+use crate::packets::fields::Field;
+use crate::text::csv::{cell, row};
 
 /// The columns before those of the fields, with their units.
 const FIRST: [&str; 3] = ["time (s)", "unix_time (s)", "connection"];

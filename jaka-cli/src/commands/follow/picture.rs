@@ -11,7 +11,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::report::tool_at;
-use crate::chart::{self, Drawn, TEXT};
+use crate::plots::chart;
+use crate::plots::chart::{Drawn, TEXT};
 use crate::plots::{View, draw_way};
 
 /// Width and height in pixels: three panels over time, and below them two views of the tool's way.

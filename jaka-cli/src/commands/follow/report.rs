@@ -7,8 +7,8 @@ use jaka_robot::{Cause, End, FollowLag};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
-use crate::number::{fixed, milliseconds, seconds};
-use crate::output;
+use crate::terminal::output;
+use crate::text::number::{fixed, milliseconds, seconds};
 
 /// In which steps peaks are searched, in seconds, and how many steps are made at most.
 const STEP_S: f64 = 0.001;

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::measured::{Lateness, Measured, PRIORITY, RoundTrip, SPIN, Waits};
-use crate::number::count;
+use crate::text::number::count;
 
 /// The period of a servo session.
 const PERIOD: Duration = Duration::from_millis(8);

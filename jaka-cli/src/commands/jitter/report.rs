@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::advice;
 use super::measured::{Measured, PRIORITY, SPIN, Times, micros};
-use crate::number::fixed;
+use crate::text::number::fixed;
 
 /// One way of waiting: its times, or why there are none.
 struct Row<'m> {

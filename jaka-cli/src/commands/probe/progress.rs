@@ -4,8 +4,8 @@ use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::interrupt::on_first_interrupt;
-use crate::output;
+use crate::arm::interrupt::on_first_interrupt;
+use crate::terminal::output;
 
 /// How far a probe has come: shown on a terminal, until Ctrl-C.
 #[derive(Debug)]

@@ -10,8 +10,8 @@ use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
 use crate::builtin;
 use crate::choice::{Choice, one_of};
-use crate::output;
-use crate::recorded::command_of;
+use crate::recordings::recorded::command_of;
+use crate::terminal::output;
 
 /// The options that select entries.
 #[derive(Debug, Args)]

@@ -9,10 +9,10 @@ use jaka_sync::recording::{Answer, Answered, Entry, Event, Port, Recording};
 
 use super::filter::Filter;
 use crate::failure::Failure;
-use crate::number::count;
-use crate::output;
-use crate::recorded::{command_of, excerpt, missing, refusal_of};
-use crate::utc;
+use crate::recordings::recorded::{command_of, excerpt, missing, refusal_of};
+use crate::terminal::output;
+use crate::text::number::count;
+use crate::text::utc;
 
 /// How many characters of a message are shown.
 const SHOWN: usize = 160;

@@ -9,8 +9,9 @@ use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, Ke
 
 use super::Typed;
 use crate::failure::Failure;
-use crate::output;
-use crate::raw::{self, Raw};
+use crate::terminal::output;
+use crate::terminal::raw;
+use crate::terminal::raw::Raw;
 
 /// Keys from the first to the last, and what they have happen, by their number from 0: this, and where it has happened,
 /// the opposite.

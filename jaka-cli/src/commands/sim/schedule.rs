@@ -9,9 +9,9 @@ use jaka_sim::{Controller, Scheduled};
 
 use super::Typed;
 use super::keys::{self, Effect};
+use crate::arm::interrupt::end_whole;
 use crate::failure::Failure;
-use crate::interrupt::end_whole;
-use crate::output;
+use crate::terminal::output;
 
 /// How often it is checked whether something is due.
 const TICK: Duration = Duration::from_millis(10);

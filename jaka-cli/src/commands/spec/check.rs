@@ -8,8 +8,9 @@ use jaka_spec::{Command, Error, Errors, Source, Spec, tools};
 use super::files;
 use crate::builtin;
 use crate::failure::Failure;
-use crate::number::count;
-use crate::{output, packs};
+use crate::target::packs;
+use crate::terminal::output;
+use crate::text::number::count;
 
 /// Check packs, or a whole spec, and say what they add and change.
 ///

@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 
 use super::files;
 use crate::failure::Failure;
-use crate::{exit, output, packs};
+use crate::target::packs;
+use crate::terminal::{exit, output};
 
 /// Compare two specs, and say what each change means for Rust programs.
 ///

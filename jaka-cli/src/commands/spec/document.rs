@@ -10,9 +10,9 @@ use jaka_sync::proto::text::visible_lines;
 
 use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
-use crate::output;
-use crate::packs::SpecArgs;
 use crate::target::Lookup;
+use crate::target::packs::SpecArgs;
+use crate::terminal::output;
 
 /// Write the protocol's reference, in Markdown.
 #[derive(Debug, Args)]

@@ -7,7 +7,7 @@ use jaka_spec::{BUILTIN, Source, Spec};
 
 use crate::builtin;
 use crate::failure::Failure;
-use crate::packs;
+use crate::target::packs;
 
 /// What stands for the built-in spec on a command line.
 const BUILTIN_NAME: &str = "builtin";

@@ -6,9 +6,9 @@ use jaka_sync::proto::text::visible_json;
 use serde_json::Value;
 
 use super::packets::Packet;
-use crate::csv::{cell, row};
-use crate::event;
-use crate::fields::Field;
+use crate::packets::event;
+use crate::packets::fields::Field;
+use crate::text::csv::{cell, row};
 
 /// The columns: those of the first packet, since there is only one header.
 #[derive(Debug)]

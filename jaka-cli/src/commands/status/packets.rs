@@ -10,10 +10,10 @@ use jaka_sync::{Config, Error, ErrorKind, StatusStream};
 use super::now;
 use super::until::Until;
 use crate::failure::Failure;
-use crate::number::seconds;
-use crate::output;
-use crate::packed_status::PackedStatus;
-use crate::utc;
+use crate::packets::packed_status::PackedStatus;
+use crate::terminal::output;
+use crate::text::number::seconds;
+use crate::text::utc;
 
 /// A packet, ready to be printed.
 #[derive(Debug)]

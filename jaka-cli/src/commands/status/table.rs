@@ -6,10 +6,11 @@ use std::time::Duration;
 use jaka_dynamic::Node;
 
 use super::packets::{Overdue, Packet};
-use crate::fields::Field;
-use crate::output::{self, ABSENT};
-use crate::utc;
-use crate::value_rows::value_rows;
+use crate::packets::fields::Field;
+use crate::packets::value_rows::value_rows;
+use crate::terminal::output;
+use crate::terminal::output::ABSENT;
+use crate::text::utc;
 
 /// A table of these fields.
 #[derive(Debug)]

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use jaka_dynamic::Node;
 
 use super::now;
-use crate::condition::Condition;
 use crate::failure::Failure;
+use crate::packets::condition::Condition;
 
 /// How often it is checked whether the time is over while no packet comes.
 pub(super) const POLL: Duration = Duration::from_millis(100);

@@ -11,9 +11,10 @@ use jaka_spec::words::first_sentence;
 use jaka_sync::recording::Recording;
 
 use super::Candidate;
-use crate::fields::Field;
+use crate::packets::fields::Field;
+use crate::recordings::recorded;
 use crate::words::Words;
-use crate::{builtin, recorded, target};
+use crate::{builtin, target};
 
 /// How much of a recording is read for the fields of its packets, in bytes.
 const GLANCE: u64 = 1 << 20;

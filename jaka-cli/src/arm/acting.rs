@@ -1,0 +1,250 @@
+//! The commands that do one thing to a robot, each with a question before.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use jaka_dynamic::{Message, Translation};
+use jaka_motion::{Limits, Trajectory};
+use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
+use jaka_robot::power::GetRobotState;
+use jaka_robot::proto::Command;
+use jaka_robot::servo::IsInServomove;
+use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
+use jaka_spec::{Effect, Role, Spec};
+
+use crate::arm::consent;
+use crate::arm::consent::Intent;
+use crate::arm::interrupt::{Stage, UnderWay};
+use crate::arm::motion;
+use crate::arm::motion::Form;
+use crate::builtin;
+use crate::failure::Failure;
+use crate::packets::packed_status::PackedRobot;
+use crate::target::packs::{Protocol, SpecArgs};
+use crate::target::{RobotArgs, Target};
+
+/// The options of a command that does one thing to a robot.
+#[derive(Debug, Args)]
+pub(crate) struct ActArgs {
+    /// Send without asking
+    #[arg(long, short)]
+    yes: bool,
+    #[command(flatten)]
+    spec: SpecArgs,
+    #[command(flatten)]
+    robot: RobotArgs,
+}
+
+/// A robot to which something is done. Ctrl-C is handled from when there is one.
+#[derive(Debug)]
+pub(crate) struct Act {
+    target: Target,
+    under_way: UnderWay,
+}
+
+impl ActArgs {
+    /// Makes sure that the user wants the arm to do this, such as "lose its power", for which these requests are sent
+    /// where they are needed. Connects to nothing yet.
+    pub(crate) fn begin(&self, what: &str, intents: &[Intent<'_>]) -> Result<Act, Failure> {
+        self.begin_told(intents, |_| Ok(what.to_owned()))
+    }
+
+    /// The same, where the status port may be asked first: it disturbs nobody.
+    pub(crate) fn begin_told(
+        &self,
+        intents: &[Intent<'_>],
+        what: impl FnOnce(&Target) -> Result<String, Failure>,
+    ) -> Result<Act, Failure> {
+        let protocol = self.protocol()?;
+        must_be_as_built_in(&protocol.spec, intents)?;
+        let act = Act::begin(&self.robot, &protocol.packs)?;
+        if !self.yes && !self.robot.is_simulated() {
+            consent::must_be_askable(intents)?;
+            consent::obtain_act(&what(&act.target)?, intents, act.target.title())?;
+        }
+        Ok(act)
+    }
+
+    /// The robot, if the line names one.
+    pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
+        if self.robot.is_given() { self.robot.target(&self.protocol()?.packs).map(Some) } else { Ok(None) }
+    }
+
+    /// The protocol with the packs of the line, by which status packets are read from now on.
+    fn protocol(&self) -> Result<Protocol, Failure> {
+        let protocol = self.spec.load(self.robot.lookup())?;
+        protocol.read_status();
+        Ok(protocol)
+    }
+}
+
+/// Fails where packs change what is sent here, or what a robot asks for meanwhile: it goes out as it is built in.
+fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failure> {
+    let translation = Translation::new(builtin::spec(), spec);
+    let is_needed = |command: &&jaka_spec::Command| {
+        command.effect == Effect::Power
+            || matches!(command.role, Some(Role::Stop | Role::SetPoint | Role::ServoMode))
+            || intents.iter().any(|intent| intent.name == command.wire)
+            || QUERIES.contains(&&*command.wire)
+    };
+    let is_changed = |command: &&jaka_spec::Command| {
+        !translation.is_identity(Message::Request(&command.wire))
+            || !translation.is_identity(Message::Reply(&command.wire))
+    };
+    match builtin::spec().commands().filter(is_needed).find(is_changed) {
+        None => Ok(()),
+        Some(command) => Err(Failure::Usage(format!(
+            "nothing was sent: a pack changes `{0}`, which is sent here as it is built in\nhint: `jaka call` sends \
+             commands as packs have them",
+            command.wire
+        ))),
+    }
+}
+
+/// Queries by which a robot sees how a motion ends, and what keeps the arm from one.
+const QUERIES: [&str; 4] =
+    [GetJointPos::INFO.name, GetTcpPos::INFO.name, GetRobotState::INFO.name, IsInServomove::INFO.name];
+
+/// The intent to send this.
+pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
+    Intent::of(builtin::spec(), request)
+}
+
+impl Act {
+    /// For what is sent without a question.
+    pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
+        Self::begin(robot, &[])
+    }
+
+    fn begin(robot: &RobotArgs, packs: &[PathBuf]) -> Result<Self, Failure> {
+        let under_way = UnderWay::begin();
+        Ok(Self { target: robot.target(packs)?, under_way })
+    }
+
+    /// How long it may take: as the command line says, or else this long.
+    pub(crate) fn patience(&self, usual: Duration) -> Duration {
+        self.target.patience(usual)
+    }
+
+    /// Does something over this connection, which sends this.
+    pub(crate) fn with<C, T, E: Into<Error>>(
+        &self,
+        connect: fn(&Target) -> Result<C, Failure>,
+        sends: &str,
+        act: impl FnOnce(&mut C) -> Result<T, E>,
+    ) -> Result<T, Failure> {
+        let mut connection = connect(&self.target)?;
+        self.under_way.set(Stage::Sent(sends.to_owned()));
+        let done = act(&mut connection);
+        self.under_way.set(Stage::Answered);
+        done.map_err(|error| Failure::explained(builtin::of_status(), error))
+    }
+
+    /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
+    pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut PackedRobot) -> Result<T, Error>) -> Result<T, Failure> {
+        let mut robot: PackedRobot = self.target.robot()?;
+        self.under_way.set(Stage::Steps(robot.stop_handle()));
+        let done = act(&mut robot);
+        self.under_way.set(Stage::Answered);
+        done.map_err(|error| Failure::explained(builtin::of_status(), error))
+    }
+
+    /// Follows a trajectory to its end, or wherever it ends.
+    pub(crate) fn follow(
+        &self,
+        trajectory: &Trajectory,
+        limits: Limits,
+        config: &FollowConfig,
+    ) -> Result<End, Failure> {
+        let mut robot: PackedRobot = self.target.robot()?;
+        robot.configure(&RobotConfig::new().limits(limits))?;
+        let stop = robot.stop_handle();
+        self.under_way.set(Stage::Moving(stop.clone()));
+        let ended = robot.start_follow(trajectory, config).map(|run| {
+            self.under_way.set(Stage::Following(run.handle(), stop));
+            run.wait()
+        });
+        self.under_way.set(Stage::Answered);
+        ended.map_err(|error| Failure::explained(builtin::of_status(), error))
+    }
+
+    /// Runs a motion, and prints how it ended.
+    pub(crate) fn run<M: Motion>(
+        &self,
+        motion: &M,
+        limits: Option<Limits>,
+        (queue, form): (QueueArgs, Form),
+    ) -> Result<(), Failure> {
+        let mut robot = self.target.robot()?;
+        queue.check(&robot, M::INFO.name, self.patience(QUEUE_PATIENCE))?;
+        if let Some(limits) = limits {
+            robot.configure(&RobotConfig::new().limits(limits))?;
+        }
+        let patience = self.patience(motion::PATIENCE);
+        let end = motion::end(&mut robot, |robot| robot.run(motion, patience), builtin::of_status(), &self.under_way)?;
+        motion::print(M::INFO.name, end, form)
+    }
+}
+
+/// How long is waited for the packet that shows whether the arm moves.
+const QUEUE_PATIENCE: Duration = Duration::from_secs(5);
+
+/// Whether a motion may stand in a queue.
+#[derive(Debug, Clone, Copy, Args)]
+pub(crate) struct QueueArgs {
+    /// Send it also while the arm moves: the controller queues it behind that motion
+    #[arg(long)]
+    queue: bool,
+}
+
+impl QueueArgs {
+    /// Fails where packets show that the arm moves, or do not show whether it does.
+    fn check(self, robot: &PackedRobot, command: &str, patience: Duration) -> Result<(), Failure> {
+        if self.queue {
+            return Ok(());
+        }
+        let why = match robot.monitor().wait_until(|_| true, patience)?.status.status.in_position {
+            Some(true) => return Ok(()),
+            Some(false) => {
+                "the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"
+            }
+            None => {
+                "status packets do not show whether the arm moves, and the controller would queue it behind another motion; look at the arm, and \
+                 use --queue"
+            }
+        };
+        Err(Failure::NotSent(format!("`{command}` was not sent: {why}")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use jaka_robot::motion::JointMove;
+    use jaka_spec::{Source, load_pack};
+
+    use super::*;
+
+    fn spec(pack: &str) -> Spec {
+        let text = format!("title = 'T'\n{pack}");
+        let pack = load_pack(builtin::spec(), Source { path: "pack.toml", text: &text });
+        pack.unwrap_or_else(|errors| panic!("{errors}")).spec
+    }
+
+    #[test]
+    fn commands_that_packs_change_are_not_sent_as_built_in() {
+        let intents = [intent(&JointMove::absolute([0.0; 6], 10.0)).expect("the spec allows it")];
+        let form = "[[override]]\ntarget = 'joint_move'\nrequest = 'speed'\n[[override.form]]\nsince = '1.7'\n\
+                    unit = 'rad/s'\n";
+        let key = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
+        let joints = "[[override]]\ntarget = 'JointPosition'\n[[override.form]]\nsince = '1.7'\nunit = 'rad'\n";
+        for (pack, command) in [(form, "`joint_move`"), (key, "`get_joint_pos`"), (joints, "`joint_move`")] {
+            let refused = must_be_as_built_in(&spec(pack), &intents).expect_err("it would be sent in another form");
+            assert!(refused.to_string().contains(command), "{refused}");
+        }
+        // A field more that may be left out, and commands that are not sent here.
+        let more = "[[extend]]\ntarget = 'joint_move'\n[[extend.request]]\nwire = 'zone'\ntype = 'float'\noptional = true\n\
+                    doc = 'D.'\n[[override]]\ntarget = 'get_payload'\nreply = 'mass'\nwire = 'weight'\n";
+        assert!(must_be_as_built_in(&spec(more), &intents).is_ok());
+    }
+}

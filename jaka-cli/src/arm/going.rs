@@ -1,0 +1,117 @@
+//! What `jaka move` and `jaka jog` have in common.
+
+use clap::Args;
+use jaka_motion::Limits;
+use jaka_robot::Motion;
+use jaka_robot::motion::{JointMove, MoveL};
+use jaka_robot::types::JointPosition;
+
+use crate::arm::acting::{ActArgs, QueueArgs, intent};
+use crate::arm::limits::{LimitsArgs, acceleration_deg_s2};
+use crate::arm::motion::Form;
+use crate::arm::planned::{Goal, Planned, only_at};
+use crate::failure::Failure;
+use crate::packets::packed_status::PackedStatus;
+use crate::target::Target;
+use crate::terminal::output;
+
+/// The options of a motion that is waited for.
+#[derive(Debug, Args)]
+pub(crate) struct GoArgs {
+    /// Speed: in deg/s of the joint, or of that with the longest way; or in mm/s along the line
+    #[arg(long, value_name = "SPEED")]
+    speed: f64,
+    /// Acceleration: in deg/s² or mm/s² [default: the controller's; of joints with --model or --limits, their lowest]
+    #[arg(long, value_name = "ACCELERATION")]
+    acceleration: Option<f64>,
+    /// Print the request that would be sent, and send nothing
+    ///
+    /// With --model or --limits, what can be compared with them without the command port is. If --robot or --sim is given, too, one status packet
+    /// says where the arm is: that disturbs no other program.
+    #[arg(long)]
+    dry_run: bool,
+    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    limits: LimitsArgs,
+    #[command(flatten)]
+    queue: QueueArgs,
+    #[command(flatten)]
+    act: ActArgs,
+}
+
+impl GoArgs {
+    /// Checks the motion, asks, sends it and waits for its end; or prints what would be sent.
+    pub(crate) fn go(&self, goal: Goal) -> Result<(), Failure> {
+        let limits = self.limits.read()?;
+        let mut acceleration = self.acceleration;
+        if goal.is_of_joints() {
+            acceleration = acceleration_deg_s2(acceleration, limits.as_ref());
+        }
+        let planned = Planned { goal, speed: self.speed, acceleration };
+        let joints = |mut motion: JointMove| {
+            motion.acceleration = acceleration;
+            self.carry_out(&motion, &planned, limits.clone())
+        };
+        let line = |mut motion: MoveL| {
+            motion.acceleration = acceleration;
+            self.carry_out(&motion, &planned, limits.clone())
+        };
+        match goal {
+            Goal::Joints(to) => joints(JointMove::absolute(to, self.speed)),
+            Goal::Joint(at, by) => joints(JointMove::relative(only_at(at, by), self.speed)),
+            Goal::Pose(to) => line(MoveL::absolute(to, self.speed)),
+            Goal::Line(at, by) => line(MoveL::relative(only_at(at, by), self.speed)),
+        }
+    }
+
+    fn carry_out<M: Motion>(&self, motion: &M, planned: &Planned, limits: Option<Limits>) -> Result<(), Failure> {
+        let intent = intent(motion)?;
+        if let Some(limits) = &limits {
+            planned.check(limits, None)?;
+        }
+        if self.dry_run {
+            if let Some(limits) = &limits {
+                self.compare(planned, limits)?;
+            }
+            // The bytes that would be sent, as `jaka call --dry-run` prints them.
+            return output::write(format!("{}\n", intent.text).as_bytes());
+        }
+        let act = self.act.begin_told(&[intent], |target| {
+            let from = match &limits {
+                _ if !planned.goal.is_of_joints() => None,
+                Some(_) => joints(target)?,
+                // It is told only.
+                None => joints(target).ok().flatten(),
+            };
+            limits.as_ref().map_or(Ok(()), |limits| planned.check(limits, from))?;
+            Ok(planned.told(from))
+        })?;
+        act.run(motion, limits, (self.queue, Form::of(self.json)))
+    }
+
+    /// Compares the motion with limits from where the arm is, if the line names it, and says what was not compared.
+    fn compare(&self, planned: &Planned, limits: &Limits) -> Result<(), Failure> {
+        let target = if planned.goal.is_of_joints() { self.act.named_target()? } else { None };
+        let from = target.map_or(Ok(None), |target| joints(&target))?;
+        planned.check(limits, from)?;
+        output::note(match from {
+            Some(_) => {
+                "compared with the limits of joints from where the arm is; regions and the tool's speed are compared when it is sent"
+            }
+            None if planned.goal.is_of_joints() => {
+                "only the pace was compared with limits: where the arm is was not asked; --robot or --sim name an arm"
+            }
+            None => {
+                "of limits, the tool's speed alone was compared: the tool and the frames are asked for when it is sent"
+            }
+        });
+        Ok(())
+    }
+}
+
+/// Where the joints are, by the status port alone; none where the packet does not say.
+fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
+    Ok(target.status::<PackedStatus>()?.joint_actual_position)
+}

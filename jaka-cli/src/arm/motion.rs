@@ -1,0 +1,72 @@
+//! Motions that are waited for: stopped by Ctrl-C, and how they end, for people and for programs.
+
+use std::time::Duration;
+
+use jaka_robot::{Cause, End, Error};
+use jaka_spec::Spec;
+use serde_json::{Value, json};
+
+use crate::arm::interrupt::{Stage, UnderWay};
+use crate::failure::Failure;
+use crate::packets::packed_status::PackedRobot;
+use crate::terminal::output;
+use crate::text::number::seconds;
+
+/// How long the end of a motion is waited for, unless the command line says otherwise.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
+
+/// How an end is printed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Form {
+    Text,
+    Json,
+}
+
+impl Form {
+    /// As an option says.
+    pub(crate) fn of(as_json: bool) -> Self {
+        if as_json { Self::Json } else { Self::Text }
+    }
+}
+
+/// Runs a motion.
+///
+/// # Errors
+/// It was not accepted.
+pub(crate) fn end(
+    robot: &mut PackedRobot,
+    motion: impl FnOnce(&mut PackedRobot) -> Result<End, Error>,
+    spec: &Spec,
+    under_way: &UnderWay,
+) -> Result<End, Failure> {
+    under_way.set(Stage::Moving(robot.stop_handle()));
+    let ended = motion(robot);
+    under_way.set(Stage::Answered);
+    ended.map_err(|error| Failure::explained(spec, error))
+}
+
+/// Prints how a motion ended, as text or JSON; the latter whatever the end is.
+///
+/// # Errors
+/// It did not end at its target.
+pub(crate) fn print(command: &str, end: End, form: Form) -> Result<(), Failure> {
+    match form {
+        Form::Json => {
+            let mut line = json!({"command": command});
+            describe(&end, &mut line);
+            output::json(&format!("{line}\n"))?;
+        }
+        Form::Text if end.cause() == Cause::Reached => {
+            output::line(&format!("{end}, after {:.1} s", end.report.waited.as_secs_f64()))?;
+        }
+        Form::Text => {}
+    }
+    Ok(end.reached()?)
+}
+
+/// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
+pub(crate) fn describe(end: &End, line: &mut Value) {
+    line["outcome"] = end.cause().name().into();
+    line["text"] = end.to_string().into();
+    line["waited_s"] = seconds(end.report.waited).into();
+}

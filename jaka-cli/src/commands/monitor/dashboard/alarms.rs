@@ -1,0 +1,232 @@
+//! What happened: what a packet says that the one before did not.
+
+use std::collections::VecDeque;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use jaka_robot::Severity;
+use jaka_robot::proto::text::visible;
+use jaka_robot::status::RobotStatus;
+use ratatui::text::{Line, Span};
+
+use super::style;
+use crate::packets::event;
+use crate::packets::flags::{Flags, Tone};
+
+/// An unknown event may be an error.
+const WORST_FIRST: [Severity; 3] = [Severity::Error, Severity::Unknown, Severity::Warning];
+/// How many are kept.
+const MOST: usize = 1000;
+
+/// Something that happened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Alarm {
+    /// When it was noticed.
+    pub(super) time: SystemTime,
+    pub(super) tone: Tone,
+    pub(super) text: String,
+}
+
+impl Alarm {
+    /// Its time of day in UTC: the standard library does not know the system's time zone.
+    pub(super) fn clock(&self) -> String {
+        let seconds = self.time.duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
+        format!("{:02}:{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60, seconds % 60)
+    }
+}
+
+/// The latest alarms, the newest first.
+#[derive(Debug, Default)]
+pub(super) struct Alarms {
+    entries: VecDeque<Alarm>,
+    flags: Flags,
+    /// The last event; a packet without one does not change it.
+    event: Option<Event>,
+    /// The most severe of the events since the controller last said that there is none. Information is not kept.
+    standing: Option<Severity>,
+}
+
+/// The controller's event: its code and message, as the packet has them.
+type Event = (String, String);
+
+impl Alarms {
+    /// The newest first.
+    pub(super) fn entries(&self) -> impl Iterator<Item = &Alarm> {
+        self.entries.iter()
+    }
+
+    /// A line for each, the newest first.
+    pub(super) fn lines(&self) -> Vec<Line<'static>> {
+        let lines = self.entries().map(|alarm| {
+            let time = Span::styled(format!(" {} ", alarm.clock()), style::faint());
+            Line::from(vec![time, Span::styled(alarm.text.clone(), style::of_tone(alarm.tone))])
+        });
+        let lines: Vec<_> = lines.collect();
+        if lines.is_empty() { vec![Line::styled(" none since the start", style::faint())] } else { lines }
+    }
+
+    /// Adds one.
+    pub(super) fn add(&mut self, time: SystemTime, tone: Tone, text: impl Into<String>) {
+        self.entries.push_front(Alarm { time, tone, text: visible(&text.into()).into_owned() });
+        self.entries.truncate(MOST);
+    }
+
+    /// Adds what a packet says that the ones before did not.
+    pub(super) fn packet(&mut self, status: &RobotStatus, time: SystemTime) {
+        for (tone, text) in self.flags.see(status) {
+            self.add(time, tone, text);
+        }
+        if let (Some(code), message) = (&status.error_code, &status.error_message) {
+            let event = (code.clone(), message.clone().unwrap_or_default());
+            self.event(time, &status.event(), &event);
+            self.event = Some(event);
+        }
+    }
+
+    /// Reports an event that is more than information. The most severe one stands until the controller reports it as over, by a code of
+    /// zero: information may replace an error in the packet while the error lasts.
+    fn event(&mut self, time: SystemTime, reading: &event::Reading, (code, message): &Event) {
+        let Some(severity) = event::severity(reading) else {
+            if let Some(standing) = self.standing.take() {
+                self.add(time, Tone::Good, format!("{} cleared", name(standing)));
+            }
+            return;
+        };
+        if severity == Severity::Information {
+            return;
+        }
+        if self.event.as_ref().is_none_or(|(before, told)| (before, told) != (code, message)) {
+            let message = if message.is_empty() { event::meaning(reading).unwrap_or_default() } else { message };
+            let tone = if severity == Severity::Warning { Tone::Warning } else { Tone::Bad };
+            self.add(time, tone, format!("{} {code} {message}", label(severity)).trim_end());
+        }
+        self.standing = WORST_FIRST.into_iter().find(|one| *one == severity || self.standing == Some(*one));
+    }
+}
+
+/// How an event of this severity is announced.
+fn label(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        _ => "event of unknown severity",
+    }
+}
+
+/// The word for an event of this severity.
+fn name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error | Severity::Warning => label(severity),
+        _ => "event",
+    }
+}
+
+/// A length of time for people.
+pub(super) fn duration(time: Duration) -> String {
+    let seconds = time.as_secs();
+    match seconds {
+        0..60 => format!("{:.1} s", time.as_secs_f64()),
+        60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),
+        _ => format!("{} h {} min", seconds / 3600, seconds / 60 % 60),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn changes_are_reported_once() {
+        let mut alarms = Alarms::default();
+        let mut status = RobotStatus::default();
+        let mut tell = |status: &RobotStatus| alarms.packet(status, UNIX_EPOCH);
+        tell(&status);
+        status.enabled = Some(true);
+        status.error_code = Some("0x0".to_owned());
+        tell(&status);
+        status.protective_stop = Some(true);
+        status.error_code = Some("0x0f0034".to_owned());
+        status.error_message = Some("collision".to_owned());
+        tell(&status);
+        tell(&status);
+        // A packet without the field changes nothing.
+        tell(&RobotStatus::default());
+        tell(&status);
+        status.protective_stop = Some(false);
+        status.enabled = Some(false);
+        status.error_code = Some("0x0".to_owned());
+        tell(&status);
+        let texts: Vec<_> = alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect();
+        expect![[r"
+            Good error cleared
+            Plain disabled
+            Good protective stop cleared
+            Bad error 0x0f0034 collision
+            Bad protective stop
+        "]]
+        .assert_eq(&texts.concat());
+    }
+
+    /// The alarms of packets with these codes and messages, the newest first.
+    fn alarms_of(codes: &[(&str, &str)]) -> String {
+        let mut alarms = Alarms::default();
+        for (code, message) in codes {
+            let mut status = RobotStatus::default();
+            status.error_code = Some((*code).to_owned());
+            status.error_message = Some((*message).to_owned());
+            alarms.packet(&status, UNIX_EPOCH);
+        }
+        let texts: Vec<_> = alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect();
+        texts.concat()
+    }
+
+    #[test]
+    fn information_is_not_an_alarm() {
+        let codes =
+            [("0x0", ""), ("0x10f0004", "enabled"), ("0x10f0015", ""), ("0x10f0000", "emergency stop"), ("0x0", "")];
+        assert_eq!(alarms_of(&codes), "");
+    }
+
+    #[test]
+    fn warnings_are_marked_and_what_is_unknown_is_an_alarm() {
+        let codes = [("0x10f0020", ""), ("0x0f9999", "new"), ("fine", "what"), ("0x0f0030", ""), ("0x0f0034", "")];
+        expect![[r"
+            Bad error 0x0f0034 a collision was detected
+            Bad error 0x0f0030
+            Bad event of unknown severity fine what
+            Bad event of unknown severity 0x0f9999 new
+            Warning warning 0x10f0020 reduced mode is on
+        "]]
+        .assert_eq(&alarms_of(&codes));
+    }
+
+    /// Only zero means that an error is over: another event may follow it while it lasts.
+    #[test]
+    fn an_error_is_not_cleared_by_information() {
+        let codes = [("0x0f0034", ""), ("0x10f000b", ""), ("0x10f0020", ""), ("0x0", ""), ("0x0", "")];
+        expect![[r"
+            Good error cleared
+            Warning warning 0x10f0020 reduced mode is on
+            Bad error 0x0f0034 a collision was detected
+        "]]
+        .assert_eq(&alarms_of(&codes));
+        let codes = [("0x10f0020", ""), ("0x10f0021", ""), ("0x10f000b", ""), ("0x0", "")];
+        expect![[r"
+            Good warning cleared
+            Warning warning 0x10f0021 reduced mode is off
+            Warning warning 0x10f0020 reduced mode is on
+        "]]
+        .assert_eq(&alarms_of(&codes));
+    }
+
+    #[test]
+    fn the_oldest_are_forgotten() {
+        let mut alarms = Alarms::default();
+        for number in 0..=MOST {
+            alarms.add(UNIX_EPOCH, Tone::Plain, number.to_string());
+        }
+        assert_eq!(alarms.entries().count(), MOST);
+        assert_eq!(alarms.entries().next().map(|alarm| &*alarm.text), Some("1000"));
+    }
+}

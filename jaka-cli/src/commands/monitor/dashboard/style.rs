@@ -1,0 +1,66 @@
+//! The styles of values.
+
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::{Line, Span};
+
+use crate::packets::flags::Tone;
+use crate::terminal::output::ABSENT;
+use crate::text::number::fixed;
+
+/// Names of values, rules and other things of little interest.
+pub(super) fn faint() -> Style {
+    Style::new().fg(Color::DarkGray)
+}
+
+/// What should catch the eye.
+pub(super) fn strong() -> Style {
+    Style::new().add_modifier(Modifier::BOLD)
+}
+
+/// What is as it should be.
+pub(super) fn good() -> Style {
+    Style::new().fg(Color::Green)
+}
+
+/// What needs attention.
+pub(super) fn notable() -> Style {
+    Style::new().fg(Color::Yellow)
+}
+
+/// What must not be overlooked, also without colours.
+pub(super) fn bad() -> Style {
+    Style::new().fg(Color::Red).add_modifier(Modifier::BOLD | Modifier::REVERSED)
+}
+
+/// What is out of date.
+pub(super) fn old() -> Style {
+    faint().add_modifier(Modifier::DIM).remove_modifier(Modifier::BOLD)
+}
+
+/// The style of an alarm.
+pub(super) fn of_tone(tone: Tone) -> Style {
+    match tone {
+        Tone::Bad => Style::new().fg(Color::Red).add_modifier(Modifier::BOLD),
+        Tone::Warning => notable(),
+        Tone::Good => good(),
+        Tone::Plain => Style::new(),
+    }
+}
+
+/// A number at the right of its column.
+pub(super) fn number(value: Option<f64>, width: usize, decimals: usize) -> Span<'static> {
+    match value {
+        Some(value) => Span::raw(format!("{:>width$}", fixed(value, decimals))),
+        None => Span::styled(format!("{ABSENT:>width$}"), faint()),
+    }
+}
+
+/// A rule with a title on it.
+pub(super) fn rule(title: &str, width: u16) -> Line<'static> {
+    let rest = usize::from(width).saturating_sub(title.chars().count() + 4);
+    Line::from(vec![
+        Span::styled("─ ", faint()),
+        Span::styled(title.to_owned(), strong()),
+        Span::styled(format!(" {}", "─".repeat(rest + 1)), faint()),
+    ])
+}

@@ -1,0 +1,123 @@
+//! A proxy between clients and a robot, which records what passes.
+
+mod frames;
+mod pipe;
+mod recording_queue;
+
+use std::io;
+use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use jaka_sync::proto::text::visible;
+use jaka_sync::recording::{Event, Port};
+use jaka_sync::{Recorder, StatusSampling};
+use socket2::{SockRef, TcpKeepalive};
+
+use crate::terminal::output;
+
+use self::pipe::Pipe;
+use self::recording_queue::{Connection, Passed};
+
+pub(crate) use self::recording_queue::RecordingQueue;
+
+/// How long to wait after a connection could not be accepted, perhaps because descriptors had run out.
+const REST: Duration = Duration::from_millis(20);
+
+/// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own connections.
+const IDLE: Duration = Duration::from_secs(5);
+
+/// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a
+/// stop may come on it. The controller itself decides about clients of the command port, of which it serves one.
+const MOST_READERS: usize = 64;
+
+/// One port of a proxy, for one port of the robot.
+#[derive(Debug)]
+pub(crate) struct ProxyPort {
+    /// Which of the robot's ports.
+    pub(crate) port: Port,
+    /// Its address, such as `10.5.5.100:10001`.
+    pub(crate) robot: String,
+    /// How long connecting to it may take.
+    pub(crate) timeout: Duration,
+    /// The recording of all that passes.
+    pub(crate) recorder: Recorder,
+    /// The thread that writes it.
+    pub(crate) queue: RecordingQueue,
+    /// Which status packets are recorded.
+    pub(crate) sampling: StatusSampling,
+}
+
+impl ProxyPort {
+    /// Opens it at an address and port, 0 for a free one, for as long as the program runs.
+    ///
+    /// Each client gets a connection of its own to the robot.
+    pub(crate) fn open(self, address: IpAddr, port: u16) -> io::Result<SocketAddr> {
+        let listener = TcpListener::bind((address, port))?;
+        let address = listener.local_addr()?;
+        thread::Builder::new().spawn(move || Arc::new(self).serve(&listener))?;
+        Ok(address)
+    }
+
+    fn serve(self: Arc<Self>, listener: &TcpListener) {
+        loop {
+            let accepted = listener.accept().and_then(|(accepted, _)| {
+                // Each reader's thread has one.
+                if self.port == Port::Status && Arc::strong_count(&self) > MOST_READERS {
+                    pipe::reset(&accepted);
+                    return Err(io::Error::other(format!("{MOST_READERS} read there already")));
+                }
+                let port_proxy = Arc::clone(&self);
+                thread::Builder::new().spawn(move || port_proxy.attend(&accepted)).map(drop)
+            });
+            if let Err(error) = accepted {
+                warn(&format!("a client of the {} port is lost: {error}", self.port.word()));
+                thread::sleep(REST);
+            }
+        }
+    }
+
+    /// Serves a client to the end of its connection.
+    fn attend(&self, client: &TcpStream) {
+        let connection = Connection::new(self.recorder.track(self.port, self.sampling), self.port);
+        let record = |event| self.queue.take(&connection, Passed::Event(event));
+        let robot = set_options(client).and_then(|()| self.connect());
+        match robot {
+            Ok(robot) => {
+                let address = robot.peer_addr().map_or_else(|_| self.robot.clone(), |address| address.to_string());
+                record(Event::Connected { address });
+                Pipe { client, robot: &robot, connection: &connection, queue: &self.queue }.run();
+            }
+            Err(error) => {
+                let text = format!("cannot connect to {}: {error}", self.robot);
+                warn(&text);
+                record(Event::Error { text });
+                pipe::reset(client);
+            }
+        }
+    }
+
+    fn connect(&self) -> io::Result<TcpStream> {
+        let mut result = Err(io::Error::new(io::ErrorKind::NotFound, "the name resolves to no address"));
+        for address in self.robot.to_socket_addrs()? {
+            result = TcpStream::connect_timeout(&address, self.timeout);
+            if result.is_ok() {
+                break;
+            }
+        }
+        let stream = result?;
+        set_options(&stream)?;
+        Ok(stream)
+    }
+}
+
+/// Disables Nagle's algorithm, and enables keepalive.
+fn set_options(stream: &TcpStream) -> io::Result<()> {
+    stream.set_nodelay(true)?;
+    SockRef::from(stream).set_tcp_keepalive(&TcpKeepalive::new().with_time(IDLE).with_interval(IDLE / 3))
+}
+
+fn warn(text: &str) {
+    output::warning(&visible(text));
+}

@@ -1,0 +1,183 @@
+//! Conditions from their text.
+
+use jaka_sync::proto::text::visible;
+use serde_json::{Number, Value};
+
+use super::{Comparison, Expression, Misread};
+use crate::packets::fields::{Field, Kind};
+
+/// How deeply parts may stand in each other.
+const DEEPEST: usize = 50;
+
+/// The signs that compare, the longer ones first.
+const COMPARISONS: [(&str, Comparison); 6] = [
+    ("==", Comparison::Equal),
+    ("!=", Comparison::NotEqual),
+    ("<=", Comparison::LessOrEqual),
+    (">=", Comparison::GreaterOrEqual),
+    ("<", Comparison::Less),
+    (">", Comparison::Greater),
+];
+
+/// The condition that a text is.
+pub(super) fn condition(text: &str) -> Result<Expression, Misread> {
+    let mut parser = Parser { text, rest: text.trim_start(), depth: 0 };
+    let root = parser.either()?;
+    if parser.rest.is_empty() { root.truth() } else { Err(parser.unexpected("`&&`, `||` or the end")) }
+}
+
+struct Parser<'t> {
+    text: &'t str,
+    /// What is not read yet, without white space at its beginning.
+    rest: &'t str,
+    depth: usize,
+}
+
+/// A part, where it begins and what it is.
+struct Part {
+    expression: Expression,
+    kind: Kind,
+    column: usize,
+}
+
+impl Part {
+    fn truth(self) -> Result<Expression, Misread> {
+        match self.kind {
+            Kind::Truth => Ok(self.expression),
+            _ => Err(Misread::new(self.column, "this is a number: compare it, as in `rapid_rate > 0.5`")),
+        }
+    }
+}
+
+impl<'t> Parser<'t> {
+    fn column(&self) -> usize {
+        self.text.chars().count() - self.rest.chars().count()
+    }
+
+    /// Takes so many bytes.
+    fn take(&mut self, length: usize) -> &'t str {
+        let (taken, rest) = self.rest.split_at(length);
+        self.rest = rest.trim_start();
+        taken
+    }
+
+    /// Takes as many such characters as there are.
+    fn take_all(&mut self, is_part: fn(char) -> bool) -> &'t str {
+        self.take(self.rest.find(|c| !is_part(c)).unwrap_or(self.rest.len()))
+    }
+
+    /// Takes a sign if it comes next.
+    fn takes(&mut self, sign: &str) -> bool {
+        self.rest.starts_with(sign) && !self.take(sign.len()).is_empty()
+    }
+
+    fn unexpected(&self, expected: &str) -> Misread {
+        let mut signs = self.rest.chars();
+        let text = match (signs.next(), signs.next()) {
+            (Some('&'), second) if second != Some('&') => "`&&` stands for \"and\"".to_owned(),
+            (Some('|'), second) if second != Some('|') => "`||` stands for \"or\"".to_owned(),
+            (Some('='), second) if second != Some('=') => "`==` compares".to_owned(),
+            (Some(sign), _) if !is_word(sign) && !"&|=!<>()+-".contains(sign) => {
+                format!("`{}` means nothing here", visible(&sign.to_string()))
+            }
+            _ => format!("expected {expected}"),
+        };
+        Misread::new(self.column(), text)
+    }
+
+    fn either(&mut self) -> Result<Part, Misread> {
+        self.joined("||", Self::both, Expression::Or)
+    }
+
+    fn both(&mut self) -> Result<Part, Misread> {
+        self.joined("&&", Self::comparison, Expression::And)
+    }
+
+    /// A part, or several truth values with this sign between them.
+    fn joined(
+        &mut self,
+        sign: &str,
+        part: fn(&mut Self) -> Result<Part, Misread>,
+        join: fn(Box<Expression>, Box<Expression>) -> Expression,
+    ) -> Result<Part, Misread> {
+        let mut one = part(self)?;
+        while self.takes(sign) {
+            let column = one.column;
+            let expression = join(Box::new(one.truth()?), Box::new(part(self)?.truth()?));
+            one = Part { expression, kind: Kind::Truth, column };
+        }
+        Ok(one)
+    }
+
+    fn comparison(&mut self) -> Result<Part, Misread> {
+        let one = self.operand()?;
+        let sign = self.column();
+        let Some(comparison) = self.take_comparison() else { return Ok(one) };
+        let other = self.operand()?;
+        let after = self.column();
+        if self.take_comparison().is_some() {
+            return Err(Misread::new(after, "compare two values at a time, and join comparisons with `&&`"));
+        }
+        let is_equality = matches!(comparison, Comparison::Equal | Comparison::NotEqual);
+        match (one.kind, other.kind) {
+            (Kind::Number, Kind::Number) => {}
+            (Kind::Truth, Kind::Truth) if is_equality => {}
+            (Kind::Truth, Kind::Truth) => {
+                return Err(Misread::new(sign, "truth values are compared with `==` and `!=` alone"));
+            }
+            _ => return Err(Misread::new(sign, "a truth value and a number cannot be compared")),
+        }
+        let expression = Expression::Compare(comparison, Box::new(one.expression), Box::new(other.expression));
+        Ok(Part { expression, kind: Kind::Truth, column: one.column })
+    }
+
+    fn take_comparison(&mut self) -> Option<Comparison> {
+        COMPARISONS.into_iter().find(|(sign, _)| self.takes(sign)).map(|(_, comparison)| comparison)
+    }
+
+    fn operand(&mut self) -> Result<Part, Misread> {
+        let column = self.column();
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(Misread::new(column, "there are too many parts in each other"));
+        }
+        let (expression, kind) = if self.takes("!") {
+            (Expression::Not(Box::new(self.operand()?.truth()?)), Kind::Truth)
+        } else if self.takes("(") {
+            let inner = self.either()?;
+            if !self.takes(")") {
+                return Err(self.unexpected("`)`"));
+            }
+            (inner.expression, inner.kind)
+        } else if self.rest.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.')) {
+            let text = self.take_all(|c| c.is_alphanumeric() || matches!(c, '.' | '-' | '+'));
+            let number = number(text).ok_or_else(|| Misread::new(column, format!("`{text}` is not a number")))?;
+            (Expression::Literal(number), Kind::Number)
+        } else {
+            match self.take_all(is_word) {
+                "" => return Err(self.unexpected("a field, a number, `!` or `(`")),
+                truth @ ("true" | "false") => (Expression::Literal((truth == "true").into()), Kind::Truth),
+                path => field(path).map_err(|text| Misread::new(column, text))?,
+            }
+        };
+        self.depth -= 1;
+        Ok(Part { expression, kind, column })
+    }
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']')
+}
+
+/// A number that is finite: there are no others in JSON.
+fn number(text: &str) -> Option<Value> {
+    text.parse().ok().and_then(Number::from_f64).map(Value::from)
+}
+
+fn field(path: &str) -> Result<(Expression, Kind), String> {
+    let field = Field::find(path)?;
+    match field.kind() {
+        Kind::Other => Err(format!("the status field `{}` is neither a truth value nor a number", field.name)),
+        kind => Ok((Expression::Field(Box::new(field)), kind)),
+    }
+}

@@ -1,0 +1,40 @@
+//! The one seat of the command port: whoever takes it may take it from a program that moves the arm.
+//!
+//! One rule holds for all commands. What is done to a robot is asked about before, and the question says what becomes of the seat
+//! ([`crate::arm::consent`]). What only reads asks by [`obtain`]: `check`, `probe` and `jitter`. Without a terminal, both need `--yes`. What must not be
+//! held up is sent at once: stops, and of `jaka call` what only reads or concerns the connection alone, with a warning by [`warn`].
+
+use std::io::{IsTerminal, stderr, stdin};
+
+use crate::failure::Failure;
+use crate::target::RobotArgs;
+use crate::terminal::{output, question};
+
+/// What becomes of the seat.
+pub(crate) const ONE_CLIENT: &str =
+    "The command port serves one client: another program that is connected there may be disconnected.";
+
+/// Warns a person before this program becomes the one client of the command port. A script has been told by the manual.
+pub(crate) fn warn(robot: &RobotArgs) {
+    if !robot.is_simulated() && stderr().is_terminal() {
+        output::warning(
+            "the command port serves one client: another program that is connected there may be disconnected",
+        );
+    }
+}
+
+/// Makes sure that the user wants this program to be the one client of the command port. The error begins with what was not done.
+pub(crate) fn obtain(title: &str, not_done: &str) -> Result<(), Failure> {
+    let refused = |why: &str| Failure::Usage(format!("{not_done}: {why}"));
+    if !stdin().is_terminal() {
+        return Err(refused(
+            "another program that is connected to the command port may be disconnected, and there is no terminal to ask on; \
+             use --yes to connect anyway",
+        ));
+    }
+    let question = format!(
+        "The command port of {title} serves one client. Another program that is connected there may be disconnected, and the \
+         arm may stop or go on as the controller is set (4.75).\nConnect? [y/N] "
+    );
+    if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("the answer was not yes")) }
+}

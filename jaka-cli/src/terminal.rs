@@ -1,0 +1,8 @@
+//! This program on its terminal: keys, questions, results, warnings, logs and exit codes.
+
+pub(crate) mod console;
+pub(crate) mod exit;
+pub(crate) mod logging;
+pub(crate) mod output;
+pub(crate) mod question;
+pub(crate) mod raw;

@@ -1,0 +1,71 @@
+//! The options for what goes to standard error, and for colours.
+
+use anstream::ColorChoice;
+use clap::{ArgAction, Args, ValueEnum};
+
+use crate::terminal::{logging, output};
+
+/// The options that every command has.
+#[derive(Debug, Args)]
+pub(crate) struct ConsoleArgs {
+    /// Log connections, requests and replies on standard error; `-vv` also what a simulated controller does
+    #[arg(long, short, global = true, action = ArgAction::Count, help_heading = HEADING)]
+    verbose: u8,
+    /// Print nothing on standard error but errors, questions, and what has become of a motion
+    #[arg(long, short, global = true, conflicts_with = "verbose", help_heading = HEADING)]
+    quiet: bool,
+    /// Colours: always, never, or auto: on terminals, unless `NO_COLOR` is set [default: auto]
+    #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t, help_heading = HEADING)]
+    #[arg(hide_default_value = true, hide_possible_values = true)]
+    color: Color,
+}
+
+const HEADING: &str = "Messages";
+
+/// When colours are used.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum Color {
+    /// On terminals, unless `NO_COLOR` is set
+    #[default]
+    Auto,
+    /// Also where no terminal is
+    Always,
+    /// Nowhere
+    Never,
+}
+
+impl ConsoleArgs {
+    /// From now on, messages are as the options say. What they said before stays, since they may stand at two places of a line.
+    pub(crate) fn apply(&self) {
+        if self.quiet {
+            output::be_quiet();
+        }
+        if self.verbose > 0 {
+            logging::tell(self.verbose);
+        }
+    }
+}
+
+/// Has colours used as a line says, also in what is printed before it can be parsed: its help and its errors.
+pub(crate) fn color(words: impl Iterator<Item = String>) {
+    let mut words = words.take_while(|word| word != "--").peekable();
+    while let Some(word) = words.next() {
+        let value = match word.strip_prefix("--color") {
+            Some("") => words.peek().map(String::as_str),
+            Some(value) => value.strip_prefix('='),
+            None => None,
+        };
+        let Some(color) = value.and_then(|value| Color::from_str(value, false).ok()) else { continue };
+        match color {
+            Color::Auto => {}
+            Color::Always => use_colors(ColorChoice::Always),
+            Color::Never => use_colors(ColorChoice::Never),
+        }
+    }
+}
+
+fn use_colors(choice: ColorChoice) {
+    choice.write_global();
+    // The dashboard's.
+    ratatui::crossterm::style::force_color_output(choice == ColorChoice::Always);
+}

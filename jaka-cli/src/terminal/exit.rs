@@ -1,0 +1,227 @@
+//! Exit codes: what a script can do about a failure.
+
+use std::process::ExitCode;
+
+use jaka_robot::{Cause, Error, ErrorKind};
+use jaka_spec::tools::Impact;
+
+use crate::failure::command_line;
+use crate::failure::{Failure, chain};
+use crate::terminal::output;
+
+/// The controller refused the command, which did not run.
+pub(crate) const REFUSED: u8 = 1;
+/// The command line, the config file or an argument is wrong. clap's own code for its errors.
+pub(crate) const USAGE: u8 = 2;
+/// No connection could be made; nothing was sent.
+pub(crate) const NO_CONNECTION: u8 = 3;
+/// The command may have run.
+pub(crate) const MAY_HAVE_RUN: u8 = 4;
+/// The connection was lost or is unreadable, and no command was outstanding.
+pub(crate) const LOST: u8 = 5;
+/// Something on this machine.
+pub(crate) const LOCAL: u8 = 6;
+
+/// `jaka probe` found a deviation from the spec, or clients of `jaka replay` deviated from the recording.
+pub(crate) const DEPARTS: u8 = 7;
+
+/// `jaka check` found something to look at.
+pub(crate) const LOOK: u8 = 8;
+/// `jaka check` found something wrong.
+pub(crate) const WRONG: u8 = 9;
+
+/// The robot's state or a limit forbids the motion, or the state is not known; nothing that moves the arm was sent.
+pub(crate) const NOT_MOVED: u8 = 20;
+/// The arm is at rest, and it is not known whether it is where it was sent.
+pub(crate) const AT_REST: u8 = 21;
+/// The motion ended before its target.
+pub(crate) const STOPPED: u8 = 22;
+/// A protective stop ended the motion.
+pub(crate) const PROTECTIVE_STOP: u8 = 23;
+/// The emergency stop ended the motion.
+pub(crate) const EMERGENCY_STOP: u8 = 24;
+/// The arm has no power, or is not enabled.
+pub(crate) const DISABLED: u8 = 25;
+/// The controller reports an error.
+pub(crate) const CONTROLLER_ERROR: u8 = 26;
+/// What was waited for did not come in time. If it is the end of a motion, the arm may still move.
+pub(crate) const DEADLINE: u8 = 27;
+/// Status packets that can be read no longer come; the arm may still move.
+pub(crate) const STATUS_LOST: u8 = 28;
+/// On Ctrl-C, or of `jaka stop`, the controller did not take the stop, or it is not known whether it did; the arm may still move.
+pub(crate) const NOT_STOPPED: u8 = 29;
+
+/// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at rest.
+pub(crate) const NOT_FOLLOWED: u8 = 30;
+
+/// Ctrl-C before anything was sent, or before what was waited for.
+pub(crate) const INTERRUPTED: u8 = 130;
+
+/// Prints a failure with its causes on standard error, and gives the exit code.
+pub(crate) fn report(failure: &Failure) -> ExitCode {
+    match failure {
+        Failure::Printed(_) => {}
+        // The reader may be gone: the exit code says enough.
+        Failure::CommandLine(error) if command_line::is_help(error) => drop(error.print()),
+        _ => {
+            let hint = failure.hint().map(|hint| format!("\nhint: {hint}")).unwrap_or_default();
+            output::error(&format!("{}{hint}", chain(failure)));
+        }
+    }
+    ExitCode::from(code(failure))
+}
+
+/// The exit code of a failure.
+pub(crate) fn code(failure: &Failure) -> u8 {
+    match failure {
+        Failure::CommandLine(error) if !error.use_stderr() => 0,
+        Failure::Usage(_) | Failure::CommandLine(_) => USAGE,
+        Failure::Robot(error) => exit_code(error),
+        Failure::Refused { .. } => REFUSED,
+        Failure::NotStopped(_) => NOT_STOPPED,
+        Failure::NotInTime(_) => DEADLINE,
+        Failure::NotSent(_) => NOT_MOVED,
+        Failure::Departs(_) => DEPARTS,
+        Failure::Local { .. } => LOCAL,
+        Failure::Interrupted => INTERRUPTED,
+        Failure::Printed(code) => *code,
+    }
+}
+
+/// The exit code of `jaka spec diff --exit-code` where this is the highest impact.
+pub(crate) fn difference(impact: Impact) -> u8 {
+    match impact {
+        Impact::Patch => 10,
+        Impact::Minor => 11,
+        Impact::Major => 12,
+    }
+}
+
+/// Exit code of each way in which moving ends.
+const OF_CAUSES: &[(Cause, u8)] = &[
+    (Cause::Reached, 0),
+    (Cause::NoMotion, MAY_HAVE_RUN),
+    (Cause::AtRest, AT_REST),
+    (Cause::Landed, 0),
+    (Cause::Stopped, STOPPED),
+    (Cause::ProtectiveStop, PROTECTIVE_STOP),
+    (Cause::EmergencyStop, EMERGENCY_STOP),
+    (Cause::NotPowered, DISABLED),
+    (Cause::NotEnabled, DISABLED),
+    (Cause::ControllerError, CONTROLLER_ERROR),
+    (Cause::SoftLimit, CONTROLLER_ERROR),
+    (Cause::Deadline, DEADLINE),
+    (Cause::StatusLost, STATUS_LOST),
+    (Cause::NotShown, STATUS_LOST),
+    (Cause::CommandsLost, MAY_HAVE_RUN),
+    (Cause::Unanswered, MAY_HAVE_RUN),
+    (Cause::NoRemoteControl, NOT_MOVED),
+    (Cause::Moving, NOT_MOVED),
+    (Cause::BeyondLimit, NOT_MOVED),
+    (Cause::NotAtStart, NOT_MOVED),
+    (Cause::ServoMode, NOT_FOLLOWED),
+    (Cause::Guard, NOT_FOLLOWED),
+    (Cause::SetPointLate, NOT_FOLLOWED),
+    (Cause::Departed, NOT_FOLLOWED),
+    (Cause::Refused, NOT_FOLLOWED),
+    (Cause::RestNotSeen, NOT_FOLLOWED),
+    (Cause::Failed, NOT_FOLLOWED),
+];
+
+/// Exit code of the end of a motion or a trajectory.
+fn of_cause(cause: Cause) -> u8 {
+    // A test compares the table with all causes.
+    OF_CAUSES.iter().find(|(known, _)| *known == cause).map_or(NOT_FOLLOWED, |(_, code)| *code)
+}
+
+/// The exit code for an error of the robot: it says what a script can do about it.
+fn exit_code(error: &Error) -> u8 {
+    if let ErrorKind::NotReached { end } = error.kind() {
+        of_cause(end.cause())
+    } else if error.may_have_run() {
+        MAY_HAVE_RUN
+    } else if error.is_refused() {
+        REFUSED
+    } else if error.is_invalid_argument() || error.is_not_in_firmware() {
+        USAGE
+    } else if error.is_connect() {
+        NO_CONNECTION
+    } else {
+        match error.kind() {
+            ErrorKind::Connection(error) if matches!(error.kind(), jaka_sync::ErrorKind::StateTimeout { .. }) => {
+                DEADLINE
+            }
+            ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
+            ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
+            ErrorKind::NotReady { .. }
+            | ErrorKind::NotAcknowledged { .. }
+            | ErrorKind::StatusUnknown { .. }
+            | ErrorKind::BeyondLimit { .. }
+            | ErrorKind::NotChecked { .. }
+            | ErrorKind::ModelMismatch { .. }
+            | ErrorKind::Trajectory { .. }
+            | ErrorKind::NotAtStart { .. } => NOT_MOVED,
+            _ => LOST,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use jaka_robot::motion::JointMove;
+    use jaka_robot::{Client, StatusStream};
+    use jaka_sim::Fault;
+    use jaka_tests::{Arm, ReservedPort};
+
+    use super::*;
+
+    const SHORT: Duration = Duration::from_millis(50);
+
+    fn joint_move(speed: f64) -> JointMove {
+        let joint_position = [0.0; 6];
+        JointMove::absolute(joint_position, speed)
+    }
+
+    fn code<T: std::fmt::Debug>(result: Result<T, impl Into<Error>>) -> u8 {
+        match result {
+            Ok(done) => panic!("{done:?}"),
+            Err(error) => exit_code(&error.into()),
+        }
+    }
+
+    #[test]
+    fn codes_tell_whether_the_command_may_have_run() {
+        let arm = Arm::simulated().without_power().config(|config| config.reply_timeout(SHORT));
+        let (controller, mut client) = arm.with_client();
+        assert_eq!(code(client.joint_move(&joint_move(f64::NAN))), USAGE);
+        let (option, of, value, expected) = ("step_count", "ServoConfig", "99".to_owned(), "1 to 12".to_owned());
+        let invalid = ErrorKind::InvalidOption { option, of, value, expected };
+        assert_eq!(code(Err::<(), _>(Error::from(invalid))), USAGE);
+        assert_eq!(code(client.joint_move(&joint_move(20.0))), REFUSED, "without power");
+        controller.inject(Fault::Drop);
+        assert_eq!(code(client.get_version()), MAY_HAVE_RUN);
+        controller.disconnect();
+        // Whether this one is sent is a matter of chance; the next is not sent.
+        client.get_version().unwrap_err();
+        assert_eq!(code(client.get_version()), LOST);
+    }
+
+    #[test]
+    fn each_cause_has_an_exit_code() {
+        let mut known: Vec<_> = OF_CAUSES.iter().map(|(cause, _)| *cause).collect();
+        known.sort_unstable();
+        assert_eq!(known, Cause::ALL, "in the order of the precedence");
+    }
+
+    #[test]
+    fn codes_tell_what_the_network_does() {
+        let nobody = ReservedPort::any();
+        assert_eq!(code(Client::connect(nobody.address())), NO_CONNECTION);
+        let controller = Arm::simulated().no_packets().start();
+        let mut status = StatusStream::connect_with(&controller.config(), controller.status_addr()).unwrap();
+        status.next_packet().unwrap();
+        assert_eq!(code(status.next_packet()), LOST);
+    }
+}
