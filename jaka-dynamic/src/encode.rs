@@ -1,16 +1,14 @@
 //! Requests into JSON, strictly.
 
-mod advice;
-mod value;
-
-use jaka_proto::check::{Advised, AdvisoryRanges};
+use jaka_proto::check::{Advice, Advised, AdvisoryRanges};
 use jaka_proto::wire::Writer;
+use jaka_spec::{Choice, Command, EnumValue, Field, Request, Shape, Spec, Variant};
 use serde_json::{Map, Value};
 
-use super::names::{field_of, same, suggestion};
-use super::problem::{Problem, ProblemKind, member};
-use super::slot::{Slot, variants};
-use jaka_spec::{Choice, Command, Field, Request, Spec, Variant};
+use crate::names::{field_of, same, suggestion};
+use crate::problem::{Problem, ProblemKind, element, member};
+use crate::scalar::{self, Forbidden};
+use crate::slot::{Slot, variants};
 
 /// The request with these fields, byte for byte as the generated code writes it.
 ///
@@ -84,7 +82,7 @@ impl Encoder<'_> {
             // An element of an array cannot be left out before one that is given.
             let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
             let place = member(outer, &field.name);
-            let rows = advice::rows(self.spec, fields, (field, self.ranges), values);
+            let rows = rows(self.spec, fields, (field, self.ranges), values);
             let advised = if rows.list.is_empty() { advised } else { Advised::to(&rows.list).times(rows.times) };
             let slot = Slot::of(self.spec, field).advised(advised);
             if let Some(value) = value {
@@ -114,6 +112,89 @@ impl Encoder<'_> {
     fn problem(&mut self, place: &str, kind: ProblemKind, value: &Value, allowed: String) {
         self.problems.push(Problem::new(place, kind, value, allowed));
     }
+
+    fn value(&mut self, place: &str, slot: &Slot<'_>, value: &Value) {
+        if let Err(forbidden) = self.write(place, slot, value) {
+            let problem = Problem::new(place, ProblemKind::Forbidden, value, slot.words());
+            self.problems.push(Problem { advisory: forbidden == Forbidden::Advisory, ..problem });
+        }
+    }
+
+    fn write(&mut self, place: &str, slot: &Slot<'_>, value: &Value) -> Result<(), Forbidden> {
+        match slot.shape {
+            Shape::Scalar(scalar) => scalar::write(scalar, &slot.limits, self.ranges, value, &mut self.out)?,
+            Shape::Python(_) => {
+                let text = value.as_str().filter(|text| slot.limits.allow_text(text));
+                self.out.text(text.ok_or(Forbidden::Always)?);
+            }
+            Shape::List(element, len) => self.list(place, &slot.inner(element), value, len)?,
+            Shape::Object(fields) => {
+                let given = value.as_object().ok_or(Forbidden::Always)?;
+                self.out.raw("{");
+                self.object((place, slot.limits.advised), fields, given, "");
+                self.out.raw("}");
+            }
+            Shape::Tuple { fields, .. } => {
+                self.out.raw("[");
+                match value {
+                    Value::Object(given) => self.object((place, slot.limits.advised), fields, given, ""),
+                    Value::Array(elements) => self.elements((place, slot.limits.advised), fields, elements)?,
+                    _ => return Err(Forbidden::Always),
+                }
+                self.out.raw("]");
+            }
+            Shape::IntEnum(values) => {
+                let listed = values.iter().find(|listed| is_value(value, listed.wire, &listed.name));
+                self.out.int(self.allowed(listed)?.wire);
+            }
+            Shape::TextEnum(values) => {
+                let text = value.as_str().unwrap_or_default();
+                let listed = values.iter().find(|listed| listed.wire == text);
+                let listed = listed.or_else(|| values.iter().find(|listed| same(&listed.name, text)));
+                let wire = &self.allowed(listed)?.wire;
+                self.out.text(wire);
+            }
+            Shape::Choice(choice) => {
+                let (tag, rest) =
+                    value.as_array().and_then(|elements| elements.split_first()).ok_or(Forbidden::Always)?;
+                let variant = variant(choice, tag).ok_or(Forbidden::Always)?;
+                self.out.raw("[");
+                self.out.int(variant.wire);
+                self.elements((place, slot.limits.advised), &variant.fields, rest)?;
+                self.out.raw("]");
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the elements of a struct that is an array on the wire.
+    fn elements(&mut self, outer: Outer<'_>, fields: &[Field], elements: &[Value]) -> Result<(), Forbidden> {
+        let required = fields.iter().filter(|field| !field.optional).count();
+        if elements.len() < required || elements.len() > fields.len() {
+            return Err(Forbidden::Always);
+        }
+        let values: Vec<_> = elements.iter().map(|value| Some(value).filter(|value| !value.is_null())).collect();
+        self.members(outer, fields, &values);
+        Ok(())
+    }
+
+    fn list(&mut self, outer: &str, slot: &Slot<'_>, value: &Value, len: Option<usize>) -> Result<(), Forbidden> {
+        let items =
+            value.as_array().filter(|items| len.is_none_or(|len| items.len() == len)).ok_or(Forbidden::Always)?;
+        self.out.raw("[");
+        for (index, item) in items.iter().enumerate() {
+            self.out.comma();
+            self.value(&element(outer, index), slot, item);
+        }
+        self.out.raw("]");
+        Ok(())
+    }
+
+    /// The value of an enum, if it may be sent.
+    fn allowed<'v, T>(&self, listed: Option<&'v EnumValue<T>>) -> Result<&'v EnumValue<T>, Forbidden> {
+        let allowed = listed.filter(|listed| !listed.advisory || self.ranges == AdvisoryRanges::Ignored);
+        allowed.ok_or(if listed.is_some() { Forbidden::Advisory } else { Forbidden::Always })
+    }
 }
 
 /// The variant whose tag, or name, this is.
@@ -124,4 +205,44 @@ fn variant<'c>(choice: &'c Choice, tag: &Value) -> Option<&'c Variant> {
 /// True if `value` is this number, or the name that goes with it.
 fn is_value(value: &Value, wire: i64, name: &str) -> bool {
     value.as_i64() == Some(wire) || value.as_str().is_some_and(|text| same(text, name))
+}
+
+/// Rows of advice that hold, and the factor of their bounds.
+struct Rows<'a> {
+    list: Vec<Advice<'a>>,
+    times: Option<i64>,
+}
+
+/// Rows of a field, which stands among `fields` with `values`: none where advice is left to the controller.
+fn rows<'a>(
+    spec: &Spec,
+    fields: &[Field],
+    (field, ranges): (&'a Field, AdvisoryRanges),
+    values: &[Option<&Value>],
+) -> Rows<'a> {
+    let sibling = |name: &String| {
+        let at = fields.iter().position(|other| other.name == *name)?;
+        Some((&fields[at], values[at]?))
+    };
+    let holds = |advice: &&jaka_spec::Advice| {
+        ranges == AdvisoryRanges::Enforced
+            && advice.when.as_ref().is_none_or(|when| {
+                sibling(&when.field).is_some_and(|(selector, value)| is_selected(spec, selector, value, when.value))
+            })
+    };
+    let held: Vec<_> = field.advised.iter().filter(holds).collect();
+    let count = held.first().and_then(|advice| sibling(advice.per.as_ref()?));
+    let times = count.and_then(|(_, value)| value.as_i64());
+    let row = |advice: &&'a jaka_spec::Advice| Advice {
+        max: advice.max,
+        nonzero: advice.nonzero,
+        unit: advice.unit.as_deref().unwrap_or_default(),
+    };
+    Rows { list: held.iter().map(row).collect(), times }
+}
+
+/// True if the value given for an enum is the one with this number.
+fn is_selected(spec: &Spec, selector: &Field, value: &Value, wire: i64) -> bool {
+    let Shape::IntEnum(values) = spec.shape(&selector.ty) else { return false };
+    values.iter().any(|listed| listed.wire == wire && is_value(value, wire, &listed.name))
 }

@@ -59,25 +59,33 @@ pub(crate) fn read(scalar: &Scalar, value: &Value) -> Option<Value> {
     }
 }
 
+/// Reason why a value may not be sent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Forbidden {
+    /// It does not fit its type or its range.
+    Always,
+    /// It is outside of what is advised or what older firmware takes; newer firmware may take it.
+    Advisory,
+}
+
 /// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
-///
-/// # Errors
-/// The value may not be sent. True if newer firmware may take it.
 pub(crate) fn write(
     scalar: &Scalar,
     limits: &Limits<'_>,
     ranges: AdvisoryRanges,
     value: &Value,
     out: &mut Writer,
-) -> Result<(), bool> {
+) -> Result<(), Forbidden> {
     // What is only advised against is in range.
     let is_advisory = value.as_f64().is_some_and(|number| limits.advisory || limits.allow(number));
     match fit(scalar, limits, value) {
         Fit::Plain => {}
         Fit::Lenient(DepartureKind::Form) if value.is_boolean() => {}
         Fit::Lenient(DepartureKind::Range) if is_advisory && ranges == AdvisoryRanges::Ignored => {}
-        Fit::Lenient(DepartureKind::Range) => return Err(is_advisory),
-        Fit::Lenient(_) | Fit::Unreadable(_) => return Err(false),
+        Fit::Lenient(DepartureKind::Range) => {
+            return Err(if is_advisory { Forbidden::Advisory } else { Forbidden::Always });
+        }
+        Fit::Lenient(_) | Fit::Unreadable(_) => return Err(Forbidden::Always),
     }
     let written = match scalar {
         Scalar::Bool { off, on } => truth(value, off, on).map(|(is_on, _)| out.choose(is_on, off, on)),
@@ -89,7 +97,7 @@ pub(crate) fn write(
             Some(())
         }
     };
-    written.ok_or(false)
+    written.ok_or(Forbidden::Always)
 }
 
 /// Reads what was typed on a command line, as if a controller had sent it as a string.

@@ -4,6 +4,7 @@
 mod read;
 
 pub(crate) use self::read::is_success;
+pub use self::read::notation;
 
 use jaka_spec::{EnumValue, Field, Scalar, Shape, Variant};
 use serde_json::{Map, Value};

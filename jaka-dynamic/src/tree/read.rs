@@ -5,7 +5,6 @@ use serde_json::{Map, Value};
 
 use super::{Body, Label, Node};
 use crate::departure::{Departure, DepartureKind, Reading};
-use crate::notation::notation;
 use crate::problem::shown;
 use crate::scalar::{self, Fit};
 use crate::slot::{Slot, variants};
@@ -239,4 +238,30 @@ fn envelope(command: Option<&Command>, found: &mut Map<String, Value>) -> Vec<De
 pub(crate) fn is_success(reply: &Map<String, Value>) -> bool {
     let code = reply.get(ERROR_CODE).and_then(scalar::error_code);
     code.is_some_and(jaka_proto::ErrorCode::is_success)
+}
+
+/// Type that a value looks like, in the spec's notation.
+///
+/// Numbers in arrays are floats: where all of them are whole, others of their kind need not be. A number that is too large for an `int`
+/// is `json`, which keeps all its digits.
+pub fn notation(value: &Value) -> String {
+    match value {
+        Value::Bool(_) => "bool".to_owned(),
+        Value::Number(number) if number.is_f64() => "float".to_owned(),
+        Value::Number(number) if number.is_i64() => "int".to_owned(),
+        Value::String(_) => "text".to_owned(),
+        Value::Array(elements) => elements_notation(elements),
+        Value::Number(_) | Value::Object(_) | Value::Null => "json".to_owned(),
+    }
+}
+
+fn elements_notation(elements: &[Value]) -> String {
+    let mut kinds: Vec<_> = elements.iter().map(notation).collect();
+    kinds.sort();
+    kinds.dedup();
+    match kinds.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["int" | "float"] | ["float", "int"] => "float[]".to_owned(),
+        [one] => format!("{one}[]"),
+        _ => "json".to_owned(),
+    }
 }
