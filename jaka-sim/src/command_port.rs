@@ -16,7 +16,7 @@ use jaka_proto::{Envelope, ErrorCode, write_refusal};
 use jaka_spec::COMMAND_NAME;
 use serde_json::{Map, Value};
 
-use self::request_reader::{Incoming, Next, RequestReader};
+use self::request_reader::{Incoming, NextRequest, RequestReader};
 use crate::answer::{self, Sequel};
 use crate::clock;
 use crate::connection::{CommandConnection, NextStep};
@@ -123,12 +123,12 @@ fn receive(
 ) -> NextStep {
     let timeout = connection.writer().wait_for_due();
     match requests.next(timeout) {
-        Ok(Next::Incoming(incoming)) => match &shared.replay {
+        Ok(NextRequest::Incoming(incoming)) => match &shared.replay {
             Some(session) => replayed::answer(&incoming, connection, session, &shared.request_log),
             None => exchange(&incoming, connection, shared, reply),
         },
-        Ok(Next::Silence) => NextStep::Continue,
-        Ok(Next::End) => NextStep::Close,
+        Ok(NextRequest::Silence) => NextStep::Continue,
+        Ok(NextRequest::End) => NextStep::Close,
         Err(error) => {
             log::trace!(target: "jaka_sim", "command client lost: {error}");
             NextStep::Close

@@ -1,7 +1,6 @@
 //! The connections of the command port: the active client's, what waits to be written to it, and the client of a takeover.
 
 mod active;
-mod next_step;
 mod reply_writer;
 
 use std::io;
@@ -11,7 +10,6 @@ use std::time::Duration;
 use jaka_clock::{Signal, Socket, lock};
 
 pub(crate) use self::active::ActiveClient;
-pub(crate) use self::next_step::NextStep;
 use self::reply_writer::PendingReplies;
 pub(crate) use self::reply_writer::ReplyWriter;
 use crate::Port;
@@ -54,4 +52,19 @@ impl CommandConnection {
     pub(crate) fn closes_within(&self, time: Duration) -> bool {
         *self.changed.wait_until(&self.closed, time, |closed| *closed)
     }
+}
+
+/// What happens to a connection after a request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NextStep {
+    /// The next request is read.
+    Continue,
+    Close,
+    Reset,
+    /// It stays open, and no further request is answered.
+    HalfOpen,
+    /// Another client takes the port.
+    Takeover,
+    /// The controller shuts down.
+    Shutdown,
 }

@@ -1,25 +1,25 @@
 //! A running controller.
 
-mod faults;
-mod links;
-mod run_while;
-mod when;
-
-use std::fmt;
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
+use std::{fmt, panic};
 
 use jaka_clock::SimulatedClock;
 use serde_json::Value;
 
-pub use self::links::Link;
+use crate::link_selector::LinkSelector;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
 use crate::shared::Shared;
-use crate::{Builder, Contact, Deviation, Happening, Scheduled, State, command_port, status_port};
+use crate::trigger::{Condition, Trigger};
+use crate::{
+    Builder, Contact, Deviation, Direction, Fault, Happening, LinkFault, Port, Scheduled, State, StatusFault, clock,
+    command_port, status_port,
+};
 
 /// A simulated controller, which serves both of its ports until it is dropped.
 ///
@@ -251,6 +251,190 @@ impl Controller {
     pub fn wait_for_disconnect(&self, timeout: Duration) -> bool {
         self.shared.active_client.wait_until_none(timeout)
     }
+
+    /// Puts a fault into the queue, from which each reply takes the next.
+    pub fn inject(&self, fault: Fault) {
+        self.shared.faults().script.push_back(fault);
+    }
+
+    /// Gives a fault to the next reply to this command, such as `joint_move`, that has none yet.
+    ///
+    /// That reply takes none from the queue of [`inject`](Self::inject).
+    pub fn inject_for(&self, command: impl Into<String>, fault: Fault) {
+        self.shared.faults().commands.push((command.into(), fault));
+    }
+
+    /// Gives a fault to all replies that have no other, from now on; [`Fault::None`] ends it.
+    pub fn inject_always(&self, fault: Fault) {
+        self.shared.faults().inject_always(fault);
+    }
+
+    /// Takes back all faults of replies to come, also those of the [`FaultPlan`](crate::FaultPlan).
+    ///
+    /// What is kept back already stays so, and so do the faults of the status port and of the links.
+    pub fn clear_faults(&self) {
+        self.shared.faults().clear();
+    }
+
+    /// Sets what is wrong with status packets from now on; [`StatusFault::None`] ends it.
+    ///
+    /// ```
+    /// use jaka_sim::{Controller, StatusFault};
+    ///
+    /// let controller = Controller::start()?;
+    /// controller.status_fault(StatusFault::Silent);
+    /// // Here a monitor must say that it is blind.
+    /// controller.status_fault(StatusFault::None);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    pub fn status_fault(&self, fault: StatusFault) {
+        self.shared.status_listener.wait_until_accepted();
+        self.shared.readers.set_fault(fault);
+    }
+
+    /// Sends the replies that are held back by [`Fault::Hold`], if the client is still connected, and has the other
+    /// client of [`take_over`](Self::take_over) or [`Fault::Takeover`] leave.
+    pub fn release(&self) {
+        if let Some(connection) = self.shared.active_client.connection() {
+            // A connection that is lost takes its replies with it.
+            connection.writer().release().ok();
+        }
+        self.shared.active_client.disconnect_other();
+    }
+
+    /// Has another client take the command port: the connection of the present one is closed.
+    ///
+    /// The other client stays until a further client takes the port from it, or, if further clients are refused
+    /// ([`Takeover::Refuse`](crate::Takeover::Refuse)), until [`release`](Self::release).
+    ///
+    /// # Errors
+    /// The other client cannot connect.
+    pub fn take_over(&self) -> io::Result<()> {
+        self.shared.command_listener.wait_until_accepted();
+        self.shared.take_over()?;
+        self.shared.command_listener.wait_until_accepted();
+        Ok(())
+    }
+
+    /// The links of a port, in both directions.
+    pub fn link(&self, port: Port) -> Link<'_> {
+        Link { controller: self, selector: LinkSelector { port: Some(port), direction: None } }
+    }
+
+    /// The links of both ports, in both directions.
+    pub fn links(&self) -> Link<'_> {
+        Link { controller: self, selector: LinkSelector::default() }
+    }
+
+    /// Runs a program in a thread of its own while this thread does something with the controller, and returns what the
+    /// program returns when both have ended.
+    ///
+    /// The program may take `limit` after this thread is ready, in real time whatever the clock is; one that takes
+    /// longer is left to itself. With a [simulated clock](crate::Builder::clock) both begin at the same time.
+    ///
+    /// ```
+    /// use std::io::{Read, Write};
+    /// use std::net::TcpStream;
+    /// use std::time::Duration;
+    ///
+    /// use jaka_sim::{Controller, Fault};
+    ///
+    /// let controller = Controller::start()?;
+    /// controller.inject(Fault::Hold);
+    /// let limit = Duration::from_secs(60);
+    /// let mut client = TcpStream::connect(controller.command_addr())?;
+    /// let program = move || {
+    ///     client.write_all(br#"{"cmdName": "get_version"}"#)?;
+    ///     client.read(&mut [0; 200])
+    /// };
+    /// let read = controller.run_while(limit, program, |controller| {
+    ///     assert!(controller.wait_for_requests(1, limit));
+    ///     controller.release();
+    /// });
+    /// assert!(read?? > 0);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ErrorKind::TimedOut`] if the program takes longer; or a thread cannot be started.
+    ///
+    /// # Panics
+    /// The program panics: with the same payload.
+    pub fn run_while<T: Send + 'static>(
+        &self,
+        limit: Duration,
+        program: impl FnOnce() -> T + Send + 'static,
+        meanwhile: impl FnOnce(&Self),
+    ) -> io::Result<T> {
+        let time = self.shared.time();
+        // This thread takes part in a simulated time before the program's does.
+        let run = time.participating(|| {
+            let (running, ended) = mpsc::channel::<()>();
+            let thread = thread::Builder::new().name("program under test".to_owned());
+            let thread = thread.spawn(time.participating(move || {
+                let _running = running;
+                program()
+            }))?;
+            meanwhile(self);
+            time.outside(|| end(thread, &ended, limit))
+        });
+        run()
+    }
+
+    /// Does something once, in a thread of its own, when the state first is as the condition says, which may be now.
+    ///
+    /// The condition is asked in each controller cycle and after each change of the state. Requests wait meanwhile, so
+    /// it must not call the controller. The action may do with the controller what its owner may, and take its time:
+    /// the arm goes on, except that with a [stepped clock](crate::Builder::stepped_clock) [`advance`](Self::advance)
+    /// waits for it, and does nothing within it.
+    ///
+    /// With a clock of its own the controller is late by as much as the machine is busy; with a stepped or a
+    /// [simulated](crate::Builder::clock) one the action begins in the cycle in which the condition holds.
+    ///
+    /// Dropping the controller gives up what has not happened, and waits for actions that have begun.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use jaka_sim::{Controller, Happening, Level};
+    ///
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), Happening::Input(3, Level::High)).start()?;
+    /// let collision = controller.when(|state| state.digital_inputs[3], |controller| controller.collide())?;
+    /// controller.advance(Duration::from_secs(3));
+    /// assert_eq!(collision.fired_at(), Some(Duration::from_secs(2)));
+    /// assert!(controller.state().protective_stop);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A thread cannot be started.
+    pub fn when(
+        &self,
+        condition: impl FnMut(&State) -> bool + Send + 'static,
+        action: impl FnOnce(&Self) + Send + 'static,
+    ) -> io::Result<Trigger> {
+        let trigger = Trigger::new(self.shared.time());
+        let (shared, theirs) = (Arc::clone(&self.shared), trigger.clone());
+        let thread = clock::spawn(self.shared.time(), "when", move || watch(&shared, &theirs, action))?;
+        self.shared.triggers.add(&trigger, thread);
+        self.shared.world().watch(Condition::new(condition, &trigger));
+        Ok(trigger)
+    }
+
+    /// Has links change at their times where nobody asks the controller for anything then; a stepped clock needs no
+    /// thread for it.
+    pub(super) fn keep_time(&self, scheduled: &[Scheduled]) -> io::Result<()> {
+        let is_of_links = |scheduled: &Scheduled| matches!(scheduled.happening, Happening::Link { .. });
+        if self.shared.options.stepped || !scheduled.iter().any(is_of_links) {
+            return Ok(());
+        }
+        let end = Trigger::new(self.shared.time());
+        let (shared, theirs) = (Arc::clone(&self.shared), end.clone());
+        let keep = move || while shared.until_next_due().is_some_and(|left| theirs.waits(left)) {};
+        let thread = clock::spawn(self.shared.time(), "schedule", keep)?;
+        self.shared.triggers.add(&end, thread);
+        Ok(())
+    }
 }
 
 impl Builder {
@@ -298,4 +482,96 @@ impl fmt::Debug for Controller {
             .field("status_addr", &self.status_addr())
             .finish_non_exhaustive()
     }
+}
+
+/// The links between a controller's ports and its clients, of one port or both, in one direction or both.
+///
+/// What is set holds for the connections that are open and for those to come, until something else is set. See
+/// [`LinkFault`] for what each does.
+///
+/// ```
+/// use std::time::Duration;
+///
+/// use jaka_sim::{Controller, Port};
+///
+/// let controller = Controller::start()?;
+/// controller.links().hold(); // nothing passes any more
+/// controller.links().release(); // all that has waited passes at once
+/// controller.link(Port::Status).to_client().delay(Duration::from_millis(800));
+/// controller.link(Port::Command).to_controller().cut();
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+#[must_use = "links stay as they are until something is set"]
+pub struct Link<'c> {
+    controller: &'c Controller,
+    selector: LinkSelector,
+}
+
+impl Link<'_> {
+    /// In one direction alone.
+    pub fn direction(self, direction: Direction) -> Self {
+        Self { selector: LinkSelector { direction: Some(direction), ..self.selector }, ..self }
+    }
+
+    /// In the direction of what clients receive alone: replies and status packets.
+    pub fn to_client(self) -> Self {
+        self.direction(Direction::ToClient)
+    }
+
+    /// In the direction of what clients send alone: requests.
+    pub fn to_controller(self) -> Self {
+        self.direction(Direction::ToController)
+    }
+
+    /// Sets what is wrong from now on: [`Happening::Link`].
+    pub fn set(self, fault: LinkFault) {
+        self.controller.shared.command_listener.wait_until_accepted();
+        self.controller.shared.status_listener.wait_until_accepted();
+        let LinkSelector { port, direction } = self.selector;
+        self.controller.shared.world().happen(&Happening::Link { port, direction, fault });
+    }
+
+    /// Lets nothing pass: [`LinkFault::Hold`].
+    pub fn hold(self) {
+        self.set(LinkFault::Hold);
+    }
+
+    /// Makes each byte arrive this much later: [`LinkFault::Delay`].
+    pub fn delay(self, time: Duration) {
+        self.set(LinkFault::Delay(time));
+    }
+
+    /// Lets this many bytes a second pass: [`LinkFault::Slow`]. Bytes that were held pass at this rate, too.
+    pub fn slow(self, bytes_per_second: u64) {
+        self.set(LinkFault::Slow(bytes_per_second));
+    }
+
+    /// Lets nothing pass ever again on the connections that there are: [`LinkFault::Cut`].
+    pub fn cut(self) {
+        self.set(LinkFault::Cut);
+    }
+
+    /// Lets everything pass at once, also what has been held: [`LinkFault::None`].
+    pub fn release(self) {
+        self.set(LinkFault::None);
+    }
+}
+
+/// What a thread returns, which drops the other end of the channel when it ends.
+fn end<T>(thread: JoinHandle<T>, ended: &Receiver<()>, limit: Duration) -> io::Result<T> {
+    if ended.recv_timeout(limit) == Err(RecvTimeoutError::Timeout) {
+        return Err(io::Error::new(ErrorKind::TimedOut, "the program under test has not ended in time"));
+    }
+    thread.join().or_else(|payload| panic::resume_unwind(payload))
+}
+
+/// Waits until the condition holds, and then acts.
+fn watch(shared: &Arc<Shared>, trigger: &Trigger, action: impl FnOnce(&Controller)) {
+    while trigger.waits(shared.until_next_cycle()) {
+        // The condition is asked on the way.
+        drop(shared.world());
+    }
+    let lent = Controller { shared: Arc::clone(shared), commands: None, status: None, is_lent: true };
+    trigger.run(|| action(&lent));
 }

@@ -62,13 +62,13 @@ pub(crate) struct ReplaySession {
     readers: Vec<Arc<Script>>,
     /// What status packets of a strict replay wait for.
     dependencies: Option<Dependencies>,
-    progress: Mutex<Progress>,
+    progress: Mutex<ReplayProgress>,
     /// Signalled at each deviation.
     deviated: Signal,
 }
 
 #[derive(Debug, Default)]
-struct Progress {
+struct ReplayProgress {
     commands: usize,
     readers: usize,
     /// The answers that have not been used, by their request.
@@ -79,7 +79,7 @@ struct Progress {
 impl ReplaySession {
     pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming, time: &Clock) -> Self {
         let ReplaySource { recording, mode } = plan;
-        let mut progress = Progress::default();
+        let mut progress = ReplayProgress::default();
         if *mode == Replay::Matching {
             for answered in recording.answers() {
                 let same = progress.answers.entry(canonical(&answered.request.to_string())).or_default();
@@ -114,7 +114,7 @@ impl ReplaySession {
         self.known(script, Port::Status, &mut progress)
     }
 
-    fn known(&self, script: Option<Arc<Script>>, port: Port, progress: &mut Progress) -> Option<Arc<Script>> {
+    fn known(&self, script: Option<Arc<Script>>, port: Port, progress: &mut ReplayProgress) -> Option<Arc<Script>> {
         if script.is_none() {
             let recorded = if port == Port::Command { &self.commands } else { &self.readers };
             self.note(progress, Deviation::Connection { port, recorded: recorded.len() });
@@ -168,7 +168,7 @@ impl ReplaySession {
         self.note(&mut lock(&self.progress), deviation);
     }
 
-    fn note(&self, progress: &mut Progress, deviation: Deviation) {
+    fn note(&self, progress: &mut ReplayProgress, deviation: Deviation) {
         log::debug!(target: "jaka_sim", "the replay deviates: {deviation}");
         progress.deviations.push(deviation);
         self.deviated.notify_all();
@@ -180,7 +180,7 @@ impl ReplaySession {
 
     /// Waits until there are this many deviations in all; false where there are not in time.
     pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
-        let enough = |progress: &Progress| progress.deviations.len() >= count;
+        let enough = |progress: &ReplayProgress| progress.deviations.len() >= count;
         enough(&self.deviated.wait_until(&self.progress, timeout, enough))
     }
 }

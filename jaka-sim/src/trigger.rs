@@ -17,12 +17,12 @@ pub struct Trigger(Arc<Inner>);
 
 #[derive(Debug)]
 struct Inner {
-    progress: Mutex<Progress>,
+    progress: Mutex<TriggerProgress>,
     changed: Signal,
 }
 
 #[derive(Debug, Default)]
-struct Progress {
+struct TriggerProgress {
     fired_at: Option<Duration>,
     /// The action has returned, or there is none to come.
     is_over: bool,
@@ -54,13 +54,13 @@ impl Trigger {
 
     /// Waits for the condition, or so long; true if it is still waited for.
     pub(crate) fn waits(&self, time: Duration) -> bool {
-        let is_settled = |progress: &Progress| progress.fired_at.is_some() || progress.is_over;
+        let is_settled = |progress: &TriggerProgress| progress.fired_at.is_some() || progress.is_over;
         !is_settled(&self.0.changed.wait_until(&self.0.progress, time, is_settled))
     }
 
     /// Waits until the action has returned, if the condition holds.
     pub(crate) fn wait_for_action(&self) {
-        let is_done = |progress: &Progress| progress.fired_at.is_none() || progress.is_over;
+        let is_done = |progress: &TriggerProgress| progress.fired_at.is_none() || progress.is_over;
         drop(self.0.changed.wait_until(&self.0.progress, Duration::MAX, is_done));
     }
 
@@ -84,7 +84,7 @@ impl Trigger {
         });
     }
 
-    fn change(&self, change: impl FnOnce(&mut Progress)) {
+    fn change(&self, change: impl FnOnce(&mut TriggerProgress)) {
         change(&mut lock(&self.0.progress));
         self.0.changed.notify_all();
     }

@@ -1,11 +1,6 @@
 //! The controller and its arm over time.
 
-mod events;
-mod planning;
-mod program;
 mod schedule;
-mod servo;
-mod touch;
 
 use std::collections::HashMap;
 use std::io;
@@ -14,21 +9,21 @@ use std::time::Duration;
 
 use jaka_motion::{Frames, Model, Transform};
 use jaka_proto::messages::force::IdentifyStatus;
+use jaka_proto::messages::motion::{EndMove, JointMove, LineMode, MoveC, MoveL};
 use jaka_proto::messages::program::ProgramState;
-use jaka_proto::messages::types::{JointPosition, Pose};
+use jaka_proto::messages::types::{JointPosition, MoveMode, Pose};
+use jaka_proto::{ControllerEvent, Request, Severity};
 
-use self::events::Reported;
 use self::schedule::Schedule;
-use self::touch::Touch;
 use crate::clock::CYCLE;
 use crate::firmware::Writing;
 use crate::link::Links;
-use crate::motion::{Drives, Engine, Joints};
+use crate::motion::{Drives, Engine, Joints, Path, Planned, Profile, Reference, Servo, ServoOptions, Zone};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
-use crate::trips::Trip;
+use crate::trips::{self, Observed, Trip};
 use crate::underrun::Underrun;
-use crate::{Builder, Delays, Habits, State};
+use crate::{Builder, Contact, Delays, Habits, State};
 
 /// The state, and what changes it as time goes on.
 #[derive(Debug)]
@@ -338,9 +333,252 @@ impl World {
             points.push(joints);
         }
     }
+
+    /// Starts the next command of the program when the one before has ended.
+    pub(super) fn run_program(&mut self) {
+        if self.state.program_state != ProgramState::Running || self.engine.is_busy() {
+            return;
+        }
+        let Some(runner) = &mut self.runner else {
+            return;
+        };
+        let Some(command) = runner.next() else {
+            return self.end_program();
+        };
+        if !self.start_motion(&command) {
+            log::debug!(target: "jaka_sim", "the program ends: `{}` is refused", command.info().name);
+            self.end_program();
+        }
+    }
+
+    /// Ends the program.
+    pub(crate) fn end_program(&mut self) {
+        self.runner = None;
+        self.state.program_state = ProgramState::Idle;
+    }
+
+    /// Servo mode, with the filter that is set.
+    pub(super) fn servo(&self) -> Servo {
+        let filter = &self.state.servo_filter;
+        let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
+        Servo::new(self.drives.commanded, options, &self.model)
+    }
+
+    /// What has gone wrong with the motion in this cycle.
+    pub(super) fn error(&mut self) -> Option<u32> {
+        let drives = &self.drives;
+        let observed = Observed {
+            deviation: drives.deviation(),
+            speed: drives.speed,
+            speed_deviation: drives.speed_deviation(),
+            ..Observed::default()
+        };
+        let of_servo = self.engine.servo.as_mut().and_then(Servo::take_error);
+        of_servo.or_else(|| trips::error(&self.trips, &observed))
+    }
+
+    /// Stops with an error, as the drives do.
+    pub(super) fn trip(&mut self, code: u32) {
+        self.state.report(code);
+        self.state.servo_mode = false;
+        self.halt();
+        self.make_consistent();
+    }
+
+    /// Puts a plane into the way, or takes it away.
+    pub(crate) fn set_contact(&mut self, contact: Option<Contact>) {
+        self.touch = Touch::new(contact);
+        self.state.torque_sensor.contact_force = [0.0; 6];
+        self.feel();
+    }
+
+    /// How deep the tool has been, in mm.
+    pub(crate) fn deepest_penetration(&self) -> f64 {
+        self.touch.deepest
+    }
+
+    /// The force on the tool where it is.
+    pub(super) fn feel(&mut self) {
+        let Some(contact) = self.touch.contact else { return };
+        let tool = self.tool_at(self.state.joint_position.0);
+        self.touch.deepest = self.touch.deepest.max(contact.depth(&tool));
+        self.state.torque_sensor.contact_force = contact.force(&tool);
+    }
+
+    /// Puts what has happened into the error code, if that is a habit and the code is not that of an error.
+    pub(super) fn report_events(&mut self) {
+        let now = Reported {
+            enabled: self.state.enabled,
+            servo_mode: self.state.servo_mode,
+            program: self.state.program_state != ProgramState::Idle,
+            protective_stop: self.state.protective_stop,
+        };
+        let before = std::mem::replace(&mut self.seen, now);
+        let happened = [
+            (before.servo_mode, now.servo_mode, SERVO_ON, Some(SERVO_OFF)),
+            (before.enabled, now.enabled, ENABLED, Some(DISABLED)),
+            (before.program, now.program, PROGRAM_STARTS, None),
+            (before.protective_stop, now.protective_stop, PROTECTIVE_STOP, None),
+        ];
+        for (before, now, begins, ends) in happened {
+            let event = if now { Some(begins) } else { ends };
+            if let Some(event) = event.filter(|_| before != now && self.habits.events && !has_error(&self.state)) {
+                self.state.report(event);
+                self.event_ends = Some(self.now + INFORMATION);
+            }
+        }
+    }
+
+    /// Takes information out of the error code when its time is over.
+    pub(super) fn end_information(&mut self) {
+        if self.event_ends.take_if(|ends| *ends <= self.now).is_some() && !has_error(&self.state) {
+            self.state.clear_error();
+        }
+    }
+
+    /// Queues a motion; false if the arm cannot make it, or the request is not a motion.
+    pub(crate) fn start_motion(&mut self, request: &Request) -> bool {
+        let planned = match request {
+            Request::JointMove(command) => joint_move(command, self),
+            Request::EndMove(command) => end_move(command, self),
+            Request::MoveL(command) => move_l(command, self),
+            Request::MoveC(command) => move_c(command, self),
+            _ => None,
+        };
+        self.enqueue(planned.filter(|_| self.engine.jog.is_none()))
+    }
+
+    /// Queues a motion; false if there is none.
+    pub(crate) fn enqueue(&mut self, planned: Option<Planned>) -> bool {
+        planned.map(|planned| self.engine.enqueue(planned)).is_some()
+    }
+
+    /// Where the next motion starts.
+    pub(crate) fn tail(&self) -> Joints {
+        self.engine.tail(self.drives.commanded)
+    }
+
+    /// The way of all joints to a target.
+    pub(crate) fn plan_joints(&self, to: Joints, speed: f64, acceleration: f64) -> Option<Planned> {
+        let from = self.tail();
+        self.model.is_within_range(to).then_some(())?;
+        self.plan(Path::Joints { from, to }, speed, acceleration)
+    }
+
+    pub(crate) fn plan(&self, path: Path, speed: f64, acceleration: f64) -> Option<Planned> {
+        if speed <= 0.0 || acceleration <= 0.0 {
+            return None;
+        }
+        let end = path.end(&self.model, self.tail())?;
+        let profile = Profile::new(path.length(), speed, acceleration);
+        Some(Planned { path, profile, deceleration: acceleration, end, zone: None })
+    }
+
+    /// A motion that goes over into the next one within a tolerance, where that is a habit.
+    fn rounded(&self, planned: Planned, tolerance: Option<f64>) -> Planned {
+        let radius = tolerance.filter(|_| self.habits.blend).unwrap_or_default();
+        let end = self.model.forward(planned.end) * self.tool();
+        Planned { zone: Zone::new(self.tool(), end, radius), ..planned }
+    }
+
+    /// The flange displaced along the axes of the user frame.
+    pub(crate) fn displaced(&self, flange: Transform, by: Pose) -> Transform {
+        let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
+        reference.moved(flange, by.into())
+    }
 }
 
 fn offset(frames: &[crate::Frame], id: i64) -> Transform {
     let frame = usize::try_from(id).ok().and_then(|id| frames.get(id));
     frame.map_or_else(Transform::identity, |frame| frame.offset.into())
+}
+
+/// The plane in the way of the tool centre point, and how deep the tool has been.
+#[derive(Debug)]
+pub(super) struct Touch {
+    contact: Option<Contact>,
+    deepest: f64,
+}
+
+impl Touch {
+    pub(super) fn new(contact: Option<Contact>) -> Self {
+        Self { contact, deepest: 0.0 }
+    }
+}
+
+/// Codes of the vendor's table of controller events.
+const ENABLED: u32 = 0x10f_0004;
+const DISABLED: u32 = 0x10f_0005;
+const PROTECTIVE_STOP: u32 = 0x10f_000b;
+const SERVO_ON: u32 = 0x10f_0015;
+const SERVO_OFF: u32 = 0x10f_0016;
+const PROGRAM_STARTS: u32 = 0x10f_001b;
+
+/// Time for which information stays in the error code: a capture has one entry of a log for 257 ms.
+const INFORMATION: Duration = Duration::from_millis(256);
+
+/// What was so when events were last reported.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
+pub(super) struct Reported {
+    enabled: bool,
+    servo_mode: bool,
+    program: bool,
+    protective_stop: bool,
+}
+
+/// True where the error code has something else than information.
+fn has_error(state: &State) -> bool {
+    let event = ControllerEvent::from_text(&state.error_code);
+    event.map_or(true, |event| event.is_some_and(|event| event.severity() != Severity::Information))
+}
+
+/// Acceleration where a command leaves it out, in deg/s² and mm/s². What controllers choose is not known.
+const USUAL_ACCELERATION: f64 = 180.0;
+
+fn joint_move(command: &JointMove, world: &World) -> Option<Planned> {
+    let from = world.tail();
+    let JointPosition(values) = command.joint_position;
+    let to = match command.mode {
+        MoveMode::Relative => std::array::from_fn(|i| from[i] + values[i]),
+        _ => values,
+    };
+    world.plan_joints(to, command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
+}
+
+fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
+    let to = world.model.inverse(world.flange(command.pose), world.tail()).ok()?;
+    world.plan_joints(to.into(), command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
+}
+
+/// Where the tool is at a pose that a command gives.
+fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
+    let tool = world.tool();
+    match mode {
+        MoveMode::Relative => world.displaced(world.model.forward(world.tail()), pose) * tool,
+        _ => world.flange(pose) * tool,
+    }
+}
+
+fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
+    let tool = world.tool();
+    let from = world.model.forward(world.tail()) * tool;
+    let to = match command.mode {
+        LineMode::Relative => tool_at(world, MoveMode::Relative, command.pose),
+        LineMode::RelativeToTool => from * command.pose.into(),
+        _ => tool_at(world, MoveMode::Absolute, command.pose),
+    };
+    let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
+    let planned = world.plan(Path::Line { from, to, tool }, command.speed, acceleration)?;
+    Some(world.rounded(planned, command.tolerance))
+}
+
+fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
+    let tool = world.tool();
+    let from = world.model.forward(world.tail()) * tool;
+    let middle = tool_at(world, command.mode, command.mid_pose);
+    let to = tool_at(world, command.mode, command.end_pose);
+    let arc = Path::arc(from, middle, to, tool)?;
+    let planned = world.plan(arc, command.speed, command.acceleration)?;
+    Some(world.rounded(planned, Some(command.tolerance)))
 }

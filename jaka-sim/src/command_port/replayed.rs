@@ -8,7 +8,7 @@ use jaka_proto::recording::{Answer, Ending};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, ErrorCode, Request, write_refusal, write_reply};
 
-use super::request_reader::{Incoming, Next, RequestReader};
+use super::request_reader::{Incoming, NextRequest, RequestReader};
 use crate::Fault;
 use crate::answer::Sequel;
 use crate::connection::{CommandConnection, NextStep};
@@ -102,7 +102,7 @@ impl Player<'_> {
 
     /// The next request; `None` if the client has disconnected.
     fn next_request(&mut self) -> Option<String> {
-        let Ok(Next::Incoming(incoming)) = self.requests.next(None) else { return None };
+        let Ok(NextRequest::Incoming(incoming)) = self.requests.next(None) else { return None };
         if let Incoming::Request(text) | Incoming::NoText(text) = &incoming {
             self.shared.request_log.record(text.clone());
         }

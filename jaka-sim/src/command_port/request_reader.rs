@@ -21,7 +21,7 @@ pub(super) struct RequestReader<'s> {
 
 /// What comes next.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Next {
+pub(super) enum NextRequest {
     Incoming(Incoming),
     /// Nothing has come in time.
     Silence,
@@ -46,21 +46,21 @@ impl<'s> RequestReader<'s> {
     }
 
     /// Waits for the next request; at most so long, if a time is given.
-    pub(super) fn next(&mut self, patience: Option<Duration>) -> io::Result<Next> {
+    pub(super) fn next(&mut self, patience: Option<Duration>) -> io::Result<NextRequest> {
         loop {
             match self.framer.next_frame() {
-                Ok(Some(frame)) => return Ok(Next::Incoming(Incoming::of(frame))),
+                Ok(Some(frame)) => return Ok(NextRequest::Incoming(Incoming::of(frame))),
                 Ok(None) => {}
                 Err(FrameError::Garbage { .. }) => {
                     self.framer.resync();
-                    return Ok(Next::Incoming(Incoming::Garbage));
+                    return Ok(NextRequest::Incoming(Incoming::Garbage));
                 }
-                Err(_) => return Ok(Next::End),
+                Err(_) => return Ok(NextRequest::End),
             }
             match self.inbound.receive(self.framer.spare(), patience)? {
                 Received::Bytes(count) => self.framer.filled(count),
-                Received::Silence => return Ok(Next::Silence),
-                Received::End => return Ok(Next::End),
+                Received::Silence => return Ok(NextRequest::Silence),
+                Received::End => return Ok(NextRequest::End),
             }
         }
     }

@@ -38,7 +38,7 @@ pub(crate) struct Servo {
     waiting: VecDeque<SetPoint>,
     /// The cycles left of the set-point that is under way.
     left: u32,
-    reference: Reference,
+    reference: ServoReference,
     filter: Filter,
     /// Where the joints are commanded to be.
     commanded: Joints,
@@ -54,7 +54,7 @@ pub(crate) struct Servo {
 
 /// Where the set-points have led to by now.
 #[derive(Debug, Clone, Copy)]
-struct Reference {
+struct ServoReference {
     joints: Joints,
     /// Over the period of the last set-point, or after a run-out the last cycle, in deg/s.
     speed: Joints,
@@ -93,7 +93,7 @@ impl Servo {
         Self {
             waiting: VecDeque::new(),
             left: 0,
-            reference: Reference { joints: at, speed: [0.0; 6], space: Space::Joints },
+            reference: ServoReference { joints: at, speed: [0.0; 6], space: Space::Joints },
             filter: Filter::new(options.filter, at, options.tool, model),
             commanded: at,
             underrun: options.underrun,
@@ -182,11 +182,11 @@ impl Servo {
 
     /// Judges a set-point by the one before, each over its period.
     fn begin(&mut self, next: SetPoint) {
-        let Reference { joints, speed: before, .. } = self.reference;
+        let ServoReference { joints, speed: before, .. } = self.reference;
         let speed = next.speed(joints);
         let acceleration = std::array::from_fn(|i| (speed[i] - before[i]) / next.period());
         self.error = self.trip(speed, acceleration);
-        self.reference = Reference { joints, speed, space: next.space };
+        self.reference = ServoReference { joints, speed, space: next.space };
         self.left = next.cycles.max(1);
         self.dry = Duration::ZERO;
     }
@@ -204,7 +204,7 @@ impl Servo {
 
     /// Goes on at the last speed, which all joints lose at the same rate, at most as far as the joints' ranges.
     fn run_out(&mut self, deceleration: f64, model: &Model) {
-        let Reference { joints, speed, .. } = &mut self.reference;
+        let ServoReference { joints, speed, .. } = &mut self.reference;
         let cycle = CYCLE.as_secs_f64();
         let fastest = speed.iter().map(|speed| speed.abs()).fold(0.0, f64::max);
         let kept = (1.0 - deceleration.max(0.0) * cycle / fastest).max(0.0);
@@ -218,7 +218,7 @@ impl Servo {
     }
 }
 
-impl Reference {
+impl ServoReference {
     fn is_still(&self) -> bool {
         self.speed.iter().all(|speed| speed.abs() < STILL)
     }

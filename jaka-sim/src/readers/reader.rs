@@ -46,7 +46,7 @@ pub(super) enum Message {
     Reschedule,
 }
 
-enum Next {
+enum NextTask {
     Message(Message),
     Packet,
     End,
@@ -80,13 +80,13 @@ impl Reader {
         let mut writer = PacketWriter::new(&self.wire, self.fault.clone());
         loop {
             match self.next(packets.due(session)) {
-                Next::Packet => match packets.take() {
+                NextTask::Packet => match packets.take() {
                     Some(RecordedStep::Packet(packet)) => writer.send_packet(&packet)?,
                     Some(RecordedStep::End) => return Ok(()),
                     None => {}
                 },
-                Next::Message(message) => self.handle(message, &mut writer)?,
-                Next::End => return Ok(()),
+                NextTask::Message(message) => self.handle(message, &mut writer)?,
+                NextTask::End => return Ok(()),
             }
         }
     }
@@ -111,25 +111,25 @@ impl Reader {
             let period = usual.map(|usual| period(writer.fault(), usual));
             let due = period.and_then(|period| last.checked_add(period));
             match self.next(due) {
-                Next::Packet => {
+                NextTask::Packet => {
                     writer.send_packet(&packet())?;
                     // One period after the last was due, unless that time has passed.
                     last = due.filter(|due| Some(self.time.elapsed(*due)) < period).unwrap_or_else(|| self.time.now());
                 }
-                Next::Message(message) => self.handle(message, &mut writer)?,
-                Next::End => return Ok(()),
+                NextTask::Message(message) => self.handle(message, &mut writer)?,
+                NextTask::End => return Ok(()),
             }
         }
     }
 
-    fn next(&self, due: Option<Instant>) -> Next {
+    fn next(&self, due: Option<Instant>) -> NextTask {
         let left = due.map_or(Duration::MAX, |due| self.time.left(due));
         let ready = |outbox: &Outbox| outbox.closed || !outbox.messages.is_empty();
         let mut outbox = self.changed.wait_until(&self.outbox, left, ready);
         if outbox.closed {
-            return Next::End;
+            return NextTask::End;
         }
-        outbox.messages.pop_front().map_or(Next::Packet, Next::Message)
+        outbox.messages.pop_front().map_or(NextTask::Packet, NextTask::Message)
     }
 
     /// Has the thread do something, and gives its number to wait for.

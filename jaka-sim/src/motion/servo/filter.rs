@@ -10,7 +10,7 @@ use jaka_proto::messages::servo::SetServoMoveFilter;
 
 use super::cartesian::Cartesian;
 use super::tracker::Tracker;
-use super::{Reference, Space};
+use super::{ServoReference, Space};
 use crate::clock::CYCLE;
 use crate::motion::Joints;
 
@@ -98,7 +98,7 @@ impl Filter {
     }
 
     /// One cycle: where the joints are commanded to be. `None` where the arm cannot be there.
-    pub(super) fn next(&mut self, joints: Joints, reference: &Reference, model: &Model) -> Option<Joints> {
+    pub(super) fn next(&mut self, joints: Joints, reference: &ServoReference, model: &Model) -> Option<Joints> {
         let to = reference.joints;
         Some(match self {
             Self::Off => to,
@@ -129,7 +129,7 @@ impl Filter {
     }
 
     /// True where nothing more follows from a reference that stays where it is.
-    pub(super) fn is_settled(&self, joints: Joints, reference: &Reference) -> bool {
+    pub(super) fn is_settled(&self, joints: Joints, reference: &ServoReference) -> bool {
         let is_there = |at: &Joints| at.iter().zip(&reference.joints).all(|(at, to)| (at - to).abs() < SAME);
         is_there(&joints)
             && match self {

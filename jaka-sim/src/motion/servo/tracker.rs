@@ -31,7 +31,7 @@ pub(super) struct Tracker<const N: usize> {
 
 /// What a tracker does in a cycle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step<const N: usize> {
+pub(super) struct TrackerStep<const N: usize> {
     /// How far it goes.
     pub(super) by: [f64; N],
     /// True where it is then at the place that it follows.
@@ -57,13 +57,13 @@ impl<const N: usize> Tracker<N> {
     }
 
     /// One cycle. `off` is how far it is from the place that it follows, `way` how far that goes in this cycle.
-    pub(super) fn next(&mut self, off: [f64; N], way: [f64; N]) -> Step<N> {
+    pub(super) fn next(&mut self, off: [f64; N], way: [f64; N]) -> TrackerStep<N> {
         let exact = minus(way, off);
         let arrives = off.iter().all(|off| off.abs() < NEAR) && self.allows(exact);
         let by = if arrives { exact } else { self.nearer(off, way) };
         self.acceleration = minus(by, self.speed);
         self.speed = by;
-        Step { by, arrives }
+        TrackerStep { by, arrives }
     }
 
     fn allows(&self, speed: [f64; N]) -> bool {
