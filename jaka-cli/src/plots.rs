@@ -14,4 +14,4 @@ pub(crate) use self::calls::{Latency, calls};
 pub(crate) use self::histogram::histogram;
 pub(crate) use self::series::Series;
 pub(crate) use self::strips::{Strip, Trace, strips};
-pub(crate) use self::way::{View, draw_way, way};
+pub(crate) use self::way::{ViewAxes, draw_way, way};

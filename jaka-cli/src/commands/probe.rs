@@ -16,7 +16,7 @@ use clap::Args;
 use jaka_spec::Spec;
 
 use self::finding::Findings;
-use self::progress::Progress;
+use self::progress::ProbeProgress;
 use crate::failure::Failure;
 use crate::target::RobotArgs;
 use crate::target::packs::SpecArgs;
@@ -58,7 +58,7 @@ impl Probe {
         if !self.yes && !self.robot.is_simulated() {
             seat::obtain(target.title(), "nothing was probed")?;
         }
-        let progress = Progress::begin();
+        let progress = ProbeProgress::begin();
         let commands = queries::ask_all(&protocol.spec, &target, &progress)?;
         let status = status::take(&protocol.spec, &target, self.packets.get(), &progress);
         let findings = Findings::new(commands, status, &protocol.packs);

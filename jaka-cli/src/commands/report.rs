@@ -7,7 +7,7 @@ mod session;
 use clap::Args;
 use jaka_sync::recording::Recording;
 
-use self::page::Page;
+use self::page::HtmlPage;
 use self::session::Session;
 use crate::failure::Failure;
 use crate::recordings::recorded;
@@ -49,7 +49,7 @@ impl Report {
 /// Page of a recording of this name: HTML without scripts, which refers to nothing outside of itself.
 fn page_of(name: &str, recording: &Recording) -> Result<String, Failure> {
     let session = Session::read(recording);
-    let mut page = Page::new(name);
+    let mut page = HtmlPage::new(name);
     page.section("summary", "Summary", &page::facts(&session));
     page.section("problems", "What went wrong", &page::problems(&session));
     for (id, title, html) in pictures::sections(&session)? {

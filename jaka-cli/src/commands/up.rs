@@ -29,7 +29,7 @@ impl Up {
             "get power and be enabled: its brakes release",
             &[intent(&PowerOn::new())?, intent(&EnableRobot::new())?],
         )?;
-        let mut progress = Progress::default();
+        let mut progress = StepProgress::default();
         act.with_steps(|robot| robot.power_up_with(act.patience(PATIENCE), |step| progress.note(step)))?;
         output::line("the arm is powered and enabled")
     }
@@ -37,12 +37,12 @@ impl Up {
 
 /// Notes of the steps, as the controller's answers show them.
 #[derive(Debug, Default)]
-struct Progress {
+struct StepProgress {
     /// Time that switching the power on took, if that was a step.
     powered_after: Option<Duration>,
 }
 
-impl Progress {
+impl StepProgress {
     fn note(&mut self, step: PowerStep) {
         match (step.command, step.took) {
             (command, Some(took)) if command == PowerOn::INFO.name => self.powered_after = Some(took),

@@ -19,18 +19,18 @@ const LEAST: f64 = 20.0;
 
 /// From where it is seen: the names of the axes to the right and upwards.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct View {
+pub(crate) struct ViewAxes {
     pub(crate) right: &'static str,
     pub(crate) up: &'static str,
 }
 
 /// Draws curves in millimetres, both axes in the same scale. A circle is at the beginning, a square at the end.
-pub(crate) fn way(view: View, curves: &[Vec<Point>]) -> Picture {
+pub(crate) fn way(view: ViewAxes, curves: &[Vec<Point>]) -> Picture {
     picture(SIZE, |area| draw_way(area, view, curves))
 }
 
 /// The same on a part of another picture.
-pub(crate) fn draw_way(area: &Area<'_>, view: View, curves: &[Vec<Point>]) -> Drawn {
+pub(crate) fn draw_way(area: &Area<'_>, view: ViewAxes, curves: &[Vec<Point>]) -> Drawn {
     let (width, height) = area.dim_in_pixel();
     let (right, up, scale) = ranges(curves, (width / FINE, height / FINE));
     let length = right.end - right.start;

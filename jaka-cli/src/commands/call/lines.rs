@@ -35,7 +35,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     }
     let connection = Connection::open(&target, options)?;
     let forms = FirmwareForms::default();
-    let mut session = Session { protocol, options, target, connection, forms, under_way };
+    let mut session = LineSession { protocol, options, target, connection, forms, under_way };
     let mut first = Ok(());
     session.under_way.set(Stage::Idle);
     for line in stdin().lock().lines() {
@@ -56,7 +56,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
     first
 }
 
-struct Session<'s> {
+struct LineSession<'s> {
     protocol: &'s Protocol,
     options: &'s Options,
     target: Target,
@@ -65,7 +65,7 @@ struct Session<'s> {
     under_way: UnderWay,
 }
 
-impl Session<'_> {
+impl LineSession<'_> {
     /// What is printed for a line, and the failure, if it is one.
     fn answer(&mut self, line: &str) -> (Value, Option<Failure>) {
         let mut answer = json!({});

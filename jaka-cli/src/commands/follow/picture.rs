@@ -13,7 +13,7 @@ use plotters::style::text_anchor::HPos;
 use super::report::tool_at;
 use crate::plots::chart;
 use crate::plots::chart::{Drawn, TEXT};
-use crate::plots::{View, draw_way};
+use crate::plots::{ViewAxes, draw_way};
 
 /// Width and height in pixels: three panels over time, and below them two views of the tool's way.
 const SIZE: (u32, u32) = (900, 3 * PANEL + VIEWS);
@@ -60,7 +60,7 @@ pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<Stri
         }
         for (area, (up, axis)) in views.split_evenly((1, 2)).iter().zip([("y in mm", 1), ("z in mm", 2)]) {
             let way = tool.iter().map(|place| (place[0], place[axis])).collect();
-            draw_way(area, View { right: ALONG, up }, &[way])?;
+            draw_way(area, ViewAxes { right: ALONG, up }, &[way])?;
         }
         Ok(())
     });

@@ -12,13 +12,13 @@ use super::measured::{Measured, PRIORITY, SPIN, Times, micros};
 use crate::text::number::fixed;
 
 /// One way of waiting: its times, or why there are none.
-struct Row<'m> {
+struct LatenessRow<'m> {
     busy_wait: Duration,
     priority: Option<u8>,
     times: Result<&'m Times, &'m str>,
 }
 
-impl Row<'_> {
+impl LatenessRow<'_> {
     fn name(&self) -> String {
         let wait =
             if self.busy_wait.is_zero() { "asleep".to_owned() } else { format!("spinning {:?}", self.busy_wait) };
@@ -26,14 +26,14 @@ impl Row<'_> {
     }
 }
 
-fn rows(measured: &Measured) -> [Row<'_>; 4] {
+fn rows(measured: &Measured) -> [LatenessRow<'_>; 4] {
     let usual = &measured.lateness.usual;
     let realtime = measured.lateness.realtime.as_ref().map_err(String::as_str);
     [
-        Row { busy_wait: Duration::ZERO, priority: None, times: Ok(&usual.asleep) },
-        Row { busy_wait: SPIN, priority: None, times: Ok(&usual.spinning) },
-        Row { busy_wait: Duration::ZERO, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.asleep) },
-        Row { busy_wait: SPIN, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.spinning) },
+        LatenessRow { busy_wait: Duration::ZERO, priority: None, times: Ok(&usual.asleep) },
+        LatenessRow { busy_wait: SPIN, priority: None, times: Ok(&usual.spinning) },
+        LatenessRow { busy_wait: Duration::ZERO, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.asleep) },
+        LatenessRow { busy_wait: SPIN, priority: Some(PRIORITY), times: realtime.map(|waits| &waits.spinning) },
     ]
 }
 
@@ -97,7 +97,7 @@ pub(super) fn json(measured: &Measured) -> Value {
     })
 }
 
-fn way(row: &Row<'_>) -> Value {
+fn way(row: &LatenessRow<'_>) -> Value {
     let period = ServoConfig::new().period();
     let mut way = row.times.map_or_else(|refusal| json!({"refused": refusal}), figures);
     if let Ok(times) = row.times {

@@ -9,12 +9,12 @@ use crate::terminal::output;
 
 /// How far a probe has come: shown on a terminal, until Ctrl-C.
 #[derive(Debug)]
-pub(super) struct Progress {
+pub(super) struct ProbeProgress {
     interrupted: Arc<AtomicBool>,
     is_shown: bool,
 }
 
-impl Progress {
+impl ProbeProgress {
     /// Handles Ctrl-C from now on: the next question is not asked. A second one ends the program at once.
     pub(super) fn begin() -> Self {
         let interrupted = Arc::new(AtomicBool::new(false));

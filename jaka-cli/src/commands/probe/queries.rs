@@ -7,7 +7,7 @@ use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
 
 use super::finding::{Finding, Outcome};
-use super::progress::Progress;
+use super::progress::ProbeProgress;
 use crate::commands::call::reply_json;
 use crate::failure::{Failure, chain, fact};
 use crate::target::Target;
@@ -20,9 +20,9 @@ const MOST_RECONNECTS: u32 = 3;
 /// # Errors
 /// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes
 /// wrong later is a finding.
-pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Result<Vec<Finding>, Failure> {
+pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) -> Result<Vec<Finding>, Failure> {
     let (client, forms) = (Ok(target.client()?), Forms::of(spec, None));
-    let mut connection = Connection { target, client, forms, has_answered: false, reconnects: 0 };
+    let mut connection = ProbeConnection { target, client, forms, has_answered: false, reconnects: 0 };
     let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();
     let ask = |(number, command): (usize, &&Command)| {
         if progress.is_interrupted() {
@@ -37,7 +37,7 @@ pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &Progress) -> Resu
 }
 
 /// The connection to the controller, and a new one where it breaks.
-struct Connection<'t> {
+struct ProbeConnection<'t> {
     target: &'t Target,
     /// Why there is no connection, if there is none.
     client: Result<Client, String>,
@@ -47,7 +47,7 @@ struct Connection<'t> {
     reconnects: u32,
 }
 
-impl Connection<'_> {
+impl ProbeConnection<'_> {
     fn ask(&mut self, spec: &Spec, command: &Command) -> Result<Finding, Failure> {
         let name = command.wire.as_str();
         let not_probed = |why| Ok(Finding::without(name, Outcome::NotProbed(why)));

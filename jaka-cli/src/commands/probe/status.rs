@@ -5,7 +5,7 @@ use jaka_spec::Spec;
 use jaka_sync::{ErrorKind, StatusStream};
 
 use super::finding::{Finding, Outcome};
-use super::progress::Progress;
+use super::progress::ProbeProgress;
 use crate::commands::call::reply_json;
 use crate::failure::{chain, fact};
 use crate::target::Target;
@@ -14,7 +14,7 @@ use crate::target::Target;
 const NAME: &str = "status packet";
 
 /// Reads packets, and compares them with the spec. A departure that several packets have is reported once.
-pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &Progress) -> Finding {
+pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbeProgress) -> Finding {
     if progress.is_interrupted() {
         return Finding::without(NAME, Outcome::NotProbed("interrupted".to_owned()));
     }

@@ -18,7 +18,7 @@ use socket2::{SockRef, TcpKeepalive};
 use crate::terminal::output;
 
 use self::pipe::Pipe;
-use self::recording_queue::{Connection, Passed};
+use self::recording_queue::{Passed, ProxiedConnection};
 
 pub(crate) use self::recording_queue::RecordingQueue;
 
@@ -80,7 +80,7 @@ impl ProxyPort {
 
     /// Serves a client to the end of its connection.
     fn attend(&self, client: &TcpStream) {
-        let connection = Connection::new(self.recorder.track(self.port, self.sampling), self.port);
+        let connection = ProxiedConnection::new(self.recorder.track(self.port, self.sampling), self.port);
         let record = |event| self.queue.take(&connection, Passed::Event(event));
         let robot = set_options(client).and_then(|()| self.connect());
         match robot {

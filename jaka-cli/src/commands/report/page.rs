@@ -22,9 +22,9 @@ const CHARACTERS: usize = 240;
 
 /// A page as it is written.
 #[derive(Debug)]
-pub(super) struct Page(String);
+pub(super) struct HtmlPage(String);
 
-impl Page {
+impl HtmlPage {
     /// The page of a recording of this name.
     pub(super) fn new(name: &str) -> Self {
         let title = format!("Report of {}", text(name));

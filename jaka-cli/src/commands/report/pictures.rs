@@ -10,7 +10,7 @@ use super::page::{escaped, figure, paragraph};
 use super::session::{Kind, Lateness, Packed, Packets, Session};
 use crate::failure::Failure;
 use crate::packets::fields;
-use crate::plots::{Series, Strip, Trace, View, calls, histogram, strips, way};
+use crate::plots::{Series, Strip, Trace, ViewAxes, calls, histogram, strips, way};
 use crate::text::number::count;
 
 /// How many strips of inputs and outputs are drawn.
@@ -145,8 +145,8 @@ fn path(packets: &Packets) -> Result<Content, Failure> {
         let curves = packets.tcp.iter().filter(|curve| !curve.is_empty());
         curves.map(|curve| curve.iter().step_by(step).map(|point| (point[right], point[up])).collect()).collect()
     };
-    let above = way(View { right: "x (mm)", up: "y (mm)" }, &seen(0, 1))?;
-    let side = way(View { right: "x (mm)", up: "z (mm)" }, &seen(0, 2))?;
+    let above = way(ViewAxes { right: "x (mm)", up: "y (mm)" }, &seen(0, 1))?;
+    let side = way(ViewAxes { right: "x (mm)", up: "z (mm)" }, &seen(0, 2))?;
     let thinned = if step > 1 { format!(" One of {step} packets is drawn.") } else { String::new() };
     let text = "From above (x to the right, y upwards) and from the side (x to the right, z upwards), in the user frame that is selected. \
                     A circle is at the beginning, a square at the end."

@@ -15,26 +15,26 @@ use crate::terminal::raw::Raw;
 
 /// Keys from the first to the last, and what they have happen, by their number from 0: this, and where it has happened,
 /// the opposite.
-struct Row {
+struct KeyRow {
     keys: (char, char),
     does: fn(usize) -> Happening,
     undoes: Option<fn(usize) -> Happening>,
 }
 
-const ROWS: [Row; 5] = [
-    Row { keys: ('c', 'c'), does: |_| Happening::Collide, undoes: None },
-    Row {
+const ROWS: [KeyRow; 5] = [
+    KeyRow { keys: ('c', 'c'), does: |_| Happening::Collide, undoes: None },
+    KeyRow {
         keys: ('e', 'e'),
         does: |_| Happening::PressEmergencyStop,
         undoes: Some(|_| Happening::ReleaseEmergencyStop),
     },
-    Row { keys: ('p', 'p'), does: |_| Happening::CutPower, undoes: None },
-    Row {
+    KeyRow { keys: ('p', 'p'), does: |_| Happening::CutPower, undoes: None },
+    KeyRow {
         keys: ('0', '9'),
         does: |number| Happening::Input(number, Level::High),
         undoes: Some(|number| Happening::Input(number, Level::Low)),
     },
-    Row {
+    KeyRow {
         keys: ('t', 't'),
         does: |_| Happening::ToolInput(0, Level::High),
         undoes: Some(|_| Happening::ToolInput(0, Level::Low)),

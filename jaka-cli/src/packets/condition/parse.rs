@@ -21,12 +21,12 @@ const COMPARISONS: [(&str, Comparison); 6] = [
 
 /// The condition that a text is.
 pub(super) fn condition(text: &str) -> Result<Expression, Misread> {
-    let mut parser = Parser { text, rest: text.trim_start(), depth: 0 };
+    let mut parser = ConditionParser { text, rest: text.trim_start(), depth: 0 };
     let root = parser.either()?;
     if parser.rest.is_empty() { root.truth() } else { Err(parser.unexpected("`&&`, `||` or the end")) }
 }
 
-struct Parser<'t> {
+struct ConditionParser<'t> {
     text: &'t str,
     /// What is not read yet, without white space at its beginning.
     rest: &'t str,
@@ -49,7 +49,7 @@ impl Part {
     }
 }
 
-impl<'t> Parser<'t> {
+impl<'t> ConditionParser<'t> {
     fn column(&self) -> usize {
         self.text.chars().count() - self.rest.chars().count()
     }

@@ -10,7 +10,7 @@ use std::time::Duration;
 use jaka_sync::recording::{Ending, Event};
 use socket2::SockRef;
 
-use super::recording_queue::{Connection, Direction, Passed, RecordingQueue};
+use super::recording_queue::{Direction, Passed, ProxiedConnection, RecordingQueue};
 
 /// How many bytes are passed on in one read and write.
 const ROOM: usize = 16 << 10;
@@ -23,7 +23,7 @@ const ROOM: usize = 16 << 10;
 pub(super) struct Pipe<'p> {
     pub(super) client: &'p TcpStream,
     pub(super) robot: &'p TcpStream,
-    pub(super) connection: &'p Arc<Connection>,
+    pub(super) connection: &'p Arc<ProxiedConnection>,
     pub(super) queue: &'p RecordingQueue,
 }
 

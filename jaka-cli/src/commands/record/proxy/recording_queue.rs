@@ -28,7 +28,7 @@ pub(crate) struct RecordingQueue {
 /// What waits for the thread.
 #[derive(Debug)]
 enum Waiting {
-    Passed(Arc<Connection>, Passed),
+    Passed(Arc<ProxiedConnection>, Passed),
     /// No more pieces are accepted. It is dropped when the thread has ended.
     Finish(Sender<()>),
 }
@@ -44,7 +44,7 @@ struct Counts {
 
 /// A connection that passes through the proxy.
 #[derive(Debug)]
-pub(super) struct Connection {
+pub(super) struct ProxiedConnection {
     track: Track,
     port: Port,
     /// What each direction has sent in part.
@@ -71,7 +71,7 @@ pub(super) enum Passed {
     Event(Event),
 }
 
-impl Connection {
+impl ProxiedConnection {
     pub(super) fn new(track: Track, port: Port) -> Arc<Self> {
         Arc::new(Self { track, port, frames: Default::default(), missing: Default::default() })
     }
@@ -138,7 +138,7 @@ impl RecordingQueue {
     }
 
     /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing.
-    pub(super) fn take(&self, connection: &Arc<Connection>, passed: Passed) {
+    pub(super) fn take(&self, connection: &Arc<ProxiedConnection>, passed: Passed) {
         if let Passed::Bytes(direction, _) | Passed::End(direction) = passed {
             let is_full = self.counts.bytes.load(Ordering::Relaxed) + passed.size() > self.counts.limit;
             // Ends are few, and small.
@@ -153,7 +153,7 @@ impl RecordingQueue {
     }
 
     /// After the end of the thread, nothing is recorded.
-    fn send(&self, connection: &Arc<Connection>, passed: Passed) {
+    fn send(&self, connection: &Arc<ProxiedConnection>, passed: Passed) {
         self.counts.bytes.fetch_add(passed.size(), Ordering::Relaxed);
         self.sender.send(Waiting::Passed(Arc::clone(connection), passed)).ok();
     }
@@ -171,7 +171,7 @@ impl RecordingQueue {
 
 /// Records what waits, until nothing more is accepted.
 fn work(waiting: &Receiver<Waiting>, bytes: &AtomicUsize) {
-    let mut open: Vec<Weak<Connection>> = Vec::new();
+    let mut open: Vec<Weak<ProxiedConnection>> = Vec::new();
     let ended = loop {
         match waiting.recv() {
             Ok(Waiting::Passed(connection, passed)) => {
@@ -220,7 +220,7 @@ mod tests {
         let recorder = Recorder::new(io::sink()).expect("a thread can be had");
         let queue = RecordingQueue::start().expect("a thread can be had");
         for garbage in [&b"x{}"[..], b"{", b"}", b"{\""] {
-            let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+            let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
             let ((mut program, client), (robot, mut controller)) = (connected(), connected());
             controller.set_read_timeout(Some(LONG)).expect("a timeout can be set");
             let bytes = [&garbage.repeat((1 << 20) / garbage.len()), STOP].concat();
@@ -246,7 +246,7 @@ mod tests {
         let buffer = RecordingBuffer::default();
         let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::start().expect("a thread can be had");
-        let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+        let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         queue.take(&connection, Passed::Bytes(Direction::ToRobot, b"{\"a\":1}{\"cut".to_vec()));
         assert_eq!(queue.finish(), 0);
         recorder.finish().expect("memory can be written");
@@ -260,7 +260,7 @@ mod tests {
         let buffer = RecordingBuffer::default();
         let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
-        let connection = Connection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+        let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
         // While the thread records this one, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
