@@ -36,7 +36,7 @@ pub(crate) struct Export {
     recorded: RecordedArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: ExportFormat,
     /// What to write, such as `enabled,actual_position.x`; `all` for everything [default: as `jaka status`]
     ///
     /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
@@ -48,7 +48,7 @@ pub(crate) struct Export {
 
 /// How packets are written.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum Format {
+enum ExportFormat {
     /// A header, then one line per packet
     #[default]
     Csv,
@@ -63,7 +63,7 @@ impl Export {
         let recording = recorded::read(&self.recorded.file)?;
         let columns = Columns::new(fields, &widest(&recording)?);
         let mut out = self.recorded.create()?;
-        if let Format::Csv = self.format {
+        if let ExportFormat::Csv = self.format {
             out.write(&columns.header())?;
         }
         // What is not in the table though it is in the recording: messages that are not packets, and fields, each told once.
@@ -79,8 +79,8 @@ impl Export {
             let unix_time = recording.header.started.saturating_add(packet.time);
             let first = [seconds(packet.time), seconds(unix_time), packet.connection.to_string()];
             out.write(&match self.format {
-                Format::Csv => columns.csv(first, &status.tree()?),
-                Format::Jsonl => columns.json(first, &status.tree()?),
+                ExportFormat::Csv => columns.csv(first, &status.tree()?),
+                ExportFormat::Jsonl => columns.json(first, &status.tree()?),
             })?;
         }
         out.finish()?;

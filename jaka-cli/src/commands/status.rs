@@ -13,8 +13,8 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible_json_line;
 
-use self::lines::Columns;
-use self::packets::{Due, Overdue, Packets};
+use self::lines::LineColumns;
+use self::packets::{Due, Overdue, PacketSource};
 use self::table::StatusTable;
 use self::until::{POLL, Until};
 use crate::arm::interrupt::end_on_interrupt;
@@ -88,22 +88,22 @@ impl Status {
         let stream = target.status_stream_within(limit.map_or(POLL, |limit| POLL.min(limit)))?;
         let period = if until.is_some() { self.watch } else { self.watch.or(Some(Duration::from_secs(1))) };
         let mut packets =
-            Packets::new(stream, target.config(), period, until.map(|condition| Until::new(condition, limit)));
+            PacketSource::new(stream, target.config(), period, until.map(|condition| Until::new(condition, limit)));
         let packets = &mut packets;
         if self.raw {
             let text = |text: String| visible_json_line(&text).into_owned() + "\n";
-            return self.print(packets, Packets::next_text, text, warn);
+            return self.print(packets, PacketSource::next_text, text, warn);
         }
         match self.format {
             Format::Table => {
                 let table = StatusTable::new(fields, self.repeats());
                 let overdue = |overdue: &Overdue| output::write(table.without_packet(overdue).as_bytes());
-                self.print(packets, Packets::next, |packet| table.text(&packet), overdue)
+                self.print(packets, PacketSource::next, |packet| table.text(&packet), overdue)
             }
-            Format::Json => self.print(packets, Packets::next, |packet| lines::json(&fields, &packet), warn),
+            Format::Json => self.print(packets, PacketSource::next, |packet| lines::json(&fields, &packet), warn),
             Format::Csv => {
-                let mut columns = Columns::new(fields);
-                self.print(packets, Packets::next, |packet| columns.lines(&packet), warn)
+                let mut columns = LineColumns::new(fields);
+                self.print(packets, PacketSource::next, |packet| columns.lines(&packet), warn)
             }
         }
     }
@@ -115,8 +115,8 @@ impl Status {
     /// Prints packets, each by `text`, until there have been enough, and tells of times without packets.
     fn print<T>(
         &self,
-        packets: &mut Packets,
-        next: impl Fn(&mut Packets) -> Result<Due<T>, Failure>,
+        packets: &mut PacketSource,
+        next: impl Fn(&mut PacketSource) -> Result<Due<T>, Failure>,
         mut text: impl FnMut(T) -> String,
         overdue: impl Fn(&Overdue) -> Result<(), Failure>,
     ) -> Result<(), Failure> {

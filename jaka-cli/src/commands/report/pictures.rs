@@ -7,7 +7,7 @@ use jaka_sync::proto::text::visible;
 
 use super::more;
 use super::page::{escaped, figure, paragraph};
-use super::session::{Kind, Lateness, Packed, Packets, Session};
+use super::session::{HappeningKind, Packed, Packets, Session, SetPointLateness};
 use crate::failure::Failure;
 use crate::packets::fields;
 use crate::plots::{Series, Strip, Trace, ViewAxes, calls, histogram, strips, way};
@@ -167,15 +167,15 @@ fn requests(session: &Session<'_>) -> Result<Content, Failure> {
 }
 
 fn events(session: &Session<'_>) -> Vec<Strip> {
-    let of_kind = |kind: Kind| session.happenings.iter().filter(move |happening| happening.kind == kind);
-    let strips = Kind::ALL.into_iter().filter_map(|(kind, title)| {
+    let of_kind = |kind: HappeningKind| session.happenings.iter().filter(move |happening| happening.kind == kind);
+    let strips = HappeningKind::ALL.into_iter().filter_map(|(kind, title)| {
         let times: Vec<_> = of_kind(kind).map(|happening| happening.time.as_secs_f64()).collect();
         (!times.is_empty()).then(|| Strip { title: title.to_owned(), trace: Trace::Marks(times) })
     });
     strips.collect()
 }
 
-fn lateness(lateness: &Lateness) -> Result<Content, Failure> {
+fn lateness(lateness: &SetPointLateness) -> Result<Content, Failure> {
     let Some([median, p99, latest]) = lateness.figures() else {
         return Ok(("The recording has no set-points that follow each other.".to_owned(), Vec::new()));
     };

@@ -10,8 +10,8 @@ use std::time::Duration;
 use jaka_sync::recording::{Entry, Port, Recording};
 
 pub(super) use self::calls::{Calls, CommandCount};
-pub(super) use self::happenings::{Happening, Kind};
-pub(super) use self::lateness::Lateness;
+pub(super) use self::happenings::{Happening, HappeningKind};
+pub(super) use self::lateness::SetPointLateness;
 pub(super) use self::packets::{Packed, Packets};
 
 /// Longer than any session: times are drawn up to this.
@@ -25,7 +25,7 @@ pub(super) struct Session<'r> {
     pub(super) end: f64,
     pub(super) packets: Packets,
     pub(super) calls: Calls,
-    pub(super) lateness: Lateness,
+    pub(super) lateness: SetPointLateness,
     /// In the order of their times.
     pub(super) happenings: Vec<Happening>,
     /// The messages of the command port, in the order of their times.
@@ -49,7 +49,7 @@ impl<'r> Session<'r> {
             end: end.as_secs_f64().clamp(0.001, LONGEST_S),
             packets,
             calls,
-            lateness: Lateness::read(recording),
+            lateness: SetPointLateness::read(recording),
             happenings,
             messages,
         }

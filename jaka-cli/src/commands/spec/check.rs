@@ -17,7 +17,7 @@ use crate::text::number::count;
 /// Prints all errors at file, line and column. Examples are checked against the fields of their commands. Each pack is
 /// checked on top of the spec and the packs before it.
 #[derive(Debug, Args)]
-pub(super) struct Check {
+pub(super) struct SpecCheck {
     /// The packs, in order
     #[arg(value_name = "FILE", required_unless_present = "spec")]
     packs: Vec<PathBuf>,
@@ -26,7 +26,7 @@ pub(super) struct Check {
     spec: Option<PathBuf>,
 }
 
-impl Check {
+impl SpecCheck {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let mut found = Found::default();
         let mut spec = match &self.spec {

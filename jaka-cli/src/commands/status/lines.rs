@@ -12,14 +12,14 @@ use crate::text::csv::{cell, row};
 
 /// The columns: those of the first packet, since there is only one header.
 #[derive(Debug)]
-pub(super) enum Columns {
+pub(super) enum LineColumns {
     /// The fields that are asked for.
     Wanted(Vec<Field>),
     /// Each of them, divided into its parts.
     Found(Vec<Field>),
 }
 
-impl Columns {
+impl LineColumns {
     pub(super) fn new(fields: Vec<Field>) -> Self {
         Self::Wanted(fields)
     }

@@ -52,7 +52,7 @@ impl fmt::Display for Overdue {
 
 /// Packets from a stream, one each period, or all of them if that is zero; or the one that shows what is waited for.
 #[derive(Debug)]
-pub(super) struct Packets {
+pub(super) struct PacketSource {
     stream: StatusStream,
     /// None if only the one is wanted that is waited for.
     period: Option<Duration>,
@@ -78,7 +78,7 @@ struct Silence {
     patience: Duration,
 }
 
-impl Packets {
+impl PacketSource {
     /// Packets of a stream that waits for [`POLL`](super::until::POLL) at most, connected to by this config.
     pub(super) fn new(stream: StatusStream, config: &Config, period: Option<Duration>, until: Option<Until>) -> Self {
         let (stale_after, patience) = (config.get_stale_after(), config.get_reply_timeout());

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_sync::recording::{Answer, Answered, Message, Recording};
 
-use super::happenings::{Happening, Kind};
+use super::happenings::{Happening, HappeningKind};
 use super::milliseconds;
 use crate::plots::Latency;
 use crate::recordings::recorded::{command_of, refusal_of};
@@ -55,7 +55,7 @@ impl Calls {
             if let Some(what) = refusal(reply, &name) {
                 count.refused += 1;
                 let arrived = sent.saturating_add(*after);
-                (Latency::Refused(ms), Some(Happening::wrong(arrived, Kind::Refused, what)))
+                (Latency::Refused(ms), Some(Happening::wrong(arrived, HappeningKind::Refused, what)))
             } else {
                 (Latency::Accepted(ms), None)
             }
@@ -70,7 +70,7 @@ impl Calls {
 
 fn unanswered(sent: Duration, name: &str, answer: &Answer) -> Happening {
     let why = if let Answer::Closed { .. } = answer { ", since the connection ended" } else { "" };
-    Happening::wrong(sent, Kind::Unanswered, format!("no reply to {name} is recorded{why}"))
+    Happening::wrong(sent, HappeningKind::Unanswered, format!("no reply to {name} is recorded{why}"))
 }
 
 /// The command that a request names.

@@ -11,7 +11,7 @@ use crate::recordings::recorded::command_of;
 #[derive(Debug)]
 pub(in crate::commands::report) struct Happening {
     pub(in crate::commands::report) time: Duration,
-    pub(in crate::commands::report) kind: Kind,
+    pub(in crate::commands::report) kind: HappeningKind,
     /// In words.
     pub(in crate::commands::report) what: String,
     pub(in crate::commands::report) is_wrong: bool,
@@ -19,7 +19,7 @@ pub(in crate::commands::report) struct Happening {
 
 /// What kind of thing happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::commands::report) enum Kind {
+pub(in crate::commands::report) enum HappeningKind {
     Connection,
     Refused,
     Unanswered,
@@ -30,7 +30,7 @@ pub(in crate::commands::report) enum Kind {
     Packets,
 }
 
-impl Kind {
+impl HappeningKind {
     pub(in crate::commands::report) const ALL: [(Self, &'static str); 8] = [
         (Self::Connection, "connections"),
         (Self::Refused, "refused"),
@@ -45,12 +45,12 @@ impl Kind {
 
 impl Happening {
     /// What is as it should be.
-    pub(super) fn usual(time: Duration, kind: Kind, what: impl Into<String>) -> Self {
+    pub(super) fn usual(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: false }
     }
 
     /// What went wrong.
-    pub(super) fn wrong(time: Duration, kind: Kind, what: impl Into<String>) -> Self {
+    pub(super) fn wrong(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: true }
     }
 }
@@ -60,27 +60,31 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
     let Entry { time, port, connection, event, .. } = entry;
     let time = *time;
     Some(match event {
-        Event::Connected { address } => {
-            Happening::usual(time, Kind::Connection, format!("connection {connection} to {address}, the {port} port"))
-        }
-        Event::Closed { by: Ending::Client, why } => {
-            Happening::usual(time, Kind::Connection, format!("connection {connection} closed by the program: {why}"))
-        }
+        Event::Connected { address } => Happening::usual(
+            time,
+            HappeningKind::Connection,
+            format!("connection {connection} to {address}, the {port} port"),
+        ),
+        Event::Closed { by: Ending::Client, why } => Happening::usual(
+            time,
+            HappeningKind::Connection,
+            format!("connection {connection} closed by the program: {why}"),
+        ),
         Event::Closed { by, why } => {
             let by = if *by == Ending::Controller { "closed by the controller" } else { "lost" };
-            Happening::wrong(time, Kind::Connection, format!("connection {connection} {by}: {why}"))
+            Happening::wrong(time, HappeningKind::Connection, format!("connection {connection} {by}: {why}"))
         }
         Event::Sent(message) if *port == Port::Command && stop(message).is_some() => {
             let name = stop(message).unwrap_or_default();
-            Happening::wrong(time, Kind::Motion, format!("the program stops the arm (`{name}`)"))
+            Happening::wrong(time, HappeningKind::Motion, format!("the program stops the arm (`{name}`)"))
         }
-        Event::Motion { step: MotionStep::Done, text } => Happening::usual(time, Kind::Motion, text.as_str()),
-        Event::Motion { text, .. } => Happening::wrong(time, Kind::Motion, text.as_str()),
-        Event::Error { text } => Happening::wrong(time, Kind::Error, text.as_str()),
+        Event::Motion { step: MotionStep::Done, text } => Happening::usual(time, HappeningKind::Motion, text.as_str()),
+        Event::Motion { text, .. } => Happening::wrong(time, HappeningKind::Motion, text.as_str()),
+        Event::Error { text } => Happening::wrong(time, HappeningKind::Error, text.as_str()),
         Event::Dropped { count: dropped } => {
             let entries = if *dropped == 1 { "1 entry".to_owned() } else { format!("{dropped} entries") };
             let what = format!("{entries} of connection {connection} missing: the file could not be written as fast");
-            Happening::wrong(time, Kind::Packets, what)
+            Happening::wrong(time, HappeningKind::Packets, what)
         }
         _ => return None,
     })

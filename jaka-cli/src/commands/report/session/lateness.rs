@@ -15,9 +15,9 @@ const BOUNDS: [f64; 10] = [-4.0, -1.0, -0.25, 0.25, 1.0, 2.0, 4.0, 8.0, 16.0, 24
 
 /// By how much each set-point came later than its period after the one before it, in ms, in increasing order.
 #[derive(Debug, Default)]
-pub(in crate::commands::report) struct Lateness(Vec<f64>);
+pub(in crate::commands::report) struct SetPointLateness(Vec<f64>);
 
-impl Lateness {
+impl SetPointLateness {
     pub(super) fn read(recording: &Recording) -> Self {
         let mut all = Vec::new();
         // When the last set-point of a connection was sent, and how long its period is.

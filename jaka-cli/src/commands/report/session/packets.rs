@@ -96,7 +96,7 @@ impl Packets {
         if without > gap {
             self.interrupt(Some(last));
             let what = format!("no status packet for {:.3} s", without.as_secs_f64());
-            changes.happenings.push(Happening::wrong(last, happenings::Kind::Packets, what));
+            changes.happenings.push(Happening::wrong(last, happenings::HappeningKind::Packets, what));
         }
     }
 

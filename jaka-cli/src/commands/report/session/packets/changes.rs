@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_sync::proto::wire::DecodeError;
 use serde_json::Value;
 
-use super::super::happenings::{Happening, Kind};
+use super::super::happenings::{Happening, HappeningKind};
 use crate::failure::chain;
 use crate::packets::event;
 use crate::packets::fields::plain;
@@ -33,7 +33,7 @@ impl Changes {
         let status = &packet.status;
         self.happenings.extend(self.flags.see(status).into_iter().map(|(tone, what)| Happening {
             time,
-            kind: Kind::State,
+            kind: HappeningKind::State,
             what: what.to_owned(),
             is_wrong: tone == Tone::Bad,
         }));
@@ -50,21 +50,21 @@ impl Changes {
         let what = format!("{code} ({description}){}", message.unwrap_or_default());
         let severity = event::severity(&event);
         let is_wrong = severity.is_some_and(|severity| !matches!(severity, jaka_sync::Severity::Information));
-        self.happenings.push(Happening { time, kind: Kind::ControllerEvent, what, is_wrong });
+        self.happenings.push(Happening { time, kind: HappeningKind::ControllerEvent, what, is_wrong });
     }
 
     /// Value of a field that is not drawn: it is told where it is another one than before.
     pub(super) fn see_value(&mut self, time: Duration, name: &str, value: &Value) {
         if self.values.get(name) != Some(value) {
             self.values.insert(name.to_owned(), value.clone());
-            self.happenings.push(Happening::usual(time, Kind::State, format!("{name} {}", plain(value))));
+            self.happenings.push(Happening::usual(time, HappeningKind::State, format!("{name} {}", plain(value))));
         }
     }
 
     fn see_unfit(&mut self, time: Duration, unfit: &[DecodeError]) {
         for error in unfit.iter().filter(|error| self.unfit.insert(error.field().to_owned())) {
             let what = format!("a status packet does not fit the spec: {error}");
-            self.happenings.push(Happening::wrong(time, Kind::Packets, what));
+            self.happenings.push(Happening::wrong(time, HappeningKind::Packets, what));
         }
     }
 
@@ -72,7 +72,7 @@ impl Changes {
     pub(super) fn unreadable(&mut self, time: Duration, error: &DecodeError) {
         if !std::mem::replace(&mut self.is_unreadable, true) {
             let what = format!("a message of the status port is not a packet: {}", chain(error));
-            self.happenings.push(Happening::wrong(time, Kind::Packets, what));
+            self.happenings.push(Happening::wrong(time, HappeningKind::Packets, what));
         }
     }
 }
