@@ -90,13 +90,11 @@ impl<'s> Node<'s> {
     }
 
     fn value_of(label: Label<'s>, slot: Slot<'s>, value: Value) -> Self {
-        if let Shape::Python(inner) = slot.shape
-            && let Some(found) = value.as_str().and_then(scalar::literal)
-        {
-            return Self {
-                literal: value.as_str().map(str::to_owned),
-                ..Self::value_of(label, slot.inner(inner), found)
-            };
+        let inner = if let Shape::Python(inner) = slot.shape { Some(inner) } else { None };
+        let found = inner.and_then(|inner| Some((inner, scalar::literal(value.as_str()?)?)));
+        if let Some((inner, found)) = found {
+            let literal = value.as_str().map(str::to_owned);
+            return Self { literal, ..Self::value_of(label, slot.inner(inner), found) };
         }
         let (body, fit) = read(&slot, value);
         let mut node = Self { body, ..Self::blank(label, slot) };
