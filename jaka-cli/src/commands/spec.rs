@@ -21,7 +21,7 @@ pub(crate) struct Spec {
 
 #[derive(Debug, Subcommand)]
 enum SpecCommand {
-    SpecCheck(check::SpecCheck),
+    Check(check::SpecCheck),
     Diff(diff::Diff),
     Doc(document::Reference),
     /// Write the JSON Schema of all messages
@@ -31,7 +31,7 @@ enum SpecCommand {
 impl Spec {
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self.command {
-            SpecCommand::SpecCheck(command) => command.run(),
+            SpecCommand::Check(command) => command.run(),
             SpecCommand::Diff(command) => command.run(),
             SpecCommand::Doc(command) => command.run(),
             SpecCommand::Schema(command) => command.run(document::schema, visible_json),
