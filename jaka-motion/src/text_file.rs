@@ -35,6 +35,10 @@ pub(crate) struct Report<'t> {
     errors: FileErrors,
 }
 
+/// Number of characters that are shown at most of what was found.
+#[cfg(feature = "trajectory-files")]
+const SHOWN: usize = 40;
+
 impl FileErrors {
     /// Number of errors that are kept.
     pub const MOST: usize = 100;
@@ -72,6 +76,14 @@ impl<'t> Report<'t> {
         if !first.contains(&error) {
             first.push(error);
         }
+    }
+
+    /// Reports what was found in place of something.
+    #[cfg(feature = "trajectory-files")]
+    pub(crate) fn found(&mut self, at: usize, what: &str, found: &str, expected: &str) {
+        let short: String = found.chars().take(SHOWN).collect();
+        let rest = if short.len() < found.len() { "..." } else { "" };
+        self.error(at, format!("{what}: found `{short}{rest}`, expected {expected}"));
     }
 
     /// What was read, if nothing is wrong.

@@ -1,107 +1,161 @@
-//! Points with times, from files and to files.
+//! Points with times, from files and to files: what their numbers are, by the names that have their units.
 
-mod columns;
 mod csv;
 mod json;
-mod rows;
-mod write;
 
+pub(super) use self::csv::write as write_csv;
+pub(super) use self::json::write as write_json;
 use super::timed::TimedPoint;
-use crate::TrajectoryFileError;
-use crate::text_file::Report;
+use crate::text_file::{FileErrors, Report};
 
-/// Number of characters that are shown at most of what was found.
-const SHOWN: usize = 40;
+/// What six numbers are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Position,
+    Velocity,
+    Acceleration,
+}
 
-impl Report<'_> {
-    /// Reports what was found in place of something.
-    fn found(&mut self, at: usize, what: &str, found: &str, expected: &str) {
-        let short: String = found.chars().take(SHOWN).collect();
-        let rest = if short.len() < found.len() { "..." } else { "" };
-        self.error(at, format!("{what}: found `{short}{rest}`, expected {expected}"));
+/// In which unit an angle is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Unit {
+    Degrees,
+    Radians,
+}
+
+/// What one number is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Column {
+    Time,
+    Of(Kind, usize, Unit),
+}
+
+/// What a row or an object says, as far as it could be read.
+#[derive(Debug, Clone, Default)]
+struct Row {
+    /// The time and its place.
+    time: Option<(f64, usize)>,
+    /// Positions, velocities and accelerations, by [`Kind`], in degrees.
+    angles: [Option<[f64; 6]>; 3],
+}
+
+/// The points so far.
+#[derive(Debug, Default)]
+struct Rows {
+    points: Vec<TimedPoint>,
+    last_s: Option<f64>,
+}
+
+impl Kind {
+    const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
+
+    /// Its name for one joint and for all, and what follows the unit of an angle.
+    fn names(self) -> [&'static str; 3] {
+        match self {
+            Self::Position => ["joint", "joints", ""],
+            Self::Velocity => ["velocity", "velocity", "_s"],
+            Self::Acceleration => ["acceleration", "acceleration", "_s2"],
+        }
+    }
+
+    /// The name of a column with it.
+    fn column(self, joint: usize, unit: Unit) -> String {
+        let [one, _, per_time] = self.names();
+        format!("{one}_{joint}_{}{per_time}", unit.name())
+    }
+
+    /// The key of a list with it.
+    fn key(self, unit: Unit) -> String {
+        let [_, all, per_time] = self.names();
+        format!("{all}_{}{per_time}", unit.name())
     }
 }
 
-impl TimedPoint {
-    /// The points of a CSV text; `file_name` is what errors name.
-    ///
-    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
-    /// to `joint_6_deg`, or `joint_1_rad` and so on; and if they are given `velocity_1_deg_s` or `velocity_1_rad_s`,
-    /// and `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
-    /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
-    /// increase.
-    ///
-    /// ```
-    /// use jaka_motion::TimedPoint;
-    ///
-    /// let text = "\
-    /// time_s,joint_1_rad,joint_2_rad,joint_3_rad,joint_4_rad,joint_5_rad,joint_6_rad
-    /// 0.0,0.0,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
-    /// 1.0,0.1,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
-    /// ";
-    /// let points = TimedPoint::from_csv(text, "way.csv")?;
-    /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
-    /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
-    ///
-    /// let errors = TimedPoint::from_csv(&text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6"), "way.csv").unwrap_err();
-    /// assert_eq!(
-    ///     errors.to_string(),
-    ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
-    ///      way.csv:1:68: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like\n\
-    ///      way.csv:3:5: joint_1_rad: found `O.1`, expected a finite number"
-    /// );
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Everything that is wrong, at its line and column.
-    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        let mut report = Report::new(text, file_name);
-        let points = csv::read(text, &mut report);
-        report.finish(points)
+impl Unit {
+    const BOTH: [Self; 2] = [Self::Degrees, Self::Radians];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Degrees => "deg",
+            Self::Radians => "rad",
+        }
     }
 
-    /// The points of a JSON text; `file_name` is what errors name.
-    ///
-    /// An object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or `joints_rad`, a
-    /// list of six numbers; and if they are given `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2` or
-    /// `acceleration_rad_s2`. All points have the same. The first time is 0, and times increase.
-    ///
-    /// ```
-    /// use jaka_motion::TimedPoint;
-    ///
-    /// let text = r#"{"points": [
-    ///     {"time_s": 0, "joints_deg": [0, 60, -80, 190, -90, 0]},
-    ///     {"time_s": 1, "joints_deg": [5, 60, -80, 190, -90, 0]}
-    /// ]}"#;
-    /// let points = TimedPoint::from_json(text, "way.json")?;
-    /// assert_eq!((points.len(), points[1].joints.0[0]), (2, 5.0));
-    /// assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json")?, points);
-    ///
-    /// let errors = TimedPoint::from_json(&text.replace("[5,", "[\"5\","), "way.json").unwrap_err();
-    /// assert_eq!(errors.to_string(), "way.json:3:34: joints_deg: found `\"5\"`, expected a finite number");
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Everything that is wrong, at its line and column; where the text is not JSON, that alone.
-    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        let mut report = Report::new(text, file_name);
-        let points = json::read(text, &mut report);
-        report.finish(points)
+    fn to_degrees(self, number: f64) -> f64 {
+        match self {
+            Self::Degrees => number,
+            Self::Radians => number.to_degrees(),
+        }
+    }
+}
+
+impl Column {
+    /// The name of the column with times, and their key.
+    const TIME: &'static str = "time_s";
+
+    /// All columns that there can be, by name.
+    fn all() -> Vec<(String, Self)> {
+        let angles = Kind::ALL.into_iter().flat_map(|kind| {
+            let joints = (1..=6).flat_map(|joint| Unit::BOTH.map(|unit| (joint, unit)));
+            joints.map(move |(joint, unit)| (kind.column(joint, unit), Self::Of(kind, joint - 1, unit)))
+        });
+        std::iter::once((Self::TIME.to_owned(), Self::Time)).chain(angles).collect()
+    }
+}
+
+impl Row {
+    fn angles(&mut self, kind: Kind) -> &mut Option<[f64; 6]> {
+        &mut self.angles[kind as usize]
+    }
+}
+
+impl Rows {
+    /// Adds a row, whose time comes after that of the one before.
+    fn add(&mut self, row: &Row, report: &mut Report<'_>) {
+        let Some((time_s, at)) = row.time else { return };
+        match self.last_s {
+            None if time_s != 0.0 => report.found(at, Column::TIME, &time_s.to_string(), "0, at the first point"),
+            Some(last_s) if time_s <= last_s => {
+                report.found(at, Column::TIME, &time_s.to_string(), &format!("more than the {last_s} before it"));
+            }
+            _ => {}
+        }
+        self.last_s = Some(time_s);
+        let [Some(joints), velocity, acceleration] = row.angles else { return };
+        self.points.push(TimedPoint { time_s, joints: joints.into(), velocity, acceleration });
     }
 
-    /// The points as CSV, in degrees, which [`from_csv`](Self::from_csv) reads as the same points.
-    ///
-    /// The columns are those that all points have.
-    pub fn to_csv(points: &[Self]) -> String {
-        write::csv(points)
+    fn finish(self) -> Vec<TimedPoint> {
+        self.points
     }
+}
 
-    /// The points as JSON, in degrees, which [`from_json`](Self::from_json) reads as the same points.
-    ///
-    /// The keys are those that all points have.
-    pub fn to_json(points: &[Self]) -> String {
-        write::json(points)
-    }
+/// Reads the points of a CSV text: see [`TimedPoint::from_csv`].
+pub(super) fn read_csv(text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
+    let mut report = Report::new(text, file_name);
+    let points = csv::read(text, &mut report);
+    report.finish(points)
+}
+
+/// Reads the points of a JSON text: see [`TimedPoint::from_json`].
+pub(super) fn read_json(text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
+    let mut report = Report::new(text, file_name);
+    let points = json::read(text, &mut report);
+    report.finish(points)
+}
+
+/// How many kinds all points have.
+fn kinds(points: &[TimedPoint]) -> usize {
+    points.iter().map(|point| angles(point).count()).min().unwrap_or(1)
+}
+
+/// What a point has: accelerations only with velocities.
+fn angles(point: &TimedPoint) -> impl Iterator<Item = (Kind, [f64; 6])> {
+    let all = [Some(point.joints.0), point.velocity, point.velocity.and(point.acceleration)];
+    Kind::ALL.into_iter().zip(all).filter_map(|(kind, angles)| Some((kind, angles?)))
+}
+
+/// A finite number.
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
 }

@@ -2,10 +2,10 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::leg::{Budget, Leg, Tolerances, Way};
+use super::corner_path::Direction;
+use super::leg::{Budget, Leg, LegPath, Tolerances};
 use super::line::{LEAST, LONGEST, Line};
 use super::timing::{Timing, lost};
-use super::tool_way::Direction;
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
 use crate::checker::{Checker, Solved};
@@ -67,6 +67,17 @@ impl Through {
     pub const TCP_SHARE: f64 = 0.98;
     /// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
     pub const TURN_DEG: f64 = 1.0;
+
+    /// For these points: see [`Trajectory::through`].
+    pub(super) fn new(points: Vec<Via>) -> Self {
+        Self {
+            points,
+            tolerances: Tolerances { mm: 0.0, turn_deg: Self::TURN_DEG, joint_deg: 0.0 },
+            tcp_speed: f64::INFINITY,
+            joint_speeds: [f64::INFINITY; 6],
+            jerks: None,
+        }
+    }
 
     /// With the corners of lines rounded within so many millimetres; 0, as if nothing is said, to stop there.
     pub fn corner_mm(mut self, tolerance: f64) -> Self {
@@ -222,7 +233,7 @@ impl Here {
             found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| lost(after, checker))?;
-        let leg = Leg { after, length, start: self.joints, way: Way::Tool(line) };
+        let leg = Leg { after, length, start: self.joints, path: LegPath::Tool(line) };
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))
     }
@@ -237,36 +248,6 @@ impl Here {
 
 fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
     TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
-}
-
-impl Trajectory {
-    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
-    /// rounded.
-    ///
-    /// ```
-    /// use jaka_motion::proto::messages::types::Pose;
-    /// use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
-    ///
-    /// let arm = Model::named("Zu 5").expect("a published arm");
-    /// let checker = Checker::new(Limits::of(arm).with_tcp_speed(250.0)?, Frames::new());
-    /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
-    /// let above = Pose::from(arm.forward(start));
-    /// let [aside, down] = [Pose { y: above.y + 100.0, ..above }, Pose { y: above.y + 100.0, z: above.z - 50.0, ..above }];
-    ///
-    /// let points = [Via::from(start), Via::from(aside), Via::from(down), Via::from(aside)];
-    /// let trajectory = Trajectory::through(points).corner_mm(2.0).build(&checker)?;
-    /// assert_eq!(trajectory.way_points().len(), 4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn through<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Through {
-        Through {
-            points: points.into_iter().map(Into::into).collect(),
-            tolerances: Tolerances { mm: 0.0, turn_deg: Through::TURN_DEG, joint_deg: 0.0 },
-            tcp_speed: f64::INFINITY,
-            joint_speeds: [f64::INFINITY; 6],
-            jerks: None,
-        }
-    }
 }
 
 impl From<JointPosition> for Via {
