@@ -39,10 +39,10 @@ pub(crate) struct Report<'t> {
 #[cfg(feature = "trajectory-files")]
 const SHOWN: usize = 40;
 
-impl FileErrors {
-    /// Number of errors that are kept.
-    pub const MOST: usize = 100;
+/// Number of errors that are kept.
+const MOST: usize = 100;
 
+impl FileErrors {
     /// Errors one by one: the first hundred that were found.
     pub fn iter(&self) -> std::slice::Iter<'_, FileError> {
         self.first.iter()
@@ -64,7 +64,7 @@ impl<'t> Report<'t> {
     /// Reports an error at an offset in bytes; within a character, at its start.
     pub(crate) fn error(&mut self, at: usize, message: impl Into<String>) {
         let FileErrors { first, more } = &mut self.errors;
-        if first.len() == FileErrors::MOST {
+        if first.len() == MOST {
             *more += 1;
             return;
         }

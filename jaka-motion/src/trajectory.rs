@@ -7,7 +7,7 @@ mod file;
 mod leg;
 mod line;
 mod plan;
-mod through;
+pub(crate) mod through;
 mod timed;
 mod timing;
 
