@@ -2,16 +2,15 @@
 
 mod advice;
 mod builtin;
-mod envelope;
 mod form;
 mod item;
+mod keys;
 mod meaning;
 mod model;
 mod names;
 mod needed;
 mod pack;
 pub mod prose;
-mod quote;
 mod range;
 mod read;
 mod report;
@@ -20,11 +19,9 @@ mod robot_status;
 mod role;
 mod scalar;
 mod shape;
-mod similar;
 #[cfg(feature = "tools")]
 pub mod tools;
 mod type_text;
-mod unique;
 mod unit;
 mod version;
 pub mod words;
@@ -32,7 +29,7 @@ pub mod words;
 use std::collections::BTreeMap;
 
 pub use builtin::{BUILTIN, builtin};
-pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
+pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Form, FormKind, Refusal, Reply, Request,
     Requirement, Severity, Spec, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,

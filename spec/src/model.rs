@@ -5,14 +5,14 @@ use std::ops::{Index, RangeInclusive};
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::envelope::COMMAND_NAME;
+use crate::keys::COMMAND_NAME;
+use crate::keys::{key, push_string};
+use crate::names::nearest;
 use crate::names::to_camel;
 use crate::needed::StatusLine;
-use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
 use crate::scalar::Scalar;
-use crate::similar::nearest;
 use crate::unit::Factors;
 use crate::version::Versions;
 

@@ -2,7 +2,6 @@
 
 mod change;
 mod covers;
-mod event;
 mod module;
 mod robot_status;
 
@@ -15,8 +14,9 @@ use crate::item::Item;
 use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId, Variant};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
-use crate::resolve::Index;
-use crate::{Source, read, resolve};
+use crate::resolve::{self, Index};
+use crate::words::{self, event_code};
+use crate::{Source, read};
 
 /// A spec with what a pack adds to it and changes in it.
 #[derive(Debug, Clone, PartialEq)]
@@ -200,6 +200,31 @@ impl<'s> Draft<'s, '_> {
         };
         self.codes.push(new.clone());
         (!is_known).then_some(new)
+    }
+
+    /// The event without the codes of which the spec says as much. Codes of which it says less, the spec then leaves to the pack.
+    fn new_event(&mut self, item: &Item<'_, 's>) -> Option<Event> {
+        let mut event = read::event(item, &mut self.index);
+        for code in event.codes() {
+            if let Some(known) = self.spec.event(code).filter(|known| known.severity != event.severity) {
+                let (code, severity) = (event_code(code), words::severity(known.severity));
+                item.error(item.at, &format!("the spec has the code {code} already, with the severity `{severity}`"));
+            }
+        }
+        self.events.push(event.clone());
+        let adds = event.meaning.is_some();
+        let says_as_much = |known: &Event| known.meaning.is_some() || !adds;
+        let spec = &self.spec;
+        event.retain(|code| !spec.event(code).is_some_and(says_as_much));
+        if event.codes.is_empty() {
+            self.note(item, COVERED);
+            return None;
+        }
+        for topic in &mut self.spec.topics {
+            topic.events.iter_mut().for_each(|known| known.retain(|code| !event.has(code)));
+            topic.events.retain(|known| !known.codes.is_empty());
+        }
+        Some(event)
     }
 }
 

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use crate::Source;
-use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, parse};
+use crate::keys::{COMMAND_NAME, ENVELOPE};
 use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic, Type};
 use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-pub use crate::similar::{distance, nearest};
+pub use crate::names::{distance, nearest};
 use crate::{
     Advice, Change, Command, Effect, Field, Form, FormKind, Motion, PathKind, Range, Requirement, Role, Scalar,
     Severity, Spec, TypeForm, TypeKind, Versions,

@@ -4,13 +4,13 @@ use std::fmt::Display;
 
 use super::{COVERED, Changed, Draft, covers};
 use crate::advice;
-use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, Placed};
+use crate::keys::{COMMAND_NAME, ENVELOPE};
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, Type, TypeDef, TypeId, TypeKind};
+use crate::names::nearest;
 use crate::report::{At, Report};
 use crate::resolve::Need;
 use crate::role::MotionMode;
-use crate::similar::nearest;
 use crate::{Source, meaning, read};
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.

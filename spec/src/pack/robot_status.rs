@@ -7,10 +7,10 @@ use super::{Draft, Pack};
 use crate::Source;
 use crate::item::Item;
 use crate::model::{Field, Spec, TypeId};
+use crate::names::nearest;
 use crate::needed::{ABSENT, NEEDED_FIELDS, NeededField, PROGRAM, StatusLine};
 use crate::report::{At, Report};
 use crate::robot_status::FieldSource;
-use crate::similar::nearest;
 
 /// Lines and entries of a file for what a robot needs.
 #[derive(Debug, Default)]

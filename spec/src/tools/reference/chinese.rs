@@ -7,12 +7,22 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::markdown::{Table, code, escape, link_into};
-use super::{by_section, command_heading, pages};
+use super::{by_section, command_heading};
 use crate::words;
 use crate::{Command, Spec};
 
 /// The file of the English edition, to which the Chinese one links.
 const ENGLISH: &str = "REFERENCE.md";
+/// The front matter and the traps of the Chinese edition.
+const PAGES: [&str; 2] =
+    [include_str!("../../../reference/zh/about.md"), include_str!("../../../reference/zh/traps.md")];
+
+/// The heading of the Chinese edition's errata.
+const ERRATA: &str = include_str!("../../../reference/zh/errata.md");
+/// The heading of the Chinese edition's index.
+const INDEX: &str = include_str!("../../../reference/zh/index.md");
+/// The texts of the Chinese edition's errata: TOML, the Chinese ones by the English ones.
+const ERRATA_TEXTS: &str = include_str!("../../../reference/zh/errata.toml");
 
 /// The Chinese edition of the [reference](super::reference), in Markdown: its front matter and its traps, and by section of the
 /// document the errata and all commands. An erratum without a Chinese text is in English.
@@ -20,7 +30,7 @@ const ENGLISH: &str = "REFERENCE.md";
 /// It links to the English edition, which has the rest, as `REFERENCE.md` in the same folder.
 pub fn reference_zh(spec: &Spec) -> String {
     let mut out = String::from("# JAKA TCP 协议\n\n");
-    out += &pages::CHINESE.join("\n");
+    out += &PAGES.join("\n");
     errata(&mut out, spec);
     index(&mut out, spec);
     out.truncate(out.trim_end().len());
@@ -29,7 +39,7 @@ pub fn reference_zh(spec: &Spec) -> String {
 
 fn errata(out: &mut String, spec: &Spec) {
     *out += "\n";
-    *out += pages::CHINESE_ERRATA;
+    *out += ERRATA;
     let chinese = chinese_errata();
     for (_, command) in by_section(spec).into_iter().filter(|(_, command)| !command.errata.is_empty()) {
         let heading = format!("{} {}", section(command), command.title_zh.as_deref().unwrap_or_default());
@@ -47,13 +57,13 @@ fn errata(out: &mut String, spec: &Spec) {
 
 /// The Chinese texts of errata, by the English ones.
 fn chinese_errata() -> BTreeMap<String, String> {
-    let table = DeTable::parse(pages::CHINESE_ERRATA_TEXTS).map(Spanned::into_inner).unwrap_or_default();
+    let table = DeTable::parse(ERRATA_TEXTS).map(Spanned::into_inner).unwrap_or_default();
     let texts = table.iter().filter_map(|(english, chinese)| Some((english.get_ref(), chinese.get_ref().as_str()?)));
     texts.map(|(english, chinese)| (english.to_string(), chinese.to_owned())).collect()
 }
 
 fn index(out: &mut String, spec: &Spec) {
-    *out += pages::CHINESE_INDEX;
+    *out += INDEX;
     *out += "\n";
     let mut table = Table::new(&["章节", "标题", "命令", "主题", "作用"]);
     for (topic, command) in by_section(spec) {
