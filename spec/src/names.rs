@@ -1,4 +1,4 @@
-//! Which names Rust takes, and how one becomes the other.
+//! Names: those that Rust takes, conversions between their forms, and the one that is most like another.
 
 /// Words that cannot name a field, a method, a module or a variant.
 const KEYWORDS: &[&str] = &[

@@ -11,11 +11,12 @@ use std::sync::Arc;
 use self::change::Target;
 pub use self::module::Module;
 use crate::item::Item;
-use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId, Variant};
+use crate::model::{Command, ErrorCode, Event, Topic, TypeId, Variant};
 use crate::names::RESERVED_METHODS;
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::{self, Index};
-use crate::words::{self, event_code};
+use crate::spec::Spec;
+use crate::words::event_code;
 use crate::{Source, read};
 
 /// A spec with what a pack adds to it and changes in it.
@@ -207,7 +208,7 @@ impl<'s> Draft<'s, '_> {
         let mut event = read::event(item, &mut self.index);
         for code in event.codes() {
             if let Some(known) = self.spec.event(code).filter(|known| known.severity != event.severity) {
-                let (code, severity) = (event_code(code), words::severity(known.severity));
+                let (code, severity) = (event_code(code), known.severity.word());
                 item.error(item.at, &format!("the spec has the code {code} already, with the severity `{severity}`"));
             }
         }

@@ -3,15 +3,15 @@
 use std::fmt::Display;
 
 use super::{COVERED, Changed, Draft, covers};
-use crate::advice;
 use crate::item::{Item, Placed};
 use crate::keys::{COMMAND_NAME, ENVELOPE};
-use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, Type, TypeDef, TypeId, TypeKind};
+use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Topic, Type, TypeDef, TypeId, TypeKind};
 use crate::names::nearest;
 use crate::report::{At, Report};
 use crate::resolve::Need;
 use crate::role::MotionMode;
-use crate::{Source, meaning, read};
+use crate::spec::Spec;
+use crate::{Source, advice, meaning, read};
 
 /// What an entry changes: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]

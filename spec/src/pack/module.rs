@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Changed, Pack};
-use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeDef, TypeId};
+use crate::model::{Command, ErrorCode, Event, Topic, TypeDef, TypeId};
 use crate::names::trait_name;
+use crate::spec::Spec;
 
 /// A pack as a module of generated code.
 #[derive(Debug, Clone, PartialEq)]

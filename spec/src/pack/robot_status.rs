@@ -6,11 +6,11 @@ use super::change::Target;
 use super::{Draft, Pack};
 use crate::Source;
 use crate::item::Item;
-use crate::model::{Field, Spec, TypeId};
+use crate::model::{Field, TypeId};
 use crate::names::nearest;
-use crate::needed::{ABSENT, NEEDED_FIELDS, NeededField, PROGRAM, StatusLine};
+use crate::needed::{ABSENT, FieldSource, NEEDED_FIELDS, NeededField, PROGRAM, StatusLine};
 use crate::report::{At, Report};
-use crate::robot_status::FieldSource;
+use crate::spec::Spec;
 
 /// Lines and entries of a file for what a robot needs.
 #[derive(Debug, Default)]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::model::STATUS_TYPE;
+use crate::spec::STATUS_TYPE;
 use crate::{Command, ErrorCode, FieldSource, NeededSource, Spec, Topic, TypeDef};
 
 mod collect;

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 
 pub use self::chinese::reference_zh;
 use self::markdown::{Table, code, escape, link};
-use crate::words::{self, first_sentence};
+use crate::words::first_sentence;
 use crate::{Command, ErrorCode, Spec, Topic};
 
 /// The pages of the English edition.
@@ -77,7 +77,7 @@ fn index_by_section(out: &mut String, spec: &Spec) {
     let mut table = Table::new(&["section", "title in the document", "command", "topic", "effect"]);
     for (topic, command) in by_section(spec) {
         let [section, title] = [&command.section, &command.title_zh].map(|text| text.clone().unwrap_or_default());
-        let effect = words::effect(command.effect).to_owned();
+        let effect = command.effect.word().to_owned();
         table.row([section, title, command_link(command), link(&topic.title, &topic.title), effect]);
     }
     table.render(out);

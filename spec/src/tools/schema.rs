@@ -10,15 +10,6 @@ use serde_json::{Map, Value, json};
 use self::defs::Defs;
 use crate::Spec;
 
-/// How a value is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Direction {
-    /// In the one form in which the client sends it.
-    Sent,
-    /// In any form in which the client reads it.
-    Received,
-}
-
 /// A JSON Schema of all messages, in the draft 2020-12.
 ///
 /// The schema as a whole describes a message of port 10001, request or reply. Its `$defs` are:
@@ -62,6 +53,15 @@ pub fn schema(spec: &Spec) -> Value {
         defs.add("status", status);
     }
     root(&defs.finish())
+}
+
+/// How a value is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    /// In the one form in which the client sends it.
+    Sent,
+    /// In any form in which the client reads it.
+    Received,
 }
 
 fn root(defs: &Map<String, Value>) -> Value {

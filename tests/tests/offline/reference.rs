@@ -88,7 +88,7 @@ fn everything_of_the_spec_is_in_it() {
     }
     let mut codes = 0;
     for event in spec.events() {
-        let (severity, meaning) = (words::severity(event.severity), event.meaning.as_deref());
+        let (severity, meaning) = (event.severity.word(), event.meaning.as_deref());
         let row = meaning.map(|meaning| format!("` | {severity} | {meaning} |\n"));
         assert!(row.is_none_or(|row| text.contains(&row)), "{event:?}");
         codes += event.codes().count();

@@ -8,7 +8,6 @@ use toml::de::DeTable;
 
 use super::markdown::{Table, code, escape, link_into};
 use super::{by_section, command_heading};
-use crate::words;
 use crate::{Command, Spec};
 
 /// The file of the English edition, to which the Chinese one links.
@@ -68,7 +67,7 @@ fn index(out: &mut String, spec: &Spec) {
     let mut table = Table::new(&["章节", "标题", "命令", "主题", "作用"]);
     for (topic, command) in by_section(spec) {
         let [title, topic] = [&command.title_zh, &topic.title_zh].map(|text| text.clone().unwrap_or_default());
-        let effect = words::effect(command.effect).to_owned();
+        let effect = command.effect.word().to_owned();
         table.row([section(command), title, command_link(command), topic, effect]);
     }
     table.render(out);
