@@ -2,8 +2,6 @@
 
 mod corner_path;
 mod error;
-#[cfg(feature = "trajectory-files")]
-mod file;
 mod leg;
 mod line;
 mod plan;

@@ -1,9 +1,10 @@
 //! Trajectories through points with times.
 
+#[cfg(feature = "trajectory-files")]
+mod file;
+
 use jaka_proto::messages::types::JointPosition;
 
-#[cfg(feature = "trajectory-files")]
-use super::file;
 use super::{Passing, TrajectoryError, WayPoint};
 #[cfg(feature = "trajectory-files")]
 use crate::TrajectoryFileError;

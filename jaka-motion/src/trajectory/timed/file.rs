@@ -5,7 +5,7 @@ mod json;
 
 pub(super) use self::csv::write as write_csv;
 pub(super) use self::json::write as write_json;
-use super::timed::TimedPoint;
+use super::TimedPoint;
 use crate::text_file::{FileErrors, Report};
 
 /// What six numbers are of.

@@ -30,7 +30,7 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
 }
 
 /// Text of points, with as many digits as tell each number from all others.
-pub(in crate::trajectory) fn write(points: &[TimedPoint]) -> String {
+pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     let kinds = kinds(points);
     let names = Kind::ALL.into_iter().take(kinds);
     let names = names.flat_map(|kind| (1..=6).map(move |joint| kind.column(joint, Unit::Degrees)));

@@ -48,7 +48,7 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
 }
 
 /// Text of points, with as many digits as tell each number from all others.
-pub(in crate::trajectory) fn write(points: &[TimedPoint]) -> String {
+pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     let kinds = kinds(points);
     let point = |point: &TimedPoint| {
         let lists = angles(point).take(kinds).map(|(kind, angles)| {
