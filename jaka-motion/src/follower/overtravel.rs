@@ -174,8 +174,7 @@ fn furthest(contacts: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)
 }
 
 /// How many periods a time has, rounded up.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
 fn periods(time_s: f64, period_s: f64) -> usize {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
-    let periods = (time_s / period_s - 1e-9).ceil() as usize;
-    periods
+    (time_s / period_s - 1e-9).ceil() as usize
 }

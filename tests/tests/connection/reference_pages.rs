@@ -9,7 +9,6 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader};
 use jaka_proto::{Envelope, ErrorCode};
 use jaka_sim::{Controller, Firmware};
-use jaka_spec::words;
 use jaka_tests::{Arm, ArmBuilder, LONG, skipped, spec};
 use serde_json::de::IoRead;
 use serde_json::{Map, StreamDeserializer, Value};

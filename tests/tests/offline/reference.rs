@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use expect_test::{expect, expect_file};
 use jaka_spec::prose::prose;
 use jaka_spec::tools::{reference, reference_zh};
-use jaka_spec::{Source, load, words};
+use jaka_spec::{Source, load};
 use jaka_tests::spec;
 
 #[test]
