@@ -91,7 +91,8 @@ pub struct Command {
     pub errata: Vec<String>,
     /// What is sent in addition to `cmdName`.
     pub request: Request,
-    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are [`Spec::reply_fields`].
+    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are
+    /// [`Spec::reply_fields`](crate::Spec::reply_fields).
     pub reply: Reply,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
