@@ -19,6 +19,13 @@ const CRATES: &[(&str, &[&str])] = &[
     ("jaka-cli", &["jaka-dynamic", "jaka-motion", "jaka-robot", "jaka-sim", "jaka-spec", "jaka-sync"]),
 ];
 
+/// The folders of a crate and of all that it depends on.
+pub(crate) fn with_dependencies(folder: &str) -> BTreeSet<&'static str> {
+    let (folder, allowed) = CRATES.iter().find(|(crate_folder, _)| *crate_folder == folder).expect("a crate");
+    let below = allowed.iter().flat_map(|name| with_dependencies(if *name == "jaka-spec" { "spec" } else { name }));
+    below.chain([*folder]).collect()
+}
+
 /// Modules, and for each the modules beside it that it or a module below it uses.
 type Graph = BTreeMap<String, BTreeSet<String>>;
 

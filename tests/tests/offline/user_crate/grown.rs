@@ -1,7 +1,6 @@
 //! A user's crate as cargo builds it: an edit of its pack is noticed, and a program that makes every request by its
-//! constructor compiles
-//! against a spec in which ten commands have an optional field more. They compile jaka-sync again, so that `.ci/run`
-//! runs them alone.
+//! constructor compiles against a spec in which ten commands have an optional field more. They compile jaka-sync again,
+//! so that `.ci/run` runs them alone.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -13,6 +12,7 @@ use jaka_spec::tools::{Impact, diff, impact};
 use jaka_spec::{Command, Field, Request, Scalar, Source, Spec, Type, TypeId, TypeKind, to_snake};
 
 use super::{PACK, UserCrate};
+use crate::architecture::with_dependencies;
 
 /// Commands of each shape: bare, with one required field, with several, with optional ones, and with variants.
 const TEN: [&str; 10] = [
@@ -219,7 +219,7 @@ fn a_program_compiles_after_ten_commands_have_got_an_optional_field() {
     if folder.exists() {
         fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
     }
-    for member in ["spec", "jaka-proto-derive", "jaka-proto", "jaka-sync"] {
+    for member in with_dependencies("jaka-sync") {
         copy(&workspace().join(member), &folder.join(member));
     }
     for file in ["Cargo.toml", "Cargo.lock"] {
