@@ -64,7 +64,7 @@ pub fn pack(input: TokenStream) -> TokenStream {
 /// A struct with some fields of the status packet, for `jaka_sync::status_subset!`.
 #[proc_macro]
 pub fn status_subset(input: TokenStream) -> TokenStream {
-    let expanded = syn::parse::<status_subset::SubsetInput>(input).and_then(|input| status_subset::expand(&input));
+    let expanded = syn::parse::<status_subset::Input>(input).and_then(|input| status_subset::expand(&input));
     expanded.unwrap_or_else(syn::Error::into_compile_error).into()
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
 use super::Checker;
 use super::arm::Arm;
-use super::path::{Path, PathPiece};
+use super::path::{Path, Piece};
 use super::placed_regions::PlacedRegions;
 use super::radii::{BEND_MM, LEAST_STEP};
 use crate::beyond::{Exceeded, Found};
@@ -50,7 +50,7 @@ pub(super) struct Following<'a> {
 
 /// Where the joints are at a share of the path.
 #[derive(Debug, Clone)]
-struct PathSample {
+struct Sample {
     share: f64,
     joints: [f64; 6],
     /// How they turn, in degrees for the length of the whole path.
@@ -113,13 +113,13 @@ impl<'a> Following<'a> {
         Ok(joints)
     }
 
-    fn longest_step(&self, piece: &PathPiece) -> f64 {
+    fn longest_step(&self, piece: &Piece) -> f64 {
         let (most_mm, most_deg) = LONGEST_STEP;
         (most_mm / self.path.length_mm()).min(most_deg / piece.turn.norm().to_degrees()).clamp(LEAST_STEP, 1.0)
     }
 
     /// The next sample, if nothing between it and this one can have been missed.
-    fn advance(&self, piece: &PathPiece, here: &PathSample, share: f64) -> Result<Option<PathSample>, Found> {
+    fn advance(&self, piece: &Piece, here: &Sample, share: f64) -> Result<Option<Sample>, Found> {
         let step = share - here.share;
         let guess = std::array::from_fn(|index| {
             here.joints[index] + step * (here.rates[index] + 0.5 * step * here.curve[index])
@@ -136,16 +136,16 @@ impl<'a> Following<'a> {
         Ok(clear.then_some(next))
     }
 
-    fn sample(&self, piece: &PathPiece, share: f64, guess: &[f64; 6]) -> Option<PathSample> {
+    fn sample(&self, piece: &Piece, share: f64, guess: &[f64; 6]) -> Option<Sample> {
         let solved = self.arm.solved(&self.path.at(share), guess)?;
         let (moved, turned) = (self.path.velocity(share), piece.turn);
         let rates = solved.rates(&Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z))?;
         let distances = self.arm.distances(&solved.frames);
-        Some(PathSample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
+        Some(Sample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
     }
 
     /// Checks what holds at each share of the path.
-    fn check(&self, here: &PathSample) -> Result<(), Found> {
+    fn check(&self, here: &Sample) -> Result<(), Found> {
         let there = |exceeded| (exceeded, here.share);
         self.limits.axes().check_positions(&here.joints, &self.start).map_err(there)?;
         self.limits.clearance().check(&self.least, &here.distances).map_err(there)?;
@@ -156,7 +156,7 @@ impl<'a> Following<'a> {
         Ok(())
     }
 
-    fn check_speeds(&self, here: &PathSample) -> Result<(), Exceeded> {
+    fn check_speeds(&self, here: &Sample) -> Result<(), Exceeded> {
         let Some(per_second) = self.per_second else { return Ok(()) };
         let limits = self.limits.joint_speeds();
         let factor = |index: usize| (here.rates[index] * per_second).abs() / limits[index];
@@ -176,7 +176,7 @@ impl<'a> Following<'a> {
     }
 
     /// Whether no joint can have been faster between two samples than its limit by more than the stated amount.
-    fn speeds_clear(&self, here: &PathSample, next: &PathSample) -> bool {
+    fn speeds_clear(&self, here: &Sample, next: &Sample) -> bool {
         let Some(per_second) = self.per_second else { return true };
         let limits = self.limits.joint_speeds();
         (0..6).all(|index| {
@@ -188,7 +188,7 @@ impl<'a> Following<'a> {
 
     /// Whether no singularity can have been nearer between two samples than the least distance, but for the stated
     /// amount.
-    fn singularities_clear(&self, here: &PathSample, next: &PathSample) -> bool {
+    fn singularities_clear(&self, here: &Sample, next: &Sample) -> bool {
         let turned = |index: usize| {
             let moved = (next.joints[index] - here.joints[index]).abs();
             (moved + 2.0 * bend(here, next, index)).to_radians()
@@ -201,13 +201,7 @@ impl<'a> Following<'a> {
     }
 
     /// Whether elbow or wrist cannot have been beyond a region between two samples by more than the stated amount.
-    fn point_clear(
-        &self,
-        piece: &PathPiece,
-        point: Point,
-        here: &PathSample,
-        next: &PathSample,
-    ) -> Result<bool, Found> {
+    fn point_clear(&self, piece: &Piece, point: Point, here: &Sample, next: &Sample) -> Result<bool, Found> {
         if !self.regions.limit(point) {
             return Ok(true);
         }
@@ -243,7 +237,7 @@ impl<'a> Following<'a> {
     }
 }
 
-impl PathSample {
+impl Sample {
     /// The step in which no joint turns by quite as much as it may.
     fn joint_step(&self) -> f64 {
         0.95 * JOINT_STEP / self.rates.iter().fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()))
@@ -251,7 +245,7 @@ impl PathSample {
 }
 
 /// Whether the joints went from one sample to the other without a jump, and evenly enough.
-fn continuous(here: &PathSample, next: &PathSample) -> bool {
+fn continuous(here: &Sample, next: &Sample) -> bool {
     let step = next.share - here.share;
     (0..6).all(|index| {
         let moved = next.joints[index] - here.joints[index];
@@ -261,7 +255,7 @@ fn continuous(here: &PathSample, next: &PathSample) -> bool {
 }
 
 /// How far a joint is from an even turn between two samples, in degrees, if its rate changes evenly.
-fn bend(here: &PathSample, next: &PathSample, index: usize) -> f64 {
+fn bend(here: &Sample, next: &Sample, index: usize) -> f64 {
     0.125 * (next.share - here.share) * (next.rates[index] - here.rates[index]).abs()
 }
 
@@ -270,7 +264,7 @@ fn place(point: Point, frames: &[Isometry3<f64>; 6]) -> Point3<f64> {
 }
 
 /// How elbow or wrist moves, in mm for the length of the whole path.
-fn velocity(point: Point, here: &PathSample) -> Vector3<f64> {
+fn velocity(point: Point, here: &Sample) -> Vector3<f64> {
     let at = place(point, &here.frames).coords;
     let parts = here.frames.iter().zip(here.rates).take(point.frame()).map(|(frame, rate)| {
         (frame.rotation * Vector3::z()).cross(&(at - frame.translation.vector)) * rate.to_radians()

@@ -15,7 +15,7 @@ pub(super) enum Path {
 
 /// A part of a path on which the tool turns evenly.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PathPiece {
+pub(super) struct Piece {
     /// Where it ends, as a share of the path.
     pub(super) end: f64,
     /// How the tool turns, in radians for the length of the whole path.
@@ -61,10 +61,10 @@ impl Path {
     }
 
     /// The parts on which the tool turns evenly; none where it turns half way round on one.
-    pub(super) fn pieces(&self) -> Option<[PathPiece; 2]> {
+    pub(super) fn pieces(&self) -> Option<[Piece; 2]> {
         let piece = |from: Transform, to: Transform, start: f64, end: f64| {
             let turn = from.0.rotation * (from.0.rotation.inverse() * to.0.rotation).scaled_axis() / (end - start);
-            (from.angle_deg(&to) < HALF_TURN).then_some(PathPiece { end, turn })
+            (from.angle_deg(&to) < HALF_TURN).then_some(Piece { end, turn })
         };
         Some(match self {
             Self::Line { from, to } => {

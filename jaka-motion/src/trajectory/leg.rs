@@ -14,12 +14,12 @@ pub(super) struct Leg {
     pub(super) length: f64,
     /// The joints at its start.
     pub(super) start: [f64; 6],
-    pub(super) way: LegPath,
+    pub(super) way: Way,
 }
 
 /// How a leg goes, for each unit of its length.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum LegPath {
+pub(super) enum Way {
     Joints([f64; 6]),
     Tool(Line),
 }
@@ -70,16 +70,16 @@ impl Leg {
     pub(super) fn joints(after: usize, from: [f64; 6], to: [f64; 6]) -> Self {
         let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
         let length = moved.iter().map(|moved| moved * moved).sum::<f64>().sqrt();
-        Self { after, length, start: from, way: LegPath::Joints(moved.map(|moved| moved / length)) }
+        Self { after, length, start: from, way: Way::Joints(moved.map(|moved| moved / length)) }
     }
 
     /// How fast it may be, and how the joints move at its ends.
     pub(super) fn survey(&self, budget: &Budget, arm: &Arm) -> Survey {
         match &self.way {
-            LegPath::Joints(direction) => {
+            Way::Joints(direction) => {
                 Survey { bounds: self.joint_bounds(direction, budget, arm), ends: [*direction; 2] }
             }
-            LegPath::Tool(line) => self.survey_line(line, budget),
+            Way::Tool(line) => self.survey_line(line, budget),
         }
     }
 
@@ -114,12 +114,12 @@ impl Leg {
     /// in joints, or where the way turns back.
     pub(super) fn corner(&self, next: &Self, found: [&Survey; 2], tolerances: &Tolerances, budget: &Budget) -> Corner {
         let (way, share, cosine) = match (&self.way, &next.way) {
-            (LegPath::Joints(before), LegPath::Joints(after)) => {
+            (Way::Joints(before), Way::Joints(after)) => {
                 let cosine = before.iter().zip(after).map(|(before, after)| before * after).sum();
                 let most = largest(|joint| (after[joint] - before[joint]).abs());
                 (within(tolerances.joint_deg, most), 1.0, cosine)
             }
-            (LegPath::Tool(Line { direction: before, .. }), LegPath::Tool(Line { direction: after, .. })) => {
+            (Way::Tool(Line { direction: before, .. }), Way::Tool(Line { direction: after, .. })) => {
                 let cosine = before.moved.dot(&after.moved) + before.turned.dot(&after.turned) * TURN_MM * TURN_MM;
                 let moved = within(tolerances.mm, (after.moved - before.moved).norm());
                 let turned = within(tolerances.turn_deg.to_radians(), (after.turned - before.turned).norm());

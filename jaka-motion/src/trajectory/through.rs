@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::leg::{Budget, Leg, LegPath, Tolerances};
+use super::leg::{Budget, Leg, Tolerances, Way};
 use super::line::{LEAST, LONGEST, Line};
 use super::timing::{Timing, lost};
 use super::tool_way::Direction;
@@ -222,7 +222,7 @@ impl Here {
             found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| lost(after, checker))?;
-        let leg = Leg { after, length, start: self.joints, way: LegPath::Tool(line) };
+        let leg = Leg { after, length, start: self.joints, way: Way::Tool(line) };
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))
     }

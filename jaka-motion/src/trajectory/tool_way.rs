@@ -16,13 +16,13 @@ pub(super) struct Direction {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ToolWay {
     pub(super) frame: Isometry3<f64>,
-    pub(super) along: [(Direction, ToolCourse); 2],
+    pub(super) along: [(Direction, Course); 2],
     pub(super) seconds: f64,
 }
 
 /// How far the tool is along a direction, over a stretch: its speed goes from one to another as `3x² - 2x³`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ToolCourse {
+pub(super) struct Course {
     pub(super) from: f64,
     pub(super) speeds: [f64; 2],
 }
@@ -45,7 +45,7 @@ impl Direction {
     }
 }
 
-impl ToolCourse {
+impl Course {
     /// Whether it has one speed.
     pub(super) fn is_even(&self) -> bool {
         self.speeds[0].total_cmp(&self.speeds[1]).is_eq()

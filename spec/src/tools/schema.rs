@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use self::defs::Defs;
-use self::parts::{SchemaForm, alternatives, reference};
+use self::parts::{Form, alternatives, reference};
 use crate::Spec;
 
 mod advice;
@@ -50,10 +50,10 @@ pub fn schema(spec: &Spec) -> Value {
     defs.add("reply", alternatives("anyOf", &replies));
     defs.add("refusal", message::refusal());
     for (id, _) in spec.types() {
-        defs.named(id, SchemaForm::Received);
+        defs.named(id, Form::Received);
     }
     if let Some(id) = spec.status_type() {
-        let status = defs.named(id, SchemaForm::Received);
+        let status = defs.named(id, Form::Received);
         defs.add("status", status);
     }
     root(&defs.finish())

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 /// How a value is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SchemaForm {
+pub(super) enum Form {
     /// In the one form in which the client sends it.
     Sent,
     /// In any form in which the client reads it.

@@ -3,19 +3,19 @@
 use serde_json::{Value, json};
 
 use super::lenient;
-use super::parts::SchemaForm;
+use super::parts::Form;
 use crate::Scalar;
 
 /// A scalar as it is sent, or in any form in which it is read.
-pub(super) fn schema(scalar: &Scalar, form: SchemaForm) -> Value {
+pub(super) fn schema(scalar: &Scalar, form: Form) -> Value {
     match (scalar, form) {
-        (Scalar::Bool { off, on }, SchemaForm::Sent) if off == "false" && on == "true" => json!({ "type": "boolean" }),
-        (Scalar::Bool { off, on }, SchemaForm::Sent) => json!({ "enum": [parsed(off), parsed(on)] }),
-        (Scalar::Bool { off, on }, SchemaForm::Received) => lenient::boolean([off, on]),
-        (Scalar::Int, SchemaForm::Sent) => json!({ "type": "integer" }),
-        (Scalar::Int, SchemaForm::Received) => lenient::integer(),
-        (Scalar::Float, SchemaForm::Sent) => json!({ "type": "number" }),
-        (Scalar::Float, SchemaForm::Received) => lenient::number(),
+        (Scalar::Bool { off, on }, Form::Sent) if off == "false" && on == "true" => json!({ "type": "boolean" }),
+        (Scalar::Bool { off, on }, Form::Sent) => json!({ "enum": [parsed(off), parsed(on)] }),
+        (Scalar::Bool { off, on }, Form::Received) => lenient::boolean([off, on]),
+        (Scalar::Int, Form::Sent) => json!({ "type": "integer" }),
+        (Scalar::Int, Form::Received) => lenient::integer(),
+        (Scalar::Float, Form::Sent) => json!({ "type": "number" }),
+        (Scalar::Float, Form::Received) => lenient::number(),
         (Scalar::Text, _) => json!({ "type": "string" }),
         (Scalar::Json, _) => json!({}),
     }
