@@ -13,19 +13,16 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
-mod firmware;
 mod forms;
 mod literal;
 mod motion;
 mod pack;
-mod request;
 mod scope;
 mod status_subset;
 mod topic;
 mod type_forms;
 mod typedef;
 mod validate;
-mod value;
 
 #[cfg(test)]
 mod corpora;
@@ -55,7 +52,7 @@ pub fn client_methods(input: TokenStream) -> TokenStream {
 /// The module of a pack, for `jaka_sync::pack!`.
 #[proc_macro]
 pub fn pack(input: TokenStream) -> TokenStream {
-    match syn::parse::<pack::Input>(input) {
+    match syn::parse::<pack::PackInput>(input) {
         Ok(input) => pack::expand(&input).into(),
         Err(error) => error.into_compile_error().into(),
     }
@@ -64,7 +61,7 @@ pub fn pack(input: TokenStream) -> TokenStream {
 /// A struct with some fields of the status packet, for `jaka_sync::status_subset!`.
 #[proc_macro]
 pub fn status_subset(input: TokenStream) -> TokenStream {
-    let expanded = syn::parse::<status_subset::Input>(input).and_then(|input| status_subset::expand(&input));
+    let expanded = syn::parse::<status_subset::SubsetInput>(input).and_then(|input| status_subset::expand(&input));
     expanded.unwrap_or_else(syn::Error::into_compile_error).into()
 }
 

@@ -13,14 +13,14 @@ use crate::scope::{ModulePaths, Scope};
 
 /// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the
 /// fields.
-pub(crate) struct Input {
+pub(crate) struct SubsetInput {
     sync: TokenStream,
     head: TokenStream,
     name: Ident,
     fields: Punctuated<Ident, Token![,]>,
 }
 
-impl Parse for Input {
+impl Parse for SubsetInput {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let (sync, head, fields);
         parenthesized!(sync in input);
@@ -32,10 +32,10 @@ impl Parse for Input {
 }
 
 /// The struct and how it is read, or an error at the first field that the status packet does not have.
-pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
+pub(crate) fn expand(input: &SubsetInput) -> syn::Result<TokenStream> {
     let spec = jaka_spec::builtin().map_err(|errors| syn::Error::new(input.name.span(), errors))?;
     let fields = fields(&spec, input)?;
-    let Input { sync, head, name, .. } = input;
+    let SubsetInput { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
     let docs = Docs::new(&spec, Place::User);
     let paths = ModulePaths { elsewhere: sync.clone(), wire: wire.clone(), ..ModulePaths::default() };
@@ -70,7 +70,7 @@ pub(crate) fn expand(input: &Input) -> syn::Result<TokenStream> {
 }
 
 /// The fields as the spec has them, in the order in which the user wrote them.
-fn fields(spec: &Spec, input: &Input) -> syn::Result<Vec<Field>> {
+fn fields(spec: &Spec, input: &SubsetInput) -> syn::Result<Vec<Field>> {
     let all = spec.status_fields();
     let mut chosen: Vec<Field> = Vec::new();
     for name in &input.fields {
