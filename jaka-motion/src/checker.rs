@@ -18,7 +18,7 @@ pub(crate) use self::arm::{Arm, Led};
 use self::follow::Following;
 use self::limited_points::LimitedPoints;
 use self::limited_points::RoomToStop;
-use self::path::Path;
+use self::path::ToolPath;
 use self::placed_regions::PlacedRegions;
 use self::radii::PieceEnd;
 pub(crate) use self::solved::Solved;
@@ -134,7 +134,7 @@ impl Checker {
     /// from singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a
     /// controller means its speed then is not known, so joint speeds are not checked on it, and all the rest is.
     pub fn check_line(&self, from: JointPosition, to: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
-        let path = || Path::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
+        let path = || ToolPath::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
         self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), pace)).map(JointPosition)
     }
 
@@ -146,7 +146,7 @@ impl Checker {
         let check = || {
             let [mid, end] = [mid, end].map(|pose| Transform(self.in_base(pose)));
             let arc = Arc::through(Transform(self.arm.tcp(&from.0)), mid, end);
-            self.follow(&from.0, Path::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
+            self.follow(&from.0, ToolPath::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
         };
         self.checked(Way::Arc, &[from], &[mid, end], check).map(JointPosition)
     }
@@ -360,7 +360,7 @@ impl Checker {
     }
 
     /// Checks a path of the tool, and returns the joint positions at its end.
-    fn follow(&self, from: &[f64; 6], path: Path, pace: TcpPace) -> Result<[f64; 6], Found> {
+    fn follow(&self, from: &[f64; 6], path: ToolPath, pace: TcpPace) -> Result<[f64; 6], Found> {
         let at_end = |exceeded| (exceeded, 1.0);
         pace.check(self.arm.reach_mm()).map_err(at_end)?;
         self.tcp_speed().check(pace.speed_mm_s).map_err(at_end)?;
@@ -368,7 +368,7 @@ impl Checker {
             return Err(at_end(unreached));
         }
         let tcp = |share| path.at(share).translation.vector.into();
-        self.regions().check_way(Point::Tcp, pace.tolerance_mm, path.course(), tcp)?;
+        self.regions().check_way(Point::Tcp, pace.tolerance_mm, path.motion(), tcp)?;
         Following::new(&self.arm, &self.limits, self.regions(), from, path, pace).follow()
     }
 

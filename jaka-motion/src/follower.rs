@@ -5,6 +5,8 @@ mod overtravel;
 use jaka_proto::messages::types::JointPosition;
 
 pub use self::overtravel::Overtravel;
+use self::overtravel::Travel;
+use crate::checker::Checker;
 use crate::limits::Limits;
 use crate::trajectory::Trajectory;
 
@@ -159,6 +161,20 @@ impl Follower {
     /// It finds each of these set-points; [`stopping`](Self::stopping) does that bit by bit.
     pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
         self.stopping().look_ahead(most)
+    }
+
+    /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further
+    /// than `allowed_mm`; none otherwise.
+    ///
+    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is
+    /// computed is at the rate 1, which is the most: at a lower one, also one that goes up or down meanwhile, the tool
+    /// has gone less far when it is braked, and rests sooner. Where the tool goes on further than is allowed before it
+    /// is braked at all, the place at which that is the furthest is told.
+    ///
+    /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It
+    /// allocates a number for each.
+    pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
+        Travel::new(self, checker, delay_s).worst(allowed_mm)
     }
 
     /// The trajectory.

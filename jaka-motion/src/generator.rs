@@ -79,7 +79,7 @@ pub struct Generator {
     rejections: u64,
 }
 
-/// What a [`Generator`](crate::Generator) is on the way to.
+/// What a [`Generator`] is on the way to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Goal {
@@ -109,7 +109,7 @@ pub struct Step {
 pub enum Bound {
     /// A limit that is near.
     Limit(Beyond),
-    /// What was computed for the goal did not pass the generator's own check. [`Generator::rejections`](crate::Generator::rejections) counts them.
+    /// What was computed for the goal did not pass the generator's own check. [`Generator::rejections`] counts them.
     Rejected,
 }
 
@@ -124,7 +124,7 @@ pub struct Landing {
 }
 
 jaka_proto::worded! {
-    /// Why a [`Generator`](crate::Generator) or its [`Dynamics`](crate::Dynamics) cannot be made.
+    /// Why a [`Generator`] or its [`Dynamics`] cannot be made.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum GeneratorError {

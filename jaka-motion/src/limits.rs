@@ -153,6 +153,59 @@ impl Limits {
         }
     }
 
+    /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
+    ///
+    /// Units are part of the keys. All but `model` may be left out, and a number in place of a list is for all six
+    /// joints.
+    ///
+    /// ```
+    /// use jaka_motion::Limits;
+    ///
+    /// let text = r#"
+    /// model = "Zu 5"
+    ///
+    /// [joints]
+    /// min_deg = [-170, -80, -150, -80, -175, -360]
+    /// max_deg = [170, 260, 150, 260, 175, 360]
+    /// speed_deg_s = 90
+    /// acceleration_deg_s2 = [60, 60, 90, 90, 120, 120] # not published for these arms
+    ///
+    /// [tcp]
+    /// speed_mm_s = 250
+    ///
+    /// [singularity]
+    /// least_distance = 0.05
+    ///
+    /// [[half_space]]
+    /// name = "table"
+    /// of = "tcp"           # or "elbow", "wrist"
+    /// frame = "user"       # or "base": the arm's own base, however it is mounted
+    /// point_mm = [0, 0, 20]
+    /// inward = [0, 0, 1]   # a direction, of any length
+    ///
+    /// [[box]]
+    /// name = "camera"
+    /// of = "elbow"
+    /// frame = "base"
+    /// keep = "outside"     # or "inside"
+    /// min_mm = [300, -100, 0]
+    /// max_mm = [500, 100, 900]
+    /// "#;
+    /// let limits = Limits::from_toml(text, "limits.toml")?;
+    /// assert_eq!((limits.joint_speeds()[5], limits.regions().len()), (90.0, 2));
+    ///
+    /// let errors = Limits::from_toml("model = \"Zu 5\"\n[tcp]\nspeed_mms = 250", "limits.toml").unwrap_err();
+    /// assert_eq!(errors.to_string(), "limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?");
+    /// # Ok::<(), jaka_motion::LimitsFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong, at its line and column.
+    #[cfg(feature = "toml")]
+    pub fn from_toml(text: &str, file_name: &str) -> Result<Self, crate::LimitsFileError> {
+        file::read(text, file_name)
+    }
+
     /// With this range of a joint, 1 to 6, in degrees.
     ///
     /// # Errors

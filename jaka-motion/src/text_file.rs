@@ -35,10 +35,14 @@ pub(crate) struct Report<'t> {
     errors: FileErrors,
 }
 
-impl FileErrors {
-    /// Number of errors that are kept.
-    pub const MOST: usize = 100;
+/// Number of characters that are shown at most of what was found.
+#[cfg(feature = "trajectory-files")]
+const SHOWN: usize = 40;
 
+/// Number of errors that are kept.
+const MOST: usize = 100;
+
+impl FileErrors {
     /// Errors one by one: the first hundred that were found.
     pub fn iter(&self) -> std::slice::Iter<'_, FileError> {
         self.first.iter()
@@ -60,7 +64,7 @@ impl<'t> Report<'t> {
     /// Reports an error at an offset in bytes; within a character, at its start.
     pub(crate) fn error(&mut self, at: usize, message: impl Into<String>) {
         let FileErrors { first, more } = &mut self.errors;
-        if first.len() == FileErrors::MOST {
+        if first.len() == MOST {
             *more += 1;
             return;
         }
@@ -72,6 +76,14 @@ impl<'t> Report<'t> {
         if !first.contains(&error) {
             first.push(error);
         }
+    }
+
+    /// Reports what was found in place of something.
+    #[cfg(feature = "trajectory-files")]
+    pub(crate) fn found(&mut self, at: usize, what: &str, found: &str, expected: &str) {
+        let short: String = found.chars().take(SHOWN).collect();
+        let rest = if short.len() < found.len() { "..." } else { "" };
+        self.error(at, format!("{what}: found `{short}{rest}`, expected {expected}"));
     }
 
     /// What was read, if nothing is wrong.

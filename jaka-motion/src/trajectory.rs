@@ -1,15 +1,13 @@
 //! Motions that are known from start to end.
 
+mod corner_path;
 mod error;
-#[cfg(feature = "trajectory-files")]
-mod file;
 mod leg;
 mod line;
 mod plan;
-mod through;
+pub(crate) mod through;
 mod timed;
 mod timing;
-mod tool_way;
 
 use std::fmt;
 use std::sync::Arc;
@@ -47,11 +45,11 @@ use crate::piece::{Piece, Sample};
 /// with times, two or three for most points without, and one more for each 50 mm or less of a line. Clones share them.
 /// [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
-pub struct Trajectory(Arc<Made>);
+pub struct Trajectory(Arc<Shared>);
 
 /// What clones share.
 #[derive(PartialEq)]
-struct Made {
+struct Shared {
     pieces: Vec<Piece>,
     way_points: Vec<WayPoint>,
     checker: Checker,
@@ -80,6 +78,62 @@ pub enum Passing {
 }
 
 impl Trajectory {
+    /// Through points at their times, compared with an arm's limits.
+    ///
+    /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both ends.
+    /// - With velocities alone it is of the third degree. Accelerations then step at the points.
+    /// - With neither, pieces of the third degree have the velocities for which accelerations do not step, and rest at both ends.
+    ///
+    /// It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
+    /// [`rate_change`](Self::rate_change).
+    ///
+    /// ```
+    /// use jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
+    ///
+    /// let checker = Checker::new(Limits::of(Model::named("Zu 5").expect("a published arm")), Frames::new());
+    /// let points = [
+    ///     TimedPoint::new(0.0, [0.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
+    ///     TimedPoint::new(1.0, [10.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
+    ///     TimedPoint::new(2.0, [20.0, 60.0, -85.0, 190.0, -90.0, 0.0]),
+    /// ];
+    /// let trajectory = Trajectory::timed(&points, &checker)?;
+    /// assert_eq!(trajectory.at(1.0).joints, points[1].joints);
+    ///
+    /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint { time_s: point.time_s / 4.0, ..point }), &checker);
+    /// let error = sudden.unwrap_err().to_string();
+    /// assert_eq!(error, "after way-point 1, at 0.000 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
+    /// # Ok::<(), jaka_motion::TrajectoryError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What is wrong with the points, or the first place that is beyond a limit.
+    pub fn timed(points: &[TimedPoint], checker: &Checker) -> Result<Self, TrajectoryError> {
+        let (pieces, way_points) = timed::parts(points)?;
+        Self::checked(pieces, way_points, checker)
+    }
+
+    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
+    /// rounded.
+    ///
+    /// ```
+    /// use jaka_motion::proto::messages::types::Pose;
+    /// use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let checker = Checker::new(Limits::of(arm).with_tcp_speed(250.0)?, Frames::new());
+    /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
+    /// let above = Pose::from(arm.forward(start));
+    /// let [aside, down] = [Pose { y: above.y + 100.0, ..above }, Pose { y: above.y + 100.0, z: above.z - 50.0, ..above }];
+    ///
+    /// let points = [Via::from(start), Via::from(aside), Via::from(down), Via::from(aside)];
+    /// let trajectory = Trajectory::through(points).corner_mm(2.0).build(&checker)?;
+    /// assert_eq!(trajectory.way_points().len(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn through<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Through {
+        Through::new(points.into_iter().map(Into::into).collect())
+    }
+
     /// How long it takes.
     pub fn duration(&self) -> Duration {
         Duration::try_from_secs_f64(self.duration_s()).unwrap_or(Duration::MAX)
@@ -169,7 +223,7 @@ impl Trajectory {
         }
         pieces.shrink_to_fit();
         way_points.shrink_to_fit();
-        let made = Made { pieces, way_points, checker: checker.clone() };
+        let made = Shared { pieces, way_points, checker: checker.clone() };
         made.check(checker).map(|()| Self(Arc::new(made)))
     }
 
@@ -192,7 +246,7 @@ impl Trajectory {
     }
 }
 
-impl Made {
+impl Shared {
     fn check(&self, checker: &Checker) -> Result<(), TrajectoryError> {
         let mut end = None;
         self.pieces.iter().try_for_each(|piece| {

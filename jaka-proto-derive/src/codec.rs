@@ -5,8 +5,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::forms;
+use crate::forms::write_type;
 use crate::scope::{ident, names};
-use crate::value::write_type;
 
 /// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a
 /// name into a reference to its value.

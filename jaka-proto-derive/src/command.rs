@@ -4,8 +4,8 @@ use jaka_spec::{Command, Request, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::scope::{Scope, ident, variant};
-use crate::{choice, construct, docs, firmware, motion, typedef, validate};
+use crate::scope::{Scope, ident};
+use crate::{choice, construct, docs, forms, motion, typedef, validate};
 
 /// The request, its reply where that carries data, and what ties them together.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -52,18 +52,18 @@ fn info(spec: &Spec, command: &Command) -> TokenStream {
     let name = &command.wire;
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
-    let effect = variant(command.effect);
+    let effect = ident(command.effect.variant());
     let role = command.role.map(|role| {
-        let role = variant(role);
+        let role = ident(role.variant());
         quote!(role: Some(proto::Role::#role),)
     });
     let changes = (!command.changes.is_empty()).then(|| {
-        let changes = command.changes.iter().map(variant);
+        let changes = command.changes.iter().map(|change| ident(change.variant()));
         quote!(changes: &[#(proto::Change::#changes),*],)
     });
     let motion = command.motion.as_ref().map(|_| quote!(is_motion: true,));
     let requires = (!command.requires.is_empty()).then(|| {
-        let requires = command.requires.iter().map(variant);
+        let requires = command.requires.iter().map(|state| ident(state.variant()));
         quote!(requires: &[#(proto::Requirement::#requires),*],)
     });
     let deadline = command.deadline.map(|deadline| {
@@ -73,7 +73,7 @@ fn info(spec: &Spec, command: &Command) -> TokenStream {
     let uncertain = (!command.reply_certain).then(|| quote!(reply_certain: false,));
     let ends = command.ends_session.then(|| quote!(ends_session: true,));
     let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
-    let firmware = firmware::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
+    let firmware = forms::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
     let needs_firmware = spec.needs_firmware(command).then(|| quote!(needs_firmware: true,));
     quote!(
         proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware #needs_firmware)

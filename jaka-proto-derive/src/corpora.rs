@@ -6,7 +6,7 @@ use jaka_spec::{Source, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::{client, error_codes, events, pack, request, topic};
+use crate::{client, error_codes, events, pack, topic};
 
 /// The inputs of a fuzz target that are text.
 fn texts(target: &str) -> Vec<String> {
@@ -38,7 +38,7 @@ fn all(spec: &Spec) -> TokenStream {
         let sent = spec.sent_types();
         spec.topics.iter().map(|topic| topic::module(spec, topic, &sent)).collect()
     };
-    let (request, error_codes, methods) = (request::render(spec), error_codes::render(spec), client::methods(spec));
+    let (request, error_codes, methods) = (topic::requests(spec), error_codes::render(spec), client::methods(spec));
     let events = events::render(spec);
     quote!(#topics #request #error_codes #events #methods)
 }

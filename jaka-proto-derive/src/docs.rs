@@ -3,43 +3,49 @@
 //! Text of the spec or of a pack is prose alone: rustdoc would test code, and pass on HTML. In it, commands are links
 //! to their items.
 
-mod command;
-mod links;
-
-use jaka_spec::prose::{code_span, linked_prose};
+use jaka_spec::prose::{code_span, linked_prose, shown};
 use jaka_spec::words::{self, first_sentence};
-use jaka_spec::{Field, Topic, TypeKind};
+use jaka_spec::{Command, Effect, Example, Field, Module, Reply, Spec, Topic, TypeKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-pub(crate) use links::{Docs, Place};
-
-/// Text of our own, which may have links, as doc attributes, one for each line. What it has of the spec's is a name in
-/// Rust or a code span.
-pub(crate) fn own(text: &str) -> TokenStream {
-    let lines = lines(text);
-    quote!(#(#[doc = #lines])*)
+/// The place of docs: what they link the names of commands to.
+#[derive(Clone, Copy)]
+pub(crate) struct Docs<'s> {
+    spec: &'s Spec,
+    place: Place<'s>,
+    /// The command whose docs they are. There, its own name is not a link.
+    command: Option<&'s Command>,
 }
 
-fn lines(text: &str) -> impl Iterator<Item = String> {
-    text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") })
+/// Where docs stand.
+#[derive(Clone, Copy)]
+pub(crate) enum Place<'s> {
+    /// `messages` of jaka-proto, or the module of a topic in it: links lead to requests.
+    Messages(Option<&'s Topic>),
+    /// The module of a pack: the same, and requests link to their methods.
+    Pack(&'s Module),
+    /// jaka-sync: links lead to methods of the client.
+    Client,
+    /// The user's own type: no links.
+    User,
 }
 
-/// An alias under which rustdoc's search finds the item `name` by its spelling on the wire, where rustdoc takes that.
-pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
-    let is_alias =
-        wire.trim() == wire && !wire.contains(|c: char| matches!(c, '"' | '\'') || c.is_whitespace() && c != ' ');
-    if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
-}
+const OR_RAW: &str = "\n\nThe sources leave doubt about the shape: a value of another shape is kept as raw JSON.";
 
 impl<'s> Docs<'s> {
+    pub(crate) fn new(spec: &'s Spec, place: Place<'s>) -> Self {
+        Self { spec, place, command: None }
+    }
+
+    /// The docs of this command.
+    pub(crate) fn of_command(self, command: &'s Command) -> Self {
+        Self { command: Some(command), ..self }
+    }
+
     /// Text of the spec or of a pack as doc attributes.
     pub(crate) fn attributes(self, text: &str) -> TokenStream {
         own(&self.prose(text))
-    }
-
-    fn prose(self, text: &str) -> String {
-        linked_prose(text, |name| self.target(name))
     }
 
     /// What a topic is about, for inside its module: there, links are looked up.
@@ -94,17 +100,6 @@ impl<'s> Docs<'s> {
         quote!(#docs #alias)
     }
 
-    /// The first sentence, unit and range, what follows in the paragraph, and the spelling on the wire, which is not a
-    /// command's even where a command has it.
-    fn summary(self, field: &Field, rest: &str) -> String {
-        let measure = self.measure(field).map(|measure| format!(" {measure}")).unwrap_or_default();
-        let text = self.prose(&format!("{}{measure}{rest}", first_sentence(&field.doc).0));
-        if field.wire == field.name || field.wire.is_empty() {
-            return text;
-        }
-        format!("{text} {} on the wire.", code_span(&field.wire))
-    }
-
     /// What a constructor makes, and in which units it takes its arguments: those for the required fields.
     pub(crate) fn constructor(self, doc: &str, fields: &[Field]) -> TokenStream {
         let first = self.attributes(first_sentence(doc).0);
@@ -116,6 +111,44 @@ impl<'s> Docs<'s> {
         let measured: Vec<_> = measured.collect();
         let list = (!measured.is_empty()).then(|| self.attributes(&format!("\n{}", list(&measured))));
         quote!(#first #list)
+    }
+
+    /// What the request does, what is sent, what that needs, and what comes back.
+    pub(crate) fn request_type(self, command: &'s Command) -> TokenStream {
+        let reply = self.reply(command).map(|reply| format!(" The reply is {reply}."));
+        let method = self.trait_method(command).map(|method| format!(" The method is [`{method}`]."));
+        let links = reply.unwrap_or_default() + &method.unwrap_or_default();
+        own(&self.about(command, &code_span(&command.wire), &links))
+    }
+
+    /// Which request the reply answers.
+    pub(crate) fn reply_type(self, command: &Command) -> TokenStream {
+        own(&format!("What the controller answers to [`{}`].", self.request(command)))
+    }
+
+    /// The same as for the request, with an example, and how the method fails: as `call` does.
+    pub(crate) fn method(self, command: &'s Command, call: &str) -> TokenStream {
+        let (path, name) = (self.request(command), code_span(&command.wire));
+        let sent =
+            if command.wire == command.request_type() { format!("[`{path}`]") } else { format!("[{name}]({path})") };
+        let about = self.about(command, &sent, "");
+        let example = example(&command.examples);
+        own(&format!("{about}{example}\n\n# Errors\nAs {call}.{}", refusal(command)))
+    }
+
+    fn prose(self, text: &str) -> String {
+        linked_prose(text, |name| self.target(name))
+    }
+
+    /// The first sentence, unit and range, what follows in the paragraph, and the spelling on the wire, which is not a
+    /// command's even where a command has it.
+    fn summary(self, field: &Field, rest: &str) -> String {
+        let measure = self.measure(field).map(|measure| format!(" {measure}")).unwrap_or_default();
+        let text = self.prose(&format!("{}{measure}{rest}", first_sentence(&field.doc).0));
+        if field.wire == field.name || field.wire.is_empty() {
+            return text;
+        }
+        format!("{text} {} on the wire.", code_span(&field.wire))
     }
 
     /// `In deg/s, at least 0.`
@@ -136,14 +169,100 @@ impl<'s> Docs<'s> {
             _ => None,
         }
     }
+
+    /// What the name of a command is linked to.
+    fn target(self, name: &str) -> Option<String> {
+        let command = self.spec.command_called(name)?;
+        if self.command.is_some_and(|own| own.wire == command.wire) {
+            return None;
+        }
+        match self.place {
+            Place::Messages(_) | Place::Pack(_) => Some(self.request(command)),
+            Place::Client => Some(format!("crate::Client::{}", command.name)),
+            Place::User => None,
+        }
+    }
+
+    /// The path of a command's request, as a link.
+    fn request(self, command: &Command) -> String {
+        let is_there = |topic: &Topic| topic.commands.iter().any(|other| other.wire == command.wire);
+        self.path(is_there, &command.request_type())
+    }
+
+    /// A link to the type of a command's reply, if the reply carries data.
+    fn reply(self, command: &Command) -> Option<String> {
+        let Reply::Object(id) = &command.reply else {
+            return command.reply_type().map(|reply| format!("[`{reply}`]"));
+        };
+        let name = &self.spec[*id].name;
+        let path = self.path(|topic| topic.types.contains(id), name);
+        Some(if path.contains("::") { format!("[`{name}`]({path})") } else { format!("[`{path}`]") })
+    }
+
+    /// The path of a type, as a link. A derive macro may have the name too.
+    fn path(self, is_there: impl Fn(&Topic) -> bool, name: &str) -> String {
+        let (own, elsewhere) = match self.place {
+            Place::Messages(topic) => (topic, "crate::messages"),
+            Place::Pack(module) => (Some(&module.topic), "proto::messages"),
+            Place::Client | Place::User => (None, "crate"),
+        };
+        match self.spec.topics.iter().find(|topic| is_there(topic)) {
+            Some(topic) if !own.is_some_and(is_there) => {
+                // The modules of packs stand next to each other.
+                let elsewhere = if topic.is_pack { "super" } else { elsewhere };
+                format!("{elsewhere}::{}::{name}", topic.name)
+            }
+            _ => format!("type@{name}"),
+        }
+    }
+
+    /// The method of a pack's command, where its trait stands in the same module.
+    fn trait_method(self, command: &Command) -> Option<String> {
+        let Place::Pack(module) = self.place else { return None };
+        Some(format!("{}::{}", module.trait_name(), module.method(command)))
+    }
+
+    /// The type that has the ranges that can be switched off.
+    fn advisory_ranges(self) -> &'static str {
+        match self.place {
+            Place::User => "`AdvisoryRanges`",
+            Place::Messages(_) | Place::Pack(_) | Place::Client => "[`AdvisoryRanges`](check::AdvisoryRanges)",
+        }
+    }
+
+    /// What a command does; `sent` names it, and `links` lead to what belongs to it.
+    fn about(self, command: &'s Command, sent: &str, links: &str) -> String {
+        let docs = self.of_command(command);
+        let section = command.section.as_ref().map(|section| format!(" ({section})")).unwrap_or_default();
+        let changes = if command.effect == Effect::Query { " Changes nothing on the robot." } else { "" };
+        let needs = words::requirements(&command.requires).map(|needs| format!(" The robot must be {needs}."));
+        let sends = format!("\n\nSends {sent}{section}.{changes}{}{links}", needs.unwrap_or_default());
+        docs.prose(&command.doc) + &sends + &docs.prose(&remarks(command))
+    }
+}
+
+/// Text of our own, which may have links, as doc attributes, one for each line. What it has of the spec's is a name in
+/// Rust or a code span.
+pub(crate) fn own(text: &str) -> TokenStream {
+    let lines = lines(text);
+    quote!(#(#[doc = #lines])*)
+}
+
+fn lines(text: &str) -> impl Iterator<Item = String> {
+    text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") })
+}
+
+/// An alias under which rustdoc's search finds the item `name` by its spelling on the wire, where rustdoc takes that.
+pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
+    let is_alias =
+        wire.trim() == wire && !wire.contains(|c: char| matches!(c, '"' | '\'') || c.is_whitespace() && c != ' ');
+    if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
 }
 
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }
-
-const OR_RAW: &str = "\n\nThe sources leave doubt about the shape: a value of another shape is kept as raw JSON.";
 
 fn versions(versions: &jaka_spec::Versions) -> Option<String> {
     words::versions(versions).map(|known| format!("\n\nKnown to firmware {known}."))
@@ -152,4 +271,40 @@ fn versions(versions: &jaka_spec::Versions) -> Option<String> {
 /// A list, with an item for each text.
 fn list(items: &[String]) -> String {
     items.iter().map(|item| format!("- {item}")).collect::<Vec<_>>().join("\n")
+}
+
+fn remarks(command: &Command) -> String {
+    let withdrawn = command.deprecated.as_ref().map(|instead| format!("\n\nWithdrawn by the vendor: {instead}."));
+    let evidence = command.evidence.as_ref().map(|evidence| format!("\n\nNot in the document. {evidence}"));
+    let reconstructed = command.reconstructed.as_ref();
+    let reconstructed =
+        reconstructed.map(|evidence| format!("\n\nReconstructed, since the document's page is lost: {evidence}"));
+    let errata = (!command.errata.is_empty()).then(|| format!("\n\n# Errata\n\n{}", list(&command.errata)));
+    let known = words::known_to(command).map(|known| format!("\n\n{known}"));
+    [known, withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
+}
+
+/// What is sent and what comes back, a message in a line. After an arrow, no message of a pack can end the block.
+fn example(examples: &[Example]) -> String {
+    let lines = examples.iter().map(|example| {
+        let line = |arrow: &str, message: &Option<String>| {
+            message.as_ref().map(|message| format!("\n{arrow} {}", shown(message))).unwrap_or_default()
+        };
+        line("->", &example.request) + &line("<-", &example.reply)
+    });
+    let lines: String = lines.collect();
+    if lines.is_empty() { lines } else { format!("\n\n# Example\n```text{lines}\n```") }
+}
+
+/// What the controller does where a requirement is not met.
+fn refusal(command: &Command) -> String {
+    match &command.refusal {
+        _ if command.requires.is_empty() => String::new(),
+        None => " In another state than the one it needs, expect a refusal.".to_owned(),
+        Some(refusal) => format!(
+            " In another state than the one it needs, the controller refuses with code {}, {}.",
+            refusal.code,
+            code_span(&refusal.message)
+        ),
+    }
 }

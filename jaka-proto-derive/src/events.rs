@@ -7,7 +7,7 @@ use jaka_spec::{Event, Spec};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::scope::variant;
+use crate::scope::ident;
 
 /// The tables in which `ControllerEvent` looks.
 pub(crate) fn render(spec: &Spec) -> TokenStream {
@@ -54,7 +54,7 @@ pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
 
 /// A row for each range of codes of one severity.
 fn severities(events: &[&Event], row: impl Fn(Literal, Literal, Ident) -> TokenStream) -> Vec<TokenStream> {
-    table(events, |event| Some(event.severity), |first, last, severity| row(first, last, variant(severity)))
+    table(events, |event| Some(event.severity), |first, last, severity| row(first, last, ident(severity.variant())))
 }
 
 /// A row for each range of codes of one meaning.

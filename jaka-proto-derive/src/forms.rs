@@ -1,11 +1,8 @@
-//! Forms of fields by firmware: how they are written and read.
+//! Values: how they are written, also in the forms of fields by firmware, and how those are read.
 
-use jaka_spec::{Factors, Field, Form, Type, Versions};
+use jaka_spec::{Factors, Field, Form, Scalar, Type, Version, Versions};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-
-use crate::firmware::firmware_of;
-use crate::value::write_type;
 
 /// Statements that write a field in the form of the firmware, with its key where it has one; `value` is a reference to
 /// its value.
@@ -127,4 +124,48 @@ pub(crate) fn arms(bodies: impl Iterator<Item = TokenStream>) -> TokenStream {
 pub(crate) fn ranges<'f>(versions: impl Iterator<Item = &'f Versions>) -> TokenStream {
     let ranges = versions.map(|versions| firmware_of(versions, &quote!(wire)));
     quote!(&[#(#ranges),*])
+}
+
+/// The firmware that has something, unless all has it.
+pub(crate) fn firmware(versions: &Versions) -> Option<TokenStream> {
+    (versions != &Versions::default()).then(|| firmware_of(versions, &quote!(proto)))
+}
+
+/// The firmware that has something, by the module that has the type of ranges.
+pub(crate) fn firmware_of(versions: &Versions, module: &TokenStream) -> TokenStream {
+    let numbers = |version: &Version| {
+        let numbers = version.numbers().iter().map(|number| Literal::u32_unsuffixed(*number));
+        quote!([#(#numbers),*])
+    };
+    let since = versions.since.as_ref().map(numbers).map(|numbers| quote!(.since(#numbers)));
+    let until = versions.until.as_ref().map(numbers).map(|numbers| quote!(.until(#numbers)));
+    quote!(#module::FirmwareRange::ALL #since #until)
+}
+
+/// A statement that writes the value behind the reference `value`.
+pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
+    match ty {
+        Type::Scalar(Scalar::Bool { off, on }) if off != "false" || on != "true" => {
+            quote!(out.choose(*#value, #off, #on);)
+        }
+        Type::List(element) | Type::Array(element, _) if is_truth(element) => {
+            let write = write_type(element, &quote!(item));
+            quote!(out.array(#value, |out, item| { #write });)
+        }
+        Type::Python(inner) => {
+            let write = write_type(inner, value);
+            quote!(out.python(|out| { #write });)
+        }
+        Type::Scalar(_) | Type::Named(_) | Type::List(_) | Type::Array(..) => {
+            quote!(wire::Encode::encode(#value, out);)
+        }
+    }
+}
+
+/// True for a truth value, and for an array of them.
+fn is_truth(ty: &Type) -> bool {
+    match ty {
+        Type::List(element) | Type::Array(element, _) => is_truth(element),
+        other => matches!(other, Type::Scalar(Scalar::Bool { .. })),
+    }
 }

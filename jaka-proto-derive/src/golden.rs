@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{ModulePaths, Scope};
-use crate::{client, compile_errors, error_codes, pack, request, topic};
+use crate::{client, compile_errors, error_codes, pack, topic};
 use interface::{interface, interface_without, signatures};
 
 fn pretty(tokens: TokenStream) -> String {
@@ -29,7 +29,7 @@ fn the_interface_of_all_messages() {
         let module = topic::module(&spec, topic, &spec.sent_types());
         expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&interface(module));
     }
-    expect_file!["../golden/request.rs"].assert_eq(&interface(request::render(&spec)));
+    expect_file!["../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
     expect_file!["../golden/client.rs"].assert_eq(&signatures(client::methods(&spec)));
 }

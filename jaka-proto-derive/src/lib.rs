@@ -13,19 +13,16 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
-mod firmware;
 mod forms;
 mod literal;
 mod motion;
 mod pack;
-mod request;
 mod scope;
 mod status_subset;
 mod topic;
 mod type_forms;
 mod typedef;
 mod validate;
-mod value;
 
 #[cfg(test)]
 mod corpora;
@@ -55,7 +52,7 @@ pub fn client_methods(input: TokenStream) -> TokenStream {
 /// The module of a pack, for `jaka_sync::pack!`.
 #[proc_macro]
 pub fn pack(input: TokenStream) -> TokenStream {
-    match syn::parse::<pack::Input>(input) {
+    match syn::parse::<pack::PackInput>(input) {
         Ok(input) => pack::expand(&input).into(),
         Err(error) => error.into_compile_error().into(),
     }

@@ -16,13 +16,13 @@ use crate::{error_codes, events, literal, topic};
 
 /// What `jaka_sync::pack!` hands over: the path of jaka-sync, that of the TOML file, and those of the packs on which it
 /// stands.
-pub(crate) struct Input {
+pub(crate) struct PackInput {
     sync: TokenStream,
     path: LitStr,
     lower: Punctuated<LitStr, Token![,]>,
 }
 
-impl Parse for Input {
+impl Parse for PackInput {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let sync;
         parenthesized!(sync in input);
@@ -39,8 +39,8 @@ impl Parse for Input {
 }
 
 /// The pack's module, or a compiler error for each thing that is wrong with it.
-pub(crate) fn expand(input: &Input) -> TokenStream {
-    let Input { sync, path, lower } = input;
+pub(crate) fn expand(input: &PackInput) -> TokenStream {
+    let PackInput { sync, path, lower } = input;
     let rendered = match jaka_spec::builtin() {
         Ok(built_in) => {
             rendered(&built_in, input).map_or_else(|errors| errors, |module| render(&module, &built_in, sync))
@@ -57,7 +57,7 @@ pub(crate) fn expand(input: &Input) -> TokenStream {
 }
 
 /// The module, on the modules of the packs on which it stands.
-fn rendered(built_in: &Spec, input: &Input) -> Result<Module, TokenStream> {
+fn rendered(built_in: &Spec, input: &PackInput) -> Result<Module, TokenStream> {
     let mut spec = built_in.clone();
     for path in &input.lower {
         spec = load(&spec, path)?.module().spec;

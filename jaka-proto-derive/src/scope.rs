@@ -142,11 +142,6 @@ pub(crate) fn ident(name: &str) -> Ident {
     format_ident!("{name}")
 }
 
-/// The variant of an enum that jaka-proto has with the same variants as jaka-spec.
-pub(crate) fn variant(value: impl std::fmt::Debug) -> Ident {
-    format_ident!("{}", format!("{value:?}"))
-}
-
 /// The names of the fields, to destructure or construct with.
 pub(crate) fn names(fields: &[Field]) -> Vec<Ident> {
     fields.iter().map(|field| ident(&field.name)).collect()

@@ -10,8 +10,8 @@ use quote::quote;
 use crate::codec::{
     Manner, decode_into, in_place, read_array, read_array_in_place, read_object, read_object_in_place, write_all,
 };
+use crate::forms::write_type;
 use crate::scope::{Scope, ident, names};
-use crate::value::write_type;
 use crate::{choice, construct, enums, type_forms, validate};
 
 /// The type, its codec and its checks.

@@ -6,8 +6,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::choice::variant_path;
-use crate::firmware::firmware;
 use crate::forms::elements;
+use crate::forms::firmware;
 use crate::scope::{Scope, ident, names};
 
 /// The checks of a request.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::error_code::ErrorCode;
+use crate::refusal::ErrorCode;
 use crate::refusal::Refusal;
 use crate::wire::{Decode, DecodeError, Reader, lossy_text, trimmed};
 

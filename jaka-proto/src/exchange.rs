@@ -35,8 +35,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod out_of_sync;
-mod posted;
 pub(crate) mod sent;
 mod waiter;
 
@@ -44,9 +42,7 @@ use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
-pub use self::out_of_sync::OutOfSync;
-use self::posted::Posted;
-pub use self::posted::{PostedOutcomes, PostedRequest};
+pub use self::sent::OutOfSync;
 pub use self::sent::RequestId;
 use self::sent::{Recipient, SentRequest, SentRequests};
 pub use self::waiter::{Failure, ReadReply, TextOnly, TypedReply, Waiter};
@@ -95,6 +91,36 @@ pub enum Delivery {
     Counted,
     /// The request was given up or abandoned: the reply is discarded.
     Discarded,
+}
+
+/// A posted request that is outstanding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct PostedRequest {
+    /// The request.
+    pub id: RequestId,
+    /// Its `cmdName`.
+    pub command: &'static str,
+    /// When it was sent.
+    pub sent_at: Instant,
+}
+
+/// The outcomes of posted requests.
+#[derive(Debug, Default)]
+#[non_exhaustive]
+pub struct PostedOutcomes {
+    /// How many were accepted.
+    pub accepted: u64,
+    /// The others, by `cmdName`, in the order in which it was learnt.
+    pub failed: Vec<(&'static str, Failure)>,
+}
+
+/// The posted requests.
+#[derive(Debug, Default)]
+struct Posted {
+    /// In the order of their ids. Requests are completed, lost and given up from the front, and withdrawn from the back.
+    outstanding: VecDeque<PostedRequest>,
+    outcomes: PostedOutcomes,
 }
 
 impl Exchange {
@@ -240,5 +266,24 @@ impl Exchange {
     fn pending_for(&mut self, request: RequestId) -> Option<Pending> {
         let place = self.pending.binary_search_by_key(&request, |(owner, _)| *owner).ok()?;
         self.pending.remove(place).map(|(_, pending)| pending)
+    }
+}
+
+impl Posted {
+    /// Counts the outcome of a request, which is the oldest as a rule.
+    fn finish(&mut self, request: RequestId, outcome: Result<(), Failure>) {
+        let place = self.outstanding.iter().position(|posted| posted.id == request);
+        let Some(finished) = place.and_then(|place| self.outstanding.remove(place)) else { return };
+        match outcome {
+            Ok(()) => self.outcomes.accepted += 1,
+            Err(failure) => self.outcomes.failed.push((finished.command, failure)),
+        }
+    }
+
+    /// Takes back the newest request, if it is this one.
+    fn withdraw(&mut self, request: RequestId) {
+        if self.outstanding.back().is_some_and(|newest| newest.id == request) {
+            self.outstanding.pop_back();
+        }
     }
 }

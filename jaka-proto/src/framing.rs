@@ -6,23 +6,22 @@
 
 mod error;
 mod nesting;
-mod next_packet;
+#[cfg(test)]
+mod tests;
 mod text;
 
 use std::fmt;
 use std::ops::Range;
 
-use memchr::memchr;
+use memchr::{memchr, memmem};
 
 use self::error::EXCERPT;
 pub use self::error::{Excerpt, FrameError};
 use self::nesting::{Form, Nesting, Scanned};
-use self::next_packet::Stream;
 pub use self::text::text;
 
 /// The longest frame, in bytes, that [`Framer::default`] lets pass: 1 MiB, some seventy times the longest seen.
 pub const DEFAULT_MAX_FRAME: usize = 1 << 20;
-
 /// The least room, in bytes, that [`Framer::spare`] offers.
 const ROOM: usize = 8 << 10;
 
@@ -60,6 +59,13 @@ pub struct Framer {
     visited: u64,
 }
 
+/// What comes on a stream.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stream {
+    Replies,
+    Status,
+}
+
 impl Framer {
     /// Makes a framer that refuses frames longer than `max_frame` bytes.
     pub fn new(max_frame: usize) -> Self {
@@ -86,11 +92,6 @@ impl Framer {
     /// ```
     pub fn for_status(max_frame: usize) -> Self {
         Self::with_stream(max_frame, Stream::Status)
-    }
-
-    fn with_stream(max_frame: usize, stream: Stream) -> Self {
-        let state = State::Gap;
-        Self { stream, buffer: Vec::new(), start: 0, scan: 0, end: 0, state, error: None, max_frame, visited: 0 }
     }
 
     /// Room to read a socket into, at least 8 KiB; [`filled`](Self::filled) then says how much was read.
@@ -148,6 +149,43 @@ impl Framer {
     /// The number of bytes the scanner has visited so far; never more than were received.
     pub fn visited(&self) -> u64 {
         self.visited
+    }
+
+    /// Leaves the error state for the next `{` after the error, and returns how many bytes it dropped at once.
+    ///
+    /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
+    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to come,
+    /// what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
+    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object inside
+    /// a broken one: its reader must expect any keys. Without an error, nothing is dropped.
+    pub fn resync(&mut self) -> usize {
+        let Some(error) = self.error.take() else { return 0 };
+        let dropped = self.start;
+        self.start = self.scan;
+        self.state = match (error, &self.state) {
+            // Its brace was taken for a part of a string that did not end.
+            (FrameError::Cut { .. }, State::Frame(Nesting { quote: Some(_), .. })) => {
+                self.start -= 1;
+                State::Frame(Nesting::new(Form::Status))
+            }
+            (FrameError::Cut { .. }, _) => State::Gap,
+            _ => State::Lost,
+        };
+        if matches!(self.state, State::Lost) {
+            self.skip_gap();
+        }
+        self.start - dropped
+    }
+
+    /// The bytes received that the next call of [`next_frame`](Self::next_frame) drops, while the next packet is searched for.
+    pub fn lost(&self) -> &[u8] {
+        let len = if matches!(self.state, State::Lost) { self.lost_len() } else { 0 };
+        &self.partial()[..len]
+    }
+
+    fn with_stream(max_frame: usize, stream: Stream) -> Self {
+        let state = State::Gap;
+        Self { stream, buffer: Vec::new(), start: 0, scan: 0, end: 0, state, error: None, max_frame, visited: 0 }
     }
 
     /// Visits the one byte that has come, if it is one and changes nothing: so it is for most where bytes come one by one.
@@ -259,6 +297,22 @@ impl Framer {
         self.buffer.reserve_exact(len - self.buffer.len());
         self.buffer.resize(len, 0);
     }
+
+    /// How many of the bytes that wait come before the next frame, or before what may be its beginning.
+    fn lost_len(&self) -> usize {
+        let (waiting, beginning) = (self.partial(), self.stream.beginning());
+        memmem::find(waiting, beginning).unwrap_or_else(|| {
+            let is_begun = |len: &usize| waiting.ends_with(&beginning[..*len]);
+            waiting.len() - (1..beginning.len()).rev().find(is_begun).unwrap_or(0)
+        })
+    }
+
+    /// The last bytes before the frame that begins inside this one.
+    fn cut(&self) -> FrameError {
+        let is_inside = matches!(self.state, State::Frame(Nesting { quote: Some(_), .. }));
+        let end = self.scan - usize::from(is_inside);
+        FrameError::Cut { excerpt: Excerpt::of(&self.buffer[self.start.max(end.saturating_sub(EXCERPT))..end]) }
+    }
 }
 
 impl Default for Framer {
@@ -279,6 +333,16 @@ impl fmt::Debug for Framer {
     }
 }
 
+impl Stream {
+    /// How the frame begins that ends a search.
+    fn beginning(self) -> &'static [u8] {
+        match self {
+            Self::Replies => b"{",
+            Self::Status => b"{\"len\"",
+        }
+    }
+}
+
 /// Where the scanner stands.
 #[derive(Debug)]
 enum State {
@@ -293,6 +357,3 @@ enum State {
 fn is_white(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r' | b'\n')
 }
-
-#[cfg(test)]
-mod tests;

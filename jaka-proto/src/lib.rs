@@ -7,7 +7,6 @@ pub mod check;
 mod command;
 mod controller_event;
 mod envelope;
-mod error_code;
 pub mod exchange;
 mod firmware;
 pub mod framing;
@@ -30,11 +29,10 @@ pub mod messages {
 pub use command::{Change, Command, CommandInfo, Effect, Requirement, Role, Visit};
 pub use controller_event::{ControllerEvent, Severity, UnreadableEvent};
 pub use envelope::Envelope;
-pub use error_code::ErrorCode;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use messages::Request;
 pub use motion::{Motion, Path, Target};
-pub use refusal::Refusal;
+pub use refusal::{ErrorCode, Refusal};
 pub use reply::{
     Reply, read_envelope, read_payload, read_payload_of, read_reply, read_reply_of, write_refusal, write_reply,
 };

@@ -45,15 +45,14 @@
 //! part in them; a message's time is that of its arrival, which may be earlier than the entry before.
 
 mod answers;
-mod message;
-mod read;
-mod write;
+mod line;
 
 use std::time::Duration;
+use std::{fmt, str};
 
 pub use self::answers::{Answer, Answered};
-pub use self::message::Message;
-pub use self::read::RecordingError;
+use self::line::{Line, Seconds};
+use crate::wire::{DecodeError, Writer};
 
 /// The version of the format that this crate writes and reads.
 pub const FORMAT: u32 = 1;
@@ -83,13 +82,6 @@ pub struct Recording {
     pub truncated: Option<RecordingError>,
 }
 
-impl Recording {
-    /// A recording of these entries.
-    pub fn new(header: Header, entries: Vec<Entry>) -> Self {
-        Self { header, entries, truncated: None }
-    }
-}
-
 /// The first line of a recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -98,13 +90,6 @@ pub struct Header {
     pub started: Duration,
     /// What wrote it, with its version, such as `jaka-sync 0.1.0`.
     pub software: String,
-}
-
-impl Header {
-    /// The header of a recording that began then, counted from 1970-01-01 00:00 UTC.
-    pub fn new(started: Duration, software: impl Into<String>) -> Self {
-        Self { started: whole_microseconds(started), software: software.into() }
-    }
 }
 
 /// One line of a recording.
@@ -119,18 +104,6 @@ pub struct Entry {
     pub connection: u32,
     /// What happened.
     pub event: Event,
-}
-
-impl Entry {
-    /// An event on a connection, this long after the start of the recording.
-    pub fn new(time: Duration, port: Port, connection: u32, event: Event) -> Self {
-        Self { time: whole_microseconds(time), port, connection, event }
-    }
-}
-
-/// What a recording can hold, so that what is read is equal to what was written.
-fn whole_microseconds(time: Duration) -> Duration {
-    Duration::new(time.as_secs(), time.subsec_micros() * 1000)
 }
 
 /// A port of a controller.
@@ -181,16 +154,6 @@ pub enum Event {
     },
 }
 
-impl Event {
-    /// The message, of either direction, if it is one.
-    pub fn message(&self) -> Option<&Message> {
-        match self {
-            Self::Sent(message) | Self::Received(message) => Some(message),
-            _ => None,
-        }
-    }
-}
-
 /// Happening to a motion of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -214,6 +177,298 @@ pub enum Ending {
     Controller,
     /// The network: the connection was reset, or the controller no longer there.
     Failure,
+}
+
+/// A message as it went over the wire, whatever its bytes.
+///
+/// Displays text as it is; of bytes that are no UTF-8, printable ASCII as it is and every other byte as `\xNN`.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Message(Vec<u8>);
+
+/// A line of a recording that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct RecordingError {
+    /// The number of the line, counted from 1.
+    pub line: usize,
+    /// What is wrong with it.
+    pub source: DecodeError,
+}
+
+impl Recording {
+    /// A recording of these entries.
+    pub fn new(header: Header, entries: Vec<Entry>) -> Self {
+        Self { header, entries, truncated: None }
+    }
+
+    /// Reads a file's bytes.
+    ///
+    /// A last line that is cut off, without a line feed, is reported by [`truncated`](Self::truncated).
+    ///
+    /// # Errors
+    /// The first line that is neither a header nor an entry.
+    pub fn read(file: &[u8]) -> Result<Self, RecordingError> {
+        let mut lines = file.split_inclusive(|byte| *byte == b'\n').enumerate();
+        let (_, first) = lines.next().unwrap_or_default();
+        let header = at_line(0, text(first).and_then(Header::read))?;
+        let mut recording = Self::new(header, Vec::new());
+        for (index, line) in lines {
+            match at_line(index, text(line).and_then(Entry::read)) {
+                Ok(entry) => recording.entries.push(entry),
+                Err(error) if !line.ends_with(b"\n") => recording.truncated = Some(error),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(recording)
+    }
+
+    /// The requests of all command connections, in their order, each with the reply that belongs to it.
+    ///
+    /// Replies that belong to no request, and messages after which replies can no longer be told apart, are left out.
+    pub fn answers(&self) -> Vec<Answered> {
+        answers::answers(self)
+    }
+
+    /// Writes all lines.
+    pub fn write(&self, out: &mut Writer) {
+        self.header.write(out);
+        self.entries.iter().for_each(|entry| entry.write(out));
+    }
+}
+
+impl Header {
+    /// The header of a recording that began then, counted from 1970-01-01 00:00 UTC.
+    pub fn new(started: Duration, software: impl Into<String>) -> Self {
+        Self { started: whole_microseconds(started), software: software.into() }
+    }
+
+    /// Reads the first line of a recording, with or without its line feed.
+    ///
+    /// # Errors
+    /// It is not a header, or one of another version of the format.
+    pub fn read(line: &str) -> Result<Self, DecodeError> {
+        let line = Line::read(line)?;
+        let format: i64 = line.required("jaka_recording")?;
+        if format != i64::from(FORMAT) {
+            let expected = format!("version {FORMAT} of the format");
+            return Err(DecodeError::unfit(expected, &format.to_string()).in_field("jaka_recording"));
+        }
+        let Seconds(started) = line.required("started")?;
+        Ok(Self { started, software: line.optional("software")?.unwrap_or_default() })
+    }
+
+    /// Writes the line, with its line feed.
+    pub fn write(&self, out: &mut Writer) {
+        out.raw("{\"jaka_recording\":");
+        out.int(FORMAT.into());
+        out.raw(",\"started\":");
+        seconds(self.started, out);
+        out.raw(",\"software\":");
+        out.text(&self.software);
+        out.raw("}\n");
+    }
+}
+
+impl Entry {
+    /// An event on a connection, this long after the start of the recording.
+    pub fn new(time: Duration, port: Port, connection: u32, event: Event) -> Self {
+        Self { time: whole_microseconds(time), port, connection, event }
+    }
+
+    /// Reads a line after the first, with or without its line feed.
+    ///
+    /// # Errors
+    /// It is not an entry.
+    pub fn read(line: &str) -> Result<Self, DecodeError> {
+        let line = Line::read(line)?;
+        let Seconds(time) = line.required("time")?;
+        let port = line.one_of("port", "`command` or `status`", Port::ALL, Port::word)?;
+        let connection = line.optional("connection")?.unwrap_or(1);
+        let connection = u32::try_from(connection)
+            .map_err(|_| DecodeError::unfit("a number", &connection.to_string()).in_field("connection"))?;
+        Ok(Self { time, port, connection, event: line.event()? })
+    }
+
+    /// Writes the line, with its line feed.
+    pub fn write(&self, out: &mut Writer) {
+        out.raw("{\"time\":");
+        seconds(self.time, out);
+        out.raw(",\"port\":");
+        out.text(self.port.word());
+        out.raw(",\"connection\":");
+        out.int(self.connection.into());
+        out.raw(",\"event\":");
+        out.text(self.event.word());
+        self.event.write_fields(out);
+        out.raw("}\n");
+    }
+}
+
+impl Port {
+    /// Both ports.
+    pub const ALL: [Self; 2] = [Self::Command, Self::Status];
+
+    /// Its name in a recording: `command` or `status`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Command => "command",
+            Self::Status => "status",
+        }
+    }
+}
+
+/// Its [`word`](Port::word).
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+impl Event {
+    /// The message, of either direction, if it is one.
+    pub fn message(&self) -> Option<&Message> {
+        match self {
+            Self::Sent(message) | Self::Received(message) => Some(message),
+            _ => None,
+        }
+    }
+
+    /// Its name in a recording, such as `sent`.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Connected { .. } => "connected",
+            Self::Sent(_) => "sent",
+            Self::Received(_) => "received",
+            Self::Closed { .. } => "closed",
+            Self::Error { .. } => "error",
+            Self::Motion { .. } => "motion",
+            Self::Dropped { .. } => "dropped",
+        }
+    }
+
+    fn write_fields(&self, out: &mut Writer) {
+        match self {
+            Self::Connected { address } => field("address", address, out),
+            Self::Sent(message) | Self::Received(message) => write_message(message, out),
+            Self::Closed { by, why } => {
+                field("by", by.word(), out);
+                field("why", why, out);
+            }
+            Self::Error { text } => field("text", text, out),
+            Self::Motion { step, text } => {
+                field("step", step.word(), out);
+                field("text", text, out);
+            }
+            Self::Dropped { count } => {
+                out.raw(",\"count\":");
+                out.raw(&count.to_string());
+            }
+        }
+    }
+}
+
+impl MotionStep {
+    const ALL: [Self; 4] = [Self::Late, Self::Gap, Self::Done, Self::Failed];
+
+    /// Its name in a recording, such as `late`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Late => "late",
+            Self::Gap => "gap",
+            Self::Done => "done",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+impl Ending {
+    const ALL: [Self; 3] = [Self::Client, Self::Controller, Self::Failure];
+
+    /// Its name in a recording: `client`, `controller` or `failure`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Client => "client",
+            Self::Controller => "controller",
+            Self::Failure => "failure",
+        }
+    }
+}
+
+impl Message {
+    /// A message of these bytes.
+    pub fn new(bytes: impl Into<Vec<u8>>) -> Self {
+        Self(bytes.into())
+    }
+
+    /// The bytes.
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+
+    /// The text; `None` if the bytes are no UTF-8.
+    pub fn text(&self) -> Option<&str> {
+        str::from_utf8(&self.0).ok()
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(text) = self.text() {
+            return f.write_str(text);
+        }
+        self.0.iter().try_for_each(|&byte| match byte {
+            b' '..=b'~' => write!(f, "{}", char::from(byte)),
+            _ => write!(f, "\\x{byte:02x}"),
+        })
+    }
+}
+
+impl fmt::Debug for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Message({self})")
+    }
+}
+
+impl fmt::Display for RecordingError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {} of the recording cannot be read: {}", self.line, self.source)
+    }
+}
+
+/// The text of what is wrong is this error's own.
+impl std::error::Error for RecordingError {}
+
+/// What a recording can hold, so that what is read is equal to what was written.
+fn whole_microseconds(time: Duration) -> Duration {
+    Duration::new(time.as_secs(), time.subsec_micros() * 1000)
+}
+
+fn at_line<T>(index: usize, read: Result<T, DecodeError>) -> Result<T, RecordingError> {
+    read.map_err(|source| RecordingError { line: index + 1, source })
+}
+
+fn text(line: &[u8]) -> Result<&str, DecodeError> {
+    str::from_utf8(line).map_err(|_| DecodeError::unfit("UTF-8", &String::from_utf8_lossy(line)))
+}
+
+fn write_message(message: &Message, out: &mut Writer) {
+    if let Some(text) = message.text() {
+        return field("text", text, out);
+    }
+    out.raw(",\"hex\":\"");
+    message.bytes().iter().for_each(|byte| out.raw(&format!("{byte:02x}")));
+    out.raw("\"");
+}
+
+fn field(key: &str, value: &str, out: &mut Writer) {
+    out.comma();
+    out.text(key);
+    out.raw(":");
+    out.text(value);
+}
+
+fn seconds(time: Duration, out: &mut Writer) {
+    out.raw(&format!("{}.{:06}", time.as_secs(), time.subsec_micros()));
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use crate::command::CommandInfo;
 use crate::envelope::{ENVELOPE, Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
-use crate::error_code::ErrorCode;
 use crate::firmware::FirmwareVersion;
+use crate::refusal::ErrorCode;
 use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, read_message};
 
 /// A reply: whose it is, whether the command was accepted, and its payload.

@@ -5,14 +5,12 @@
 //! replies into types of their own.
 
 mod decode;
-mod encode;
 mod error;
-mod forms;
 mod number;
 pub mod python;
 mod reader;
+mod scaled;
 mod serde_impls;
-mod typed;
 mod value;
 mod writer;
 
@@ -20,13 +18,13 @@ mod writer;
 pub use crate::firmware::FirmwareRange;
 use decode::not_an_array_of;
 pub use error::DecodeError;
-#[doc(hidden)]
-pub use forms::Scaled;
 pub use reader::{Keys, Reader};
 pub(crate) use reader::{lossy_text, read_message, trimmed};
 #[doc(hidden)]
+pub use scaled::Scaled;
+#[doc(hidden)]
 pub use serde_impls::{deserialize, serialize};
-pub use typed::Typed;
+pub use value::Typed;
 pub use writer::Writer;
 
 /// Any JSON, where the spec knows no type.

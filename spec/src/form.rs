@@ -2,159 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{Command, Field, Form, FormKind, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::model::{Field, FormKind, TypeDef, TypeKind};
 use crate::range::Range;
-use crate::scalar::Scalar;
-use crate::unit::Factors;
 use crate::version::Versions;
 
-impl Field {
-    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that
-    /// means false in one form and true in the other.
-    pub fn has_forms_alike(&self) -> bool {
-        self.keys().any(|key| self.are_alike_under(key))
-    }
-
-    /// True if the version alone tells two forms under a key apart.
-    pub fn are_alike_under(&self, key: &str) -> bool {
-        let forms: Vec<_> = self.forms_under(key).collect();
-        let are_alike = |form: &Form, other: &Form| form.unit != other.unit || contradict(&form.ty, &other.ty);
-        forms.iter().enumerate().any(|(at, form)| forms[at + 1..].iter().any(|other| are_alike(form, other)))
-    }
-
-    /// Keys of the field in any firmware, its own first, each once.
-    pub fn keys(&self) -> impl Iterator<Item = &str> {
-        let others = self.forms.iter().enumerate().filter(|(at, form)| {
-            form.wire != self.wire && self.forms[..*at].iter().all(|before| before.wire != form.wire)
-        });
-        std::iter::once(&*self.wire).chain(others.map(|(_, form)| &*form.wire))
-    }
-
-    /// Forms of the field under a key, its own first if it has that key.
-    pub fn forms_under(&self, key: &str) -> impl Iterator<Item = Form> {
-        let own = self.own_form();
-        std::iter::once(own).chain(self.forms.iter().cloned()).filter(move |form| form.wire == key)
-    }
-
-    /// Form of the field in all firmware that none of its other forms is for.
-    pub fn own_form(&self) -> Form {
-        let Self { wire, ty, unit, .. } = self;
-        let (wire, ty, unit) = (wire.clone(), ty.clone(), unit.clone());
-        Form { versions: Versions::default(), wire, ty, unit, factors: Factors::ONE }
-    }
-}
-
-/// True if a value may mean one thing as this type, and another as that.
-#[expect(clippy::match_same_arms, reason = "a text may be a literal, and is one of a list")]
-fn contradict(ty: &Type, other: &Type) -> bool {
-    match (ty, other) {
-        (Type::Python(inner), Type::Python(other)) => contradict(inner, other),
-        // A literal of an array or an object is a string, which these are not.
-        (Type::Python(inner), _) | (_, Type::Python(inner)) => matches!(**inner, Type::Scalar(_)),
-        (Type::List(element), Type::List(other)) => contradict(element, other),
-        (Type::Array(element, _), Type::Array(other, _)) => contradict(element, other),
-        (Type::Scalar(Scalar::Bool { off, on }), Type::Scalar(Scalar::Bool { off: other_off, on: other_on })) => {
-            let words = [off, on, other_off, other_on].map(|word| word.trim_matches('"'));
-            words.iter().any(|word| {
-                let [ours, theirs] = [[off, on], [other_off, other_on]].map(|[off, on]| truth(word, off, on));
-                ours.is_some_and(|ours| theirs.is_some_and(|theirs| ours != theirs))
-            })
-        }
-        _ => false,
-    }
-}
-
-/// Meaning of a word as a truth value with these two forms, or in one of the usual ones.
-fn truth(word: &str, off: &str, on: &str) -> Option<bool> {
-    let is = |forms: &[&str]| forms.iter().any(|form| form.trim_matches('"').eq_ignore_ascii_case(word));
-    match word {
-        _ if is(&[off]) => Some(false),
-        _ if is(&[on]) => Some(true),
-        _ if is(&["false", "0"]) => Some(false),
-        _ if is(&["true", "1"]) => Some(true),
-        _ => None,
-    }
-}
-
-impl TypeDef {
-    /// True if the version alone tells two forms apart: numbers in another unit.
-    pub fn has_forms_alike(&self) -> bool {
-        self.forms.iter().any(|form| match form.kind {
-            FormKind::Unit { .. } => true,
-            FormKind::Object(_) | FormKind::Array => false,
-        })
-    }
-}
-
-impl Spec {
-    /// True if a command can be sent only once the firmware is known: its request has forms, or its reply has forms
-    /// that are told apart by the version alone.
-    pub fn needs_firmware(&self, command: &Command) -> bool {
-        let sent = |field: &Field| !field.forms.is_empty();
-        let sent_type = |def: &TypeDef| !def.forms.is_empty();
-        command.request.fields().any(|field| self.any(field, &sent, &sent_type))
-            || self.reply_fields(command).iter().any(|field| self.is_told_by_version(field))
-    }
-
-    /// True if a field, or anything inside it, has forms that the version alone tells apart.
-    pub fn is_told_by_version(&self, field: &Field) -> bool {
-        self.any(field, &Field::has_forms_alike, &TypeDef::has_forms_alike)
-    }
-
-    /// True if any field or type has forms.
-    pub fn varies_by_firmware(&self) -> bool {
-        self.commands().flat_map(Command::fields).any(|field| !field.forms.is_empty())
-            || self
-                .types()
-                .any(|(_, def)| !def.forms.is_empty() || def.kind.fields().any(|field| !field.forms.is_empty()))
-    }
-
-    /// True if a field of a message, or anything inside it, has forms.
-    pub fn has_forms(&self, fields: &[Field]) -> bool {
-        fields.iter().any(|field| self.any(field, &|field| !field.forms.is_empty(), &|def| !def.forms.is_empty()))
-    }
-
-    /// True if either holds of a field, or of anything inside it.
-    fn any(&self, field: &Field, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
-        of_field(field) || field.ty.named().is_some_and(|id| self.any_in_type(id, of_field, of_type))
-    }
-
-    fn any_in_type(&self, id: TypeId, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
-        let def = &self[id];
-        of_type(def)
-            || def.kind.fields().any(of_field)
-            || def.kind.parts().any(|part| self.any_in_type(part, of_field, of_type))
-    }
-
-    /// The spec as a firmware has it: each field and each type in the form of its version, and in no other; `is_among`
-    /// says of which versions the firmware's is one. Ranges are left out, since they are in the units of the spec's own
-    /// forms.
-    #[must_use]
-    pub fn of_firmware(&self, is_among: impl Fn(&Versions) -> bool) -> Self {
-        let mut spec = self.clone();
-        for topic in &mut spec.topics {
-            for command in &mut topic.commands {
-                command.request.fields_mut().for_each(|field| settle(field, &is_among));
-                command.reply.own_fields_mut().iter_mut().for_each(|field| settle(field, &is_among));
-            }
-        }
-        for def in &mut spec.types {
-            def.kind.fields_mut().for_each(|field| settle(field, &is_among));
-            settle_type(def, &is_among);
-        }
-        spec
-    }
-}
-
-/// Gives a field the form of a firmware.
-fn settle(field: &mut Field, is_among: &impl Fn(&Versions) -> bool) {
+/// Gives a field the form of a firmware; `is_among` says of which versions the firmware's is one.
+pub(crate) fn settle(field: &mut Field, is_among: &impl Fn(&Versions) -> bool) {
     (field.range, field.advised) = (Range::default(), Vec::new());
     let forms = std::mem::take(&mut field.forms);
     let Some(form) = forms.into_iter().find(|form| is_among(&form.versions)) else { return };
     (field.wire, field.ty, field.unit) = (form.wire, form.ty, form.unit);
 }
 
-fn settle_type(def: &mut TypeDef, is_among: &impl Fn(&Versions) -> bool) {
+/// Gives a type the form of a firmware.
+pub(crate) fn settle_type(def: &mut TypeDef, is_among: &impl Fn(&Versions) -> bool) {
     let forms = std::mem::take(&mut def.forms);
     let Some(form) = forms.into_iter().find(|form| is_among(&form.versions)) else { return };
     let mut fields: Vec<_> = def.kind.fields().cloned().collect();

@@ -1,7 +1,7 @@
 //! One TOML table being read: typed access to its keys, and an error for each unknown key.
 
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -30,6 +30,10 @@ pub(crate) struct Item<'a, 's> {
     report: &'a Report,
     asked: RefCell<BTreeSet<&'static str>>,
 }
+
+/// Names that are taken, with the place of the first; none for those of the spec that a pack adds to.
+#[derive(Debug)]
+pub(crate) struct Unique<'s, T>(BTreeMap<T, Option<At<'s>>>);
 
 impl<'a, 's> Item<'a, 's> {
     pub(crate) fn new(what: String, at: At<'s>, table: &'a DeTable<'s>, report: &'a Report) -> Self {
@@ -184,6 +188,30 @@ impl<'a, 's> Item<'a, 's> {
             let at = At::new(self.source(), &key.span());
             self.error(at, &format!("unknown key `{}`; {hint}", key.get_ref()));
         }
+    }
+}
+
+impl<T> Default for Unique<'_, T> {
+    fn default() -> Self {
+        Self(BTreeMap::new())
+    }
+}
+
+impl<'s, T: Ord + Clone + std::fmt::Display> Unique<'s, T> {
+    /// Adds a name; false, after an error, if it is taken.
+    pub(crate) fn add(&mut self, item: &Item<'_, 's>, what: &str, name: &Placed<'s, T>) -> bool {
+        let Some(first) = self.0.get(&name.value) else {
+            self.0.insert(name.value.clone(), Some(name.at));
+            return true;
+        };
+        let place = first.map_or_else(|| "by the spec that this adds to".to_owned(), |first| format!("at {first}"));
+        item.error(name.at, &format!("the {what} `{}` is taken already, {place}", name.value));
+        false
+    }
+
+    /// The names that are taken before anything is read.
+    pub(crate) fn taken(names: impl Iterator<Item = T>) -> Self {
+        Self(names.map(|name| (name, None)).collect())
     }
 }
 

@@ -1,30 +1,50 @@
 #![doc = include_str!("../README.md")]
 
+/// Gives the values of an enum their words in the TOML files, and the names of their variants in Rust.
+macro_rules! toml_words {
+    ($type:ident { $($variant:ident: $word:literal),+ $(,)? }) => {
+        impl $type {
+            /// Words of the TOML files, each with its value.
+            pub(crate) const WORDS: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),+];
+
+            /// Word of the TOML files.
+            pub fn word(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $word),+
+                }
+            }
+
+            /// Name of the variant in Rust.
+            pub fn variant(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($variant)),+
+                }
+            }
+        }
+    };
+}
+
 mod advice;
 mod builtin;
-mod envelope;
 mod form;
 mod item;
+mod keys;
 mod meaning;
 mod model;
 mod names;
 mod needed;
 mod pack;
 pub mod prose;
-mod quote;
 mod range;
 mod read;
 mod report;
 mod resolve;
-mod robot_status;
 mod role;
 mod scalar;
-mod shape;
-mod similar;
+mod spec;
 #[cfg(feature = "tools")]
 pub mod tools;
 mod type_text;
-mod unique;
 mod unit;
 mod version;
 pub mod words;
@@ -32,20 +52,19 @@ pub mod words;
 use std::collections::BTreeMap;
 
 pub use builtin::{BUILTIN, builtin};
-pub use envelope::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
+pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Form, FormKind, Refusal, Reply, Request,
-    Requirement, Severity, Spec, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
+    Requirement, Severity, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
-pub use needed::{NEEDED_FIELDS, NeededField};
+pub use needed::{FieldSource, NEEDED_FIELDS, NeededField, NeededSource};
 pub use pack::{Module, Pack, load_pack};
 pub use range::{Advice, Condition, Range};
 pub use report::{Error, Errors};
-pub use robot_status::{FieldSource, NeededSource};
 pub use role::{Change, JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 pub use scalar::Scalar;
-pub use shape::{Shape, is_floats};
+pub use spec::{Shape, Spec, is_floats};
 pub use unit::{Factors, unit_factor};
 pub use version::{Version, Versions};
 

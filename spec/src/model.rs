@@ -1,144 +1,20 @@
 //! The spec as plain data, after every check has passed.
 
-use std::collections::BTreeMap;
-use std::ops::{Index, RangeInclusive};
-use std::sync::Arc;
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
-use crate::envelope::COMMAND_NAME;
+use crate::keys::{COMMAND_NAME, key, push_string};
+
 use crate::names::to_camel;
-use crate::needed::StatusLine;
-use crate::quote::{key, push_string};
 use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
 use crate::scalar::Scalar;
-use crate::similar::nearest;
 use crate::unit::Factors;
 use crate::version::Versions;
-
-/// A whole protocol: the topics in the order they were given.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Spec {
-    /// One topic for each source file.
-    pub topics: Vec<Topic>,
-    /// All named types, each at the place of its id.
-    pub(crate) types: Vec<TypeDef>,
-    /// Types of the spec to which packs have been added; none without a pack.
-    pub(crate) built_in: Option<Arc<Spec>>,
-    /// Lines of the packs for the fields of status packets that a robot needs.
-    pub(crate) status_lines: BTreeMap<&'static str, StatusLine>,
-}
 
 /// A named type of a spec, and of all specs that packs make of it: `spec[id]` is its definition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TypeId(pub(crate) usize);
-
-/// # Panics
-/// The id is that of a type of another spec.
-impl Index<TypeId> for Spec {
-    type Output = TypeDef;
-
-    fn index(&self, id: TypeId) -> &TypeDef {
-        &self.types[id.0]
-    }
-}
-
-impl Spec {
-    /// All commands, topic by topic.
-    pub fn commands(&self) -> impl Iterator<Item = &Command> {
-        self.topics.iter().flat_map(|topic| &topic.commands)
-    }
-
-    /// All named types, topic by topic.
-    pub fn types(&self) -> impl Iterator<Item = (TypeId, &TypeDef)> {
-        self.topics.iter().flat_map(|topic| self.types_of(topic))
-    }
-
-    /// The named types of a topic.
-    pub fn types_of(&self, topic: &Topic) -> impl Iterator<Item = (TypeId, &TypeDef)> {
-        topic.types.iter().map(|id| (*id, &self[*id]))
-    }
-
-    /// All error codes, topic by topic.
-    pub fn errors(&self) -> impl Iterator<Item = &ErrorCode> {
-        self.topics.iter().flat_map(|topic| &topic.errors)
-    }
-
-    /// All events of the controller, topic by topic.
-    pub fn events(&self) -> impl Iterator<Item = &Event> {
-        self.topics.iter().flat_map(|topic| &topic.events)
-    }
-
-    /// The events among which this code is.
-    pub fn event(&self, code: u32) -> Option<&Event> {
-        self.events().find(|event| event.has(code))
-    }
-
-    /// The command with this `cmdName`.
-    pub fn command(&self, wire: &str) -> Option<&Command> {
-        self.commands().find(|command| command.wire == wire)
-    }
-
-    /// The command with this `cmdName`, or else with this name in Rust.
-    pub fn command_called(&self, name: &str) -> Option<&Command> {
-        self.command(name).or_else(|| self.commands().find(|command| command.name == name))
-    }
-
-    /// The command whose `cmdName` or name in Rust is most like this one, if any is at all.
-    pub fn command_like(&self, name: &str) -> Option<&Command> {
-        let names = self.commands().flat_map(|command| [&*command.wire, &*command.name]);
-        nearest(name, names).and_then(|name| self.command_called(name))
-    }
-
-    /// The topic in which the type is defined.
-    pub fn topic_of(&self, id: TypeId) -> Option<&Topic> {
-        self.topics.iter().find(|topic| topic.types.contains(&id))
-    }
-
-    /// The type with this name.
-    pub fn type_id(&self, name: &str) -> Option<TypeId> {
-        self.types.iter().position(|def| def.name == name).map(TypeId)
-    }
-
-    /// The fields of the command's reply, its own or those of the object that it is.
-    pub fn reply_fields<'s>(&'s self, command: &'s Command) -> &'s [Field] {
-        match &command.reply {
-            Reply::Fields(fields) => fields,
-            Reply::Object(id) => self.object_fields(*id),
-            Reply::Raw => &[],
-        }
-    }
-
-    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges,
-    /// versions, and forms by firmware.
-    pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
-        let Some(id) = ty.named() else { return true };
-        let def = &self[id];
-        let Some(known) = other.type_id(&def.name) else { return false };
-        // Ids are those of the same types in all specs that packs make of one; a type cannot contain itself.
-        id == known
-            && def.kind.undescribed() == other[known].kind.undescribed()
-            && def.kind.types().all(|part| self.defines_as(other, part))
-    }
-
-    /// The fields of an object; none of any other type.
-    fn object_fields(&self, id: TypeId) -> &[Field] {
-        if let TypeKind::Object(fields) = &self[id].kind { fields } else { &[] }
-    }
-
-    /// The type of the packets of port 10000, if the spec has it.
-    pub fn status_type(&self) -> Option<TypeId> {
-        self.type_id(STATUS_TYPE)
-    }
-
-    /// The fields of the packets of port 10000; none if the spec does not have their type.
-    pub fn status_fields(&self) -> &[Field] {
-        self.status_type().map_or(&[], |id| self.object_fields(id))
-    }
-}
-
-/// The name of the type of the packets of port 10000, which is an object.
-pub(crate) const STATUS_TYPE: &str = "RobotStatus";
 
 /// One source file: a module of the generated code.
 #[derive(Debug, Clone, PartialEq)]
@@ -215,7 +91,8 @@ pub struct Command {
     pub errata: Vec<String>,
     /// What is sent in addition to `cmdName`.
     pub request: Request,
-    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are [`Spec::reply_fields`].
+    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are
+    /// [`Spec::reply_fields`](crate::Spec::reply_fields).
     pub reply: Reply,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
@@ -295,6 +172,10 @@ pub enum Effect {
     Session,
 }
 
+toml_words! {
+    Effect { Query: "query", Setting: "setting", Motion: "motion", Power: "power", Session: "session" }
+}
+
 /// A state that a command needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Requirement {
@@ -306,6 +187,15 @@ pub enum Requirement {
     ServoMode,
     /// Servo mode is off.
     NotServoMode,
+}
+
+toml_words! {
+    Requirement {
+        Powered: "powered",
+        Enabled: "enabled",
+        ServoMode: "servo_mode",
+        NotServoMode: "not_servo_mode",
+    }
 }
 
 /// The body of a request.
@@ -433,6 +323,40 @@ impl Field {
     pub fn key(&self) -> String {
         key(&self.wire)
     }
+
+    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that
+    /// means false in one form and true in the other.
+    pub fn has_forms_alike(&self) -> bool {
+        self.keys().any(|key| self.are_alike_under(key))
+    }
+
+    /// True if the version alone tells two forms under a key apart.
+    pub fn are_alike_under(&self, key: &str) -> bool {
+        let forms: Vec<_> = self.forms_under(key).collect();
+        let are_alike = |form: &Form, other: &Form| form.unit != other.unit || form.ty.contradicts(&other.ty);
+        forms.iter().enumerate().any(|(at, form)| forms[at + 1..].iter().any(|other| are_alike(form, other)))
+    }
+
+    /// Keys of the field in any firmware, its own first, each once.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        let others = self.forms.iter().enumerate().filter(|(at, form)| {
+            form.wire != self.wire && self.forms[..*at].iter().all(|before| before.wire != form.wire)
+        });
+        std::iter::once(&*self.wire).chain(others.map(|(_, form)| &*form.wire))
+    }
+
+    /// Forms of the field under a key, its own first if it has that key.
+    pub fn forms_under(&self, key: &str) -> impl Iterator<Item = Form> {
+        let own = self.own_form();
+        std::iter::once(own).chain(self.forms.iter().cloned()).filter(move |form| form.wire == key)
+    }
+
+    /// Form of the field in all firmware that none of its other forms is for.
+    pub fn own_form(&self) -> Form {
+        let Self { wire, ty, unit, .. } = self;
+        let (wire, ty, unit) = (wire.clone(), ty.clone(), unit.clone());
+        Form { versions: Versions::default(), wire, ty, unit, factors: Factors::ONE }
+    }
 }
 
 /// Form of a field in some firmware. Rust has one type for all forms of a field.
@@ -512,6 +436,26 @@ impl Type {
     pub fn named(&self) -> Option<TypeId> {
         if let Self::Named(id) = self.innermost() { Some(*id) } else { None }
     }
+
+    /// True if a value may mean one thing as this type, and another as that.
+    #[expect(clippy::match_same_arms, reason = "a text may be a literal, and is one of a list")]
+    fn contradicts(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Python(inner), Self::Python(other)) => inner.contradicts(other),
+            // A literal of an array or an object is a string, which these are not.
+            (Self::Python(inner), _) | (_, Self::Python(inner)) => matches!(**inner, Self::Scalar(_)),
+            (Self::List(element), Self::List(other)) => element.contradicts(other),
+            (Self::Array(element, _), Self::Array(other, _)) => element.contradicts(other),
+            (Self::Scalar(Scalar::Bool { off, on }), Self::Scalar(Scalar::Bool { off: other_off, on: other_on })) => {
+                let words = [off, on, other_off, other_on].map(|word| word.trim_matches('"'));
+                words.iter().any(|word| {
+                    let [ours, theirs] = [[off, on], [other_off, other_on]].map(|[off, on]| truth(word, off, on));
+                    ours.is_some_and(|ours| theirs.is_some_and(|theirs| ours != theirs))
+                })
+            }
+            _ => false,
+        }
+    }
 }
 
 /// A named type.
@@ -574,9 +518,19 @@ pub enum TypeKind {
     Wrapper(Type, Option<String>),
 }
 
+impl TypeDef {
+    /// True if the version alone tells two forms apart: numbers in another unit.
+    pub fn has_forms_alike(&self) -> bool {
+        self.forms.iter().any(|form| match form.kind {
+            FormKind::Unit { .. } => true,
+            FormKind::Object(_) | FormKind::Array => false,
+        })
+    }
+}
+
 impl TypeKind {
     /// Kind without docs, ranges, versions and forms.
-    fn undescribed(&self) -> Self {
+    pub(crate) fn undescribed(&self) -> Self {
         let mut kind = self.clone();
         let plain = |fields: &mut Vec<Field>| {
             for field in fields {
@@ -711,6 +665,8 @@ pub enum Severity {
     Information,
 }
 
+toml_words! { Severity { Error: "error", Warning: "warning", Information: "information" } }
+
 /// A refusal in the controller's own words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {
@@ -731,4 +687,16 @@ pub struct Example {
     pub request_is_ours: bool,
     /// The same for the reply.
     pub reply_is_ours: bool,
+}
+
+/// Meaning of a word as a truth value with these two forms, or in one of the usual ones.
+fn truth(word: &str, off: &str, on: &str) -> Option<bool> {
+    let is = |forms: &[&str]| forms.iter().any(|form| form.trim_matches('"').eq_ignore_ascii_case(word));
+    match word {
+        _ if is(&[off]) => Some(false),
+        _ if is(&[on]) => Some(true),
+        _ if is(&["false", "0"]) => Some(false),
+        _ if is(&["true", "1"]) => Some(true),
+        _ => None,
+    }
 }

@@ -1,4 +1,4 @@
-//! Which names Rust takes, and how one becomes the other.
+//! Names: those that Rust takes, conversions between their forms, and the one that is most like another.
 
 /// Words that cannot name a field, a method, a module or a variant.
 const KEYWORDS: &[&str] = &[
@@ -7,10 +7,8 @@ const KEYWORDS: &[&str] = &[
     "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type",
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "Self", "abstract", "become", "macro",
 ];
-
 /// Names that generated code uses for its own variables, and so cannot be a field's.
 pub(crate) const RESERVED_FIELDS: &[&str] = &["reader", "key", "out", "place", "limits"];
-
 /// Names of the prelude and of generated items, which cannot be a type's.
 pub(crate) const RESERVED_TYPES: &[&str] = &[
     "AsRef",
@@ -36,7 +34,6 @@ pub(crate) const RESERVED_TYPES: &[&str] = &[
     "String",
     "Vec",
 ];
-
 /// Names of methods that a client, a robot or every value has, which hide those of a pack.
 pub(crate) const RESERVED_METHODS: &[&str] = &[
     "acknowledge",
@@ -78,7 +75,6 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "wait_for_analog",
     "wait_for_input",
 ];
-
 /// Names of Rust's own crates and types, which the module of a pack would hide from the user's code.
 pub(crate) const RESERVED_MODULES: &[&str] = &[
     "alloc",
@@ -153,4 +149,41 @@ pub fn to_screaming(camel: &str) -> String {
         name.push(c.to_ascii_uppercase());
     }
     name
+}
+
+/// The known name that is most like `name`, if one is at all.
+pub fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let most = name.len().div_ceil(3);
+    let len = name.chars().count();
+    // No name is nearer than the difference of the lengths: a very long one is excluded immediately.
+    let known = known.filter(|known| known.chars().count().abs_diff(len) <= most);
+    let distances = known.map(|known| (distance(name, known), known));
+    distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)
+}
+
+/// How many characters must be put in, taken out or changed to turn one name into the other.
+pub fn distance(one: &str, other: &str) -> usize {
+    let mut row: Vec<usize> = (0..=other.chars().count()).collect();
+    for (i, a) in one.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, b) in other.chars().enumerate() {
+            let changed = diagonal + usize::from(!a.eq_ignore_ascii_case(&b));
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_those_of_levenshtein() {
+        assert_eq!(distance("kitten", "sitting"), 3);
+        assert_eq!(distance("", "abc"), 3);
+        assert_eq!(distance("Same", "same"), 0);
+    }
 }

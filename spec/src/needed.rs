@@ -1,4 +1,6 @@
-//! Fields of status packets that a robot needs, by their names in Rust as built in.
+//! Fields of status packets that a robot needs, by their names in Rust as built in, and their sources.
+
+use crate::model::Field;
 
 /// Field of status packets by which a robot tells whether the arm may move, and how a motion goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,12 +13,27 @@ pub struct NeededField {
     pub without: &'static str,
 }
 
-const fn required(name: &'static str, without: &'static str) -> NeededField {
-    NeededField { name, is_required: true, without }
+/// Source of a field of the built-in status packet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FieldSource<'s> {
+    /// Field of the status packet whose values mean the same.
+    Field(&'s Field),
+    /// None: the packets of this controller never have it.
+    Absent,
+    /// The program, which reads it of what packets have otherwise.
+    Program,
 }
 
-const fn optional(name: &'static str, without: &'static str) -> NeededField {
-    NeededField { name, is_required: false, without }
+/// Source of a field that a robot needs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NeededSource<'s> {
+    /// The field, as built in.
+    pub needed: &'static NeededField,
+    /// Its source.
+    pub source: FieldSource<'s>,
+    /// True if a pack names the source, or gives the field another key or form: a packet without it does not fit the
+    /// pack.
+    pub is_changed: bool,
 }
 
 /// Fields of status packets that a robot needs.
@@ -58,4 +75,12 @@ impl StatusLine {
             name => Self::Field(name.to_owned()),
         }
     }
+}
+
+const fn required(name: &'static str, without: &'static str) -> NeededField {
+    NeededField { name, is_required: true, without }
+}
+
+const fn optional(name: &'static str, without: &'static str) -> NeededField {
+    NeededField { name, is_required: false, without }
 }

@@ -1,21 +1,20 @@
 //! Packs: what a user's file adds to a spec and changes in it.
 
-mod change;
 mod covers;
-mod event;
-mod module;
+mod draft;
 mod robot_status;
+mod target;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use self::change::Target;
-pub use self::module::Module;
-use crate::item::Item;
-use crate::model::{Command, ErrorCode, Event, Spec, Topic, TypeId, Variant};
-use crate::names::RESERVED_METHODS;
+use self::draft::Draft;
+use self::target::Target;
+use crate::model::{Command, ErrorCode, Event, Topic, TypeDef, TypeId};
+use crate::names::{RESERVED_METHODS, trait_name};
 use crate::report::{At, Error, Errors, Report};
 use crate::resolve::Index;
+use crate::spec::Spec;
 use crate::{Source, read, resolve};
 
 /// A spec with what a pack adds to it and changes in it.
@@ -37,6 +36,26 @@ pub struct Pack {
     changed: Changed,
     /// What the spec has by now.
     covered: Covered,
+}
+
+/// A pack as a module of generated code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Module {
+    /// What the module has: what is new, what is changed, and what is made of changed types.
+    pub topic: Topic,
+    /// The spec with the pack. Its other topics have what is as in the spec that the pack adds to.
+    pub spec: Spec,
+    /// The error codes that the module names.
+    pub codes: Vec<ErrorCode>,
+    /// The events of which the module tells.
+    pub events: Vec<Event>,
+    /// The `cmdName`s of the commands whose methods bear the module's name: those that the pack changes, also where the
+    /// spec has the change by now.
+    pub changed: BTreeSet<String>,
+    /// The `cmdName`s of the commands that the spec has by now as the pack has them, each with its name in the pack.
+    pub covered_commands: BTreeMap<String, String>,
+    /// The types that the spec has by now as the pack has them.
+    pub covered_types: BTreeSet<TypeId>,
 }
 
 /// The items of the spec that entries of a pack name: commands by `cmdName`, and types.
@@ -96,127 +115,51 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
     let report = Report::default();
     read::check_name(source, &report);
     pack.check_methods(source, &report);
-    pack.check_robot_status(source, &report);
+    robot_status::check_module(&pack.module(), source, &report);
     pack.module_errors = report.finish().map_or_else(Errors::into_list, |()| Vec::new());
     Ok(pack)
 }
 
-/// A spec while a pack is being applied.
-struct Draft<'s, 'r> {
-    spec: Spec,
-    index: Index<'s>,
-    notes: &'r Report,
-    codes: Vec<ErrorCode>,
-    events: Vec<Event>,
-    changed: Changed,
-    covered: Covered,
-    /// Commands of the spec to which it gives another motion.
-    motions: BTreeSet<String>,
-    /// Where it is changed: the entries, in the order of the file.
-    edits: Vec<(At<'s>, String, Target)>,
-    /// Its lines and entries for what a robot needs.
-    status: robot_status::Lines<'s>,
-}
-
-impl<'s> Draft<'s, '_> {
-    fn read(&mut self, root: &Item<'_, 's>, topic: &mut Topic) {
-        let commands = root.items("command", "command");
-        let types = root.items("type", "type");
-        let errors = root.items("error", "error code");
-        let events = root.items("event", "event");
-        let extensions = root.items("extend", "extension of");
-        let overrides = root.items("override", "override of");
-        let robot_status = root.item("robot_status", "`[robot_status]`");
-        let all = [&commands, &types, &errors, &events, &extensions, &overrides];
-        if all.iter().all(|items| items.is_empty()) && robot_status.is_none() {
-            let message = "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]`, \
-                           `[[override]]` or `[robot_status]`";
-            root.error(root.at, message);
-        }
-        topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();
-        topic.commands = commands.iter().filter_map(|item| self.new_command(item)).collect();
-        topic.errors = errors.iter().filter_map(|item| self.new_error(item)).collect();
-        topic.events = events.iter().filter_map(|item| self.new_event(item)).collect();
-        for item in &extensions {
-            self.extend(item);
-        }
-        for item in &overrides {
-            self.change(item);
-        }
-        if let Some(item) = &robot_status {
-            self.robot_status(item);
-        }
-    }
-
-    /// Says that an entry changes nothing.
-    fn note(&self, item: &Item<'_, 's>, message: &str) {
-        self.notes.error(item.at, format!("{}: {message}", item.what));
-    }
-
-    fn new_command(&mut self, item: &Item<'_, 's>) -> Option<Command> {
-        let known = item.text("wire").and_then(|wire| self.spec.command(&wire.value).cloned());
-        let Some(known) = known else {
-            if item.has("bare_reply") {
-                item.error(item.at, "`bare_reply` is for commands of the built-in spec");
-            }
-            let command = read::command(item, &mut self.index);
-            no_roles_of_variants(item, command.variants());
-            return Some(command);
-        };
-        let new = read::command(item, &mut self.index.again());
-        match covers::command(&self.spec, &known, &new) {
-            Ok(()) => {
-                self.note(item, COVERED);
-                self.covered.commands.insert(known.wire, new.name);
-            }
-            Err(difference) => differs(item, &difference),
-        }
-        None
-    }
-
-    fn new_type(&mut self, item: &Item<'_, 's>) -> Option<TypeId> {
-        let Some(known) = item.text("name").and_then(|name| self.spec.type_id(&name.value)) else {
-            return Some(read::type_def(item, &mut self.index));
-        };
-        let mut again = self.index.again();
-        let new = read::type_def(item, &mut again);
-        match covers::type_def(&self.spec, known, again.definition(new)) {
-            Ok(()) => {
-                self.note(item, COVERED);
-                self.covered.types.insert(known);
-            }
-            Err(difference) => differs(item, &difference),
-        }
-        None
-    }
-
-    fn new_error(&mut self, item: &Item<'_, 's>) -> Option<ErrorCode> {
-        let is_known = item.int("wire").is_some_and(|wire| self.spec.errors().any(|code| code.wire == wire.value));
-        let new = if is_known {
-            self.note(item, COVERED);
-            read::error_code(item, &mut self.index.again())
-        } else {
-            read::error_code(item, &mut self.index)
-        };
-        self.codes.push(new.clone());
-        (!is_known).then_some(new)
-    }
-}
-
-/// Refuses roles of variants, since a variant has parameters: a pack's stop has none.
-fn no_roles_of_variants(item: &Item<'_, '_>, variants: &[Variant]) {
-    if variants.iter().any(|variant| variant.role.is_some()) {
-        item.error(item.at, "`role` of a variant is for the built-in spec");
-    }
-}
-
-fn differs(item: &Item<'_, '_>, difference: &str) {
-    let message =
-        format!("the spec has one of this name by now, and there {difference}, which your program would notice");
-    item.error(item.at, &(message + "; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"));
-}
-
 impl Pack {
+    /// What code is generated for the pack.
+    pub fn module(&self) -> Module {
+        let own = self.affected(&self.changed);
+        let Changed { commands, types } = &self.covered.changes;
+        let all =
+            self.affected(&Changed { commands: commands | &self.changed.commands, types: types | &self.changed.types });
+        let mut topics = self.spec.topics.clone();
+        topics.pop();
+        let mut topic = self.topic.clone();
+        for other in &mut topics {
+            let (commands, kept): (Vec<_>, _) =
+                other.commands.drain(..).partition(|command| own.commands.contains(&command.wire));
+            other.commands = kept;
+            topic.commands.extend(commands);
+            let (types, kept): (Vec<_>, _) = other.types.drain(..).partition(|id| own.types.contains(id));
+            other.types = kept;
+            topic.types.extend(types);
+        }
+        topics.push(topic.clone());
+        let mut covered_commands = self.covered.commands.clone();
+        let is_suffixed = |wire: &String| !covered_commands.contains_key(wire) || self.changed.commands.contains(wire);
+        let changed: BTreeSet<_> = all.commands.into_iter().filter(is_suffixed).collect();
+        let names = changed.iter().filter_map(|wire| Some((wire.clone(), self.spec.command(wire)?.name.clone())));
+        covered_commands.extend(names);
+        // What is changed as well is the module's own.
+        covered_commands.retain(|wire, _| !own.commands.contains(wire));
+        let covered_types = &(&all.types | &self.covered.types) - &own.types;
+        let spec = Spec { topics, ..self.spec.clone() };
+        Module {
+            topic,
+            spec,
+            codes: self.codes.clone(),
+            events: self.events.clone(),
+            changed,
+            covered_commands,
+            covered_types,
+        }
+    }
+
     /// The methods of changed commands bear the pack's name; nothing else may.
     fn check_methods(&self, source: Source<'_>, report: &Report) {
         let module = self.module();
@@ -228,7 +171,47 @@ impl Pack {
             }
         }
     }
+
+    /// The items of the spec that are changed with these, since they are made of them.
+    fn affected(&self, changed: &Changed) -> Changed {
+        let mut affected = changed.clone();
+        loop {
+            let is_new = |(id, def): &(TypeId, &TypeDef)| {
+                !affected.types.contains(id) && def.kind.parts().any(|part| affected.types.contains(&part))
+            };
+            let more: Vec<_> = self.spec.types().filter(is_new).map(|(id, _)| id).collect();
+            if more.is_empty() {
+                break;
+            }
+            affected.types.extend(more);
+        }
+        let known = &self.spec.topics[..self.spec.topics.len() - 1];
+        let commands = known.iter().flat_map(|topic| &topic.commands);
+        let made = commands.filter(|command| command.parts().any(|id| affected.types.contains(&id)));
+        affected.commands.extend(made.map(|command| command.wire.clone()));
+        affected
+    }
 }
 
-const COVERED: &str =
-    "the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives";
+impl Module {
+    /// The name of the method of a command. That of a changed command bears the module's name, since the client has a
+    /// method of the plain name.
+    pub fn method(&self, command: &Command) -> String {
+        let name = self.covered_commands.get(&command.wire).unwrap_or(&command.name);
+        if self.changed.contains(&command.wire) { format!("{name}_{}", self.topic.name) } else { name.clone() }
+    }
+
+    /// The name of the trait with the methods.
+    pub fn trait_name(&self) -> String {
+        trait_name(&self.topic.name)
+    }
+}
+
+impl Changed {
+    fn add(&mut self, target: &Target) {
+        match target {
+            Target::Command(wire) => self.commands.insert(wire.clone()),
+            Target::Type(id) => self.types.insert(*id),
+        };
+    }
+}

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use crate::Source;
-use crate::envelope::{COMMAND_NAME, ENVELOPE};
 use crate::item::{Item, parse};
+use crate::keys::{COMMAND_NAME, ENVELOPE};
 use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic, Type};
 use crate::names::{RESERVED_MODULES, is_snake};
 use crate::report::{At, Report};
@@ -106,7 +106,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         section: section.map(|text| text.value),
         title_zh: item.text("title_zh").map(|text| text.value),
         evidence: evidence.map(|text| text.value),
-        effect: keyword(item, "effect", EFFECTS).unwrap_or(Effect::Query),
+        effect: keyword(item, "effect", Effect::WORDS).unwrap_or(Effect::Query),
         role: role::role(item),
         changes: role::changes(item),
         motion: motion(item),
@@ -137,24 +137,9 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
 
 pub(crate) const OPTIONAL_ONLY: &str = "a reply that may never come can have optional fields only";
 
-const EFFECTS: &[(&str, Effect)] = &[
-    ("query", Effect::Query),
-    ("setting", Effect::Setting),
-    ("motion", Effect::Motion),
-    ("power", Effect::Power),
-    ("session", Effect::Session),
-];
-
-const REQUIREMENTS: &[(&str, Requirement)] = &[
-    ("powered", Requirement::Powered),
-    ("enabled", Requirement::Enabled),
-    ("servo_mode", Requirement::ServoMode),
-    ("not_servo_mode", Requirement::NotServoMode),
-];
-
 pub(crate) fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
     let list = item.texts("requires");
-    list.iter().filter_map(|text| word(item, "requires", text, REQUIREMENTS)).collect()
+    list.iter().filter_map(|text| word(item, "requires", text, Requirement::WORDS)).collect()
 }
 
 pub(crate) fn deadline(item: &Item<'_, '_>) -> Option<Duration> {

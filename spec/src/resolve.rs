@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
-use crate::envelope::ENVELOPE;
-use crate::item::{Item, Placed};
-use crate::model::{Command, Effect, Field, Request, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::item::{Item, Placed, Unique};
+use crate::keys::ENVELOPE;
+use crate::model::{Command, Effect, Field, Request, Type, TypeDef, TypeId, TypeKind};
 use crate::names::{RESERVED_METHODS, RESERVED_TYPES, to_camel, to_screaming, trait_name};
 use crate::report::{At, Report};
+use crate::spec::Spec;
 use crate::type_text::notation;
-use crate::unique::Unique;
 use crate::words::event_code;
 use crate::{advice, form, meaning};
 

@@ -77,7 +77,25 @@ pub const JOINT_POSITION: &str = "JointPosition";
 /// Type of a pose.
 pub const POSE: &str = "Pose";
 
+toml_words! {
+    Role {
+        Stop: "stop",
+        Pause: "pause",
+        Resume: "resume",
+        SetPoint: "set_point",
+        ServoMode: "servo_mode",
+        Output: "output",
+        State: "state",
+    }
+}
+
+toml_words! { Change { Frames: "frames", Tool: "tool", Payload: "payload" } }
+
 impl PathKind {
+    /// Words of the TOML files, each with its value.
+    pub(crate) const WORDS: &'static [(&'static str, Self)] =
+        &[("joints", Self::Joints), ("line", Self::Line), ("arc", Self::Arc)];
+
     /// Unit of the speed on it.
     pub(crate) fn speed_unit(self) -> &'static str {
         match self {

@@ -16,6 +16,6 @@ mod diff;
 mod reference;
 mod schema;
 
-pub use diff::{Change, Impact, diff, impact, summary};
+pub use diff::{Difference, Impact, diff, impact, summary};
 pub use reference::{reference, reference_zh};
 pub use schema::schema;

@@ -1,7 +1,7 @@
 //! The notation of types: `int`, `float[6]`, `Pose[]`, `python(ExtioStatus)`.
 
 use crate::names::is_camel;
-use crate::{Scalar, Spec, Type, TypeId};
+use crate::{Scalar, Type, TypeId};
 
 /// How many brackets and `python(…)` a type may have.
 const MOST_LEVELS: usize = 4;
@@ -53,12 +53,5 @@ pub(crate) fn notation<'n>(ty: &Type, name: &dyn Fn(TypeId) -> &'n str) -> Strin
         Type::List(element) => format!("{}[]", notation(element, name)),
         Type::Array(element, len) => format!("{}[{len}]", notation(element, name)),
         Type::Python(inner) => format!("python({})", notation(inner, name)),
-    }
-}
-
-impl Spec {
-    /// The notation of the TOML files, such as `float[6]`.
-    pub fn notation(&self, ty: &Type) -> String {
-        notation(ty, &|id| &self[id].name)
     }
 }

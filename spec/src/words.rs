@@ -2,10 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-pub use crate::similar::{distance, nearest};
+pub use crate::names::{distance, nearest};
 use crate::{
-    Advice, Change, Command, Effect, Field, Form, FormKind, Motion, PathKind, Range, Requirement, Role, Scalar,
-    Severity, Spec, TypeForm, TypeKind, Versions,
+    Advice, Change, Command, Field, Form, FormKind, Motion, PathKind, Range, Requirement, Role, Scalar, Spec, TypeForm,
+    TypeKind, Versions,
 };
 
 /// The first sentence with its full stop, and all that follows.
@@ -99,30 +99,6 @@ pub fn known_to(command: &Command) -> Option<String> {
     versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
 }
 
-/// The word of the TOML files.
-pub fn effect(effect: Effect) -> &'static str {
-    match effect {
-        Effect::Query => "query",
-        Effect::Setting => "setting",
-        Effect::Motion => "motion",
-        Effect::Power => "power",
-        Effect::Session => "session",
-    }
-}
-
-/// The word of the TOML files.
-pub fn role(role: Role) -> &'static str {
-    match role {
-        Role::Stop => "stop",
-        Role::Pause => "pause",
-        Role::Resume => "resume",
-        Role::SetPoint => "set_point",
-        Role::ServoMode => "servo_mode",
-        Role::Output => "output",
-        Role::State => "state",
-    }
-}
-
 /// Role of a command in a sentence.
 pub fn role_sentence(role: Role) -> &'static str {
     match role {
@@ -172,15 +148,6 @@ pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
         part("tolerance", &motion.tolerance),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join("; ")
-}
-
-/// The word of the TOML files.
-pub fn severity(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Information => "information",
-    }
 }
 
 /// The code of an event as the vendor's table has it: `0x0F0034`.

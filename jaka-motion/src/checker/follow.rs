@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Vector3, Vector6};
 
 use super::Checker;
 use super::arm::Arm;
-use super::path::{Path, PathPiece};
+use super::path::{EvenTurn, ToolPath};
 use super::placed_regions::PlacedRegions;
 use super::radii::{BEND_MM, LEAST_STEP};
 use crate::beyond::{Exceeded, Found};
@@ -36,7 +36,7 @@ pub(super) struct Following<'a> {
     arm: &'a Arm,
     limits: &'a Limits,
     regions: PlacedRegions<'a>,
-    path: Path,
+    path: ToolPath,
     tolerance: f64,
     /// How much of the path is done in a second, if that is known.
     per_second: Option<f64>,
@@ -67,7 +67,7 @@ impl<'a> Following<'a> {
         limits: &'a Limits,
         regions: PlacedRegions<'a>,
         from: &[f64; 6],
-        path: Path,
+        path: ToolPath,
         pace: TcpPace,
     ) -> Self {
         let (length_mm, frames, least) = (path.length_mm(), arm.frames(from), limits.singularity_distance());
@@ -86,14 +86,14 @@ impl<'a> Following<'a> {
 
     /// Follows the path, and returns the joint positions at its end.
     pub(super) fn follow(&self) -> Result<[f64; 6], Found> {
-        let pieces = self.path.pieces().ok_or((Exceeded::HalfTurn, 0.0))?;
+        let even_turns = self.path.even_turns().ok_or((Exceeded::HalfTurn, 0.0))?;
         let (mut joints, mut share, mut steps) = (self.start, 0.0, 0);
-        for piece in &pieces {
-            let longest = self.longest_step(piece);
-            let mut here = self.sample(piece, share, &joints).ok_or_else(|| self.lost(share, &joints))?;
+        for even_turn in &even_turns {
+            let longest = self.longest_step(even_turn);
+            let mut here = self.sample(even_turn, share, &joints).ok_or_else(|| self.lost(share, &joints))?;
             self.check(&here)?;
             let mut step = longest;
-            while here.share < piece.end {
+            while here.share < even_turn.end {
                 steps += 1;
                 if steps > MOST_STEPS {
                     return Err((Exceeded::TooLong, here.share));
@@ -102,8 +102,8 @@ impl<'a> Following<'a> {
                 if step < LEAST_FOLLOWED {
                     return Err(self.lost(here.share, &here.joints));
                 }
-                let next_share = if here.share + step < piece.end { here.share + step } else { piece.end };
-                match self.advance(piece, &here, next_share)? {
+                let next_share = if here.share + step < even_turn.end { here.share + step } else { even_turn.end };
+                match self.advance(even_turn, &here, next_share)? {
                     Some(next) => (here, step) = (next, longest.min(1.5 * step)),
                     None => step = 0.5 * (next_share - here.share),
                 }
@@ -113,32 +113,32 @@ impl<'a> Following<'a> {
         Ok(joints)
     }
 
-    fn longest_step(&self, piece: &PathPiece) -> f64 {
+    fn longest_step(&self, even_turn: &EvenTurn) -> f64 {
         let (most_mm, most_deg) = LONGEST_STEP;
-        (most_mm / self.path.length_mm()).min(most_deg / piece.turn.norm().to_degrees()).clamp(LEAST_STEP, 1.0)
+        (most_mm / self.path.length_mm()).min(most_deg / even_turn.turn.norm().to_degrees()).clamp(LEAST_STEP, 1.0)
     }
 
     /// The next sample, if nothing between it and this one can have been missed.
-    fn advance(&self, piece: &PathPiece, here: &PathSample, share: f64) -> Result<Option<PathSample>, Found> {
+    fn advance(&self, even_turn: &EvenTurn, here: &PathSample, share: f64) -> Result<Option<PathSample>, Found> {
         let step = share - here.share;
         let guess = std::array::from_fn(|index| {
             here.joints[index] + step * (here.rates[index] + 0.5 * step * here.curve[index])
         });
-        let Some(mut next) = self.sample(piece, share, &guess).filter(|next| continuous(here, next)) else {
+        let Some(mut next) = self.sample(even_turn, share, &guess).filter(|next| continuous(here, next)) else {
             return Ok(None);
         };
         next.curve = std::array::from_fn(|index| (next.rates[index] - here.rates[index]) / step);
         self.check(&next)?;
         let clear = self.speeds_clear(here, &next)
             && self.singularities_clear(here, &next)
-            && self.point_clear(piece, Point::Elbow, here, &next)?
-            && self.point_clear(piece, Point::Wrist, here, &next)?;
+            && self.point_clear(even_turn, Point::Elbow, here, &next)?
+            && self.point_clear(even_turn, Point::Wrist, here, &next)?;
         Ok(clear.then_some(next))
     }
 
-    fn sample(&self, piece: &PathPiece, share: f64, guess: &[f64; 6]) -> Option<PathSample> {
+    fn sample(&self, even_turn: &EvenTurn, share: f64, guess: &[f64; 6]) -> Option<PathSample> {
         let solved = self.arm.solved(&self.path.at(share), guess)?;
-        let (moved, turned) = (self.path.velocity(share), piece.turn);
+        let (moved, turned) = (self.path.velocity(share), even_turn.turn);
         let rates = solved.rates(&Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z))?;
         let distances = self.arm.distances(&solved.frames);
         Some(PathSample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
@@ -203,7 +203,7 @@ impl<'a> Following<'a> {
     /// Whether elbow or wrist cannot have been beyond a region between two samples by more than the stated amount.
     fn point_clear(
         &self,
-        piece: &PathPiece,
+        even_turn: &EvenTurn,
         point: Point,
         here: &PathSample,
         next: &PathSample,
@@ -223,7 +223,7 @@ impl<'a> Following<'a> {
             let share = here.share + part * step;
             let guess =
                 std::array::from_fn(|index| here.joints[index] + part * (next.joints[index] - here.joints[index]));
-            let Some(crossing) = self.sample(piece, share, &guess) else { return Ok(false) };
+            let Some(crossing) = self.sample(even_turn, share, &guess) else { return Ok(false) };
             self.check_point(point, &crossing.frames).map_err(|exceeded| (exceeded, share))?;
         }
         Ok(true)

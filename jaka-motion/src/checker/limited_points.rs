@@ -4,7 +4,7 @@ use nalgebra::Point3;
 
 use super::arm::Arm;
 use super::placed_regions::PlacedRegions;
-use super::radii::{Course, PieceEnd};
+use super::radii::{PieceEnd, PointMotion};
 use super::solved::Solved;
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
@@ -47,7 +47,7 @@ impl LimitedPoints<'_> {
         self.all().try_for_each(|point| {
             let on_way = |share| std::array::from_fn(|index| from[index] + share * moved[index]);
             let at = |share| self.arm.point(point, &on_way(share));
-            self.regions.check_way(point, 0.0, self.arm.radii().course_of_way(point, &moved), at)
+            self.regions.check_way(point, 0.0, self.arm.radii().motion_of_path(point, &moved), at)
         })
     }
 
@@ -55,7 +55,7 @@ impl LimitedPoints<'_> {
     pub(super) fn check_piece(&self, piece: &Piece, hull: &Hull) -> Result<(), Found> {
         self.all().try_for_each(|point| {
             let at = |share: f64| self.arm.point(point, &piece.joints(share));
-            self.regions.check_way_from(point, None, 0.0, self.arm.radii().course_of_piece(point, piece, hull), at)
+            self.regions.check_way_from(point, None, 0.0, self.arm.radii().motion_on_piece(point, piece, hull), at)
         })
     }
 
@@ -68,8 +68,8 @@ impl LimitedPoints<'_> {
         self.all().try_for_each(|point| {
             let at = |share: f64| self.arm.point(point, &stops.map(|stop| stop.at(share * seconds).position));
             let start = rested.map(|joints| self.arm.point(point, joints));
-            let course = self.arm.radii().course_of_swings(point, &turned, &swung);
-            self.regions.check_way_from(point, start, 0.0, course, at)
+            let motion = self.arm.radii().motion_with_swings(point, &turned, &swung);
+            self.regions.check_way_from(point, start, 0.0, motion, at)
         })
     }
 
@@ -77,7 +77,7 @@ impl LimitedPoints<'_> {
     pub(super) fn are_far(&self, start: &PieceEnd, turned: &[f64; 6]) -> bool {
         self.all().all(|point| {
             let clear = self.regions.check(point, None, start.point(point), 0.0);
-            clear.is_ok_and(|clear| clear > self.arm.radii().course(point, turned).rate_mm)
+            clear.is_ok_and(|clear| clear > self.arm.radii().motion(point, turned).rate_mm)
         })
     }
 
@@ -87,12 +87,12 @@ impl LimitedPoints<'_> {
         self.all().all(|point| {
             let places = ends.map(|end| end.point(point));
             if point == Point::Tcp {
-                let course = Course { rate_mm: (places[1] - places[0]).norm(), bend_mm: 0.0 };
+                let motion = PointMotion { rate_mm: (places[1] - places[0]).norm(), bend_mm: 0.0 };
                 let at = |share: f64| Point3::from(places[0].coords.lerp(&places[1].coords, share));
-                return self.regions.check_way(point, 0.0, course, at).is_ok();
+                return self.regions.check_way(point, 0.0, motion, at).is_ok();
             }
             let clear = places.map(|at| self.regions.check(point, None, &at, 0.0).ok());
-            let rate_mm = self.arm.radii().course(point, turned).rate_mm;
+            let rate_mm = self.arm.radii().motion(point, turned).rate_mm;
             matches!(clear, [Some(one), Some(other)] if one + other > rate_mm)
         })
     }

@@ -2,20 +2,20 @@
 
 use nalgebra::{Isometry3, Vector3};
 
-use super::radii::Course;
+use super::radii::PointMotion;
 use crate::arc::Arc;
 use crate::transform::Transform;
 
-/// The way of the tool in the arm's base.
+/// Path of the tool in the arm's base.
 #[derive(Debug)]
-pub(super) enum Path {
+pub(super) enum ToolPath {
     Line { from: Transform, to: Transform },
     Arc(Arc),
 }
 
 /// A part of a path on which the tool turns evenly.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PathPiece {
+pub(super) struct EvenTurn {
     /// Where it ends, as a share of the path.
     pub(super) end: f64,
     /// How the tool turns, in radians for the length of the whole path.
@@ -25,7 +25,7 @@ pub(super) struct PathPiece {
 /// A turn of this many degrees or more could as well be the other way round.
 const HALF_TURN: f64 = 179.99;
 
-impl Path {
+impl ToolPath {
     pub(super) fn at(&self, share: f64) -> Isometry3<f64> {
         match self {
             // Exact at both ends.
@@ -51,20 +51,20 @@ impl Path {
     }
 
     /// How the tool centre point goes: on a circle the change of its speed is the angle times it.
-    pub(super) fn course(&self) -> Course {
+    pub(super) fn motion(&self) -> PointMotion {
         let rate_mm = self.length_mm();
         let bend_mm = match self {
             Self::Line { .. } => 0.0,
             Self::Arc(arc) => rate_mm * arc.angle(),
         };
-        Course { rate_mm, bend_mm }
+        PointMotion { rate_mm, bend_mm }
     }
 
     /// The parts on which the tool turns evenly; none where it turns half way round on one.
-    pub(super) fn pieces(&self) -> Option<[PathPiece; 2]> {
+    pub(super) fn even_turns(&self) -> Option<[EvenTurn; 2]> {
         let piece = |from: Transform, to: Transform, start: f64, end: f64| {
             let turn = from.0.rotation * (from.0.rotation.inverse() * to.0.rotation).scaled_axis() / (end - start);
-            (from.angle_deg(&to) < HALF_TURN).then_some(PathPiece { end, turn })
+            (from.angle_deg(&to) < HALF_TURN).then_some(EvenTurn { end, turn })
         };
         Some(match self {
             Self::Line { from, to } => {

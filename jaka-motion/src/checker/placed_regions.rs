@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3};
 
-use super::radii::{BEND_MM, Course, LEAST_STEP};
+use super::radii::{BEND_MM, LEAST_STEP, PointMotion};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::{ROUNDING, Region, RegionFrame, START_ROUNDING};
 use crate::model::Point;
@@ -70,11 +70,11 @@ impl<'a> PlacedRegions<'a> {
         &self,
         point: Point,
         tolerance: f64,
-        course: Course,
+        motion: PointMotion,
         at: impl Fn(f64) -> Point3<f64>,
     ) -> Result<(), Found> {
         let start = self.limit(point).then(|| at(0.0));
-        self.check_way_from(point, start, tolerance, course, at)
+        self.check_way_from(point, start, tolerance, motion, at)
     }
 
     /// As [`check_way`](Self::check_way), with the place that counts as within, if there is one.
@@ -83,14 +83,14 @@ impl<'a> PlacedRegions<'a> {
         point: Point,
         start: Option<Point3<f64>>,
         tolerance: f64,
-        course: Course,
+        motion: PointMotion,
         at: impl Fn(f64) -> Point3<f64>,
     ) -> Result<(), Found> {
         if !self.limit(point) {
             return Ok(());
         }
         // A chord of this length is nowhere further from its arc than this.
-        let step = (8.0 * BEND_MM / course.bend_mm).sqrt().min(1.0);
+        let step = (8.0 * BEND_MM / motion.bend_mm).sqrt().min(1.0);
         if step.is_nan() || step < LEAST_STEP {
             return Err((Exceeded::TooLong, 0.0));
         }
@@ -100,7 +100,7 @@ impl<'a> PlacedRegions<'a> {
         let (mut share, mut here) = (0.0, at(0.0));
         while share < 1.0 {
             let clear = check(share, &here)?;
-            let next_share = f64::min(share + step.max(clear / course.rate_mm), 1.0);
+            let next_share = f64::min(share + step.max(clear / motion.rate_mm), 1.0);
             let next = at(next_share);
             for part in self.crossings(point, start.as_ref(), [here, next], tolerance) {
                 let crossing = share + part * (next_share - share);

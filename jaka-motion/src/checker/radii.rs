@@ -14,9 +14,9 @@ pub(crate) struct Radii {
     reach_mm: f64,
 }
 
-/// How a point goes along a way, whose length is 1.
+/// Bounds of the motion of a point along a path, whose length is 1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Course {
+pub(super) struct PointMotion {
     /// The most that it moves, in mm.
     pub(super) rate_mm: f64,
     /// The most that its speed changes, in mm.
@@ -70,7 +70,7 @@ impl Radii {
     }
 
     /// How a point goes while the joints turn by at most these radians.
-    pub(super) fn course(&self, point: Point, turned: &[f64; 6]) -> Course {
+    pub(super) fn motion(&self, point: Point, turned: &[f64; 6]) -> PointMotion {
         let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
         for (radius, turned) in self.of(point).iter().zip(turned) {
             rate_mm += turned * radius;
@@ -78,24 +78,24 @@ impl Radii {
             bend_mm += (2.0 * sum + turned) * turned * radius;
             sum += turned;
         }
-        Course { rate_mm, bend_mm }
+        PointMotion { rate_mm, bend_mm }
     }
 
     /// The same on a way straight in joint space, over these degrees.
-    pub(super) fn course_of_way(&self, point: Point, moved: &[f64; 6]) -> Course {
-        self.course(point, &moved.map(|degrees| degrees.abs().to_radians()))
+    pub(super) fn motion_of_path(&self, point: Point, moved: &[f64; 6]) -> PointMotion {
+        self.motion(point, &moved.map(|degrees| degrees.abs().to_radians()))
     }
 
     /// The same where the turns themselves change by at most these radians.
-    pub(super) fn course_of_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> Course {
-        let course = self.course(point, turned);
+    pub(super) fn motion_with_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> PointMotion {
+        let motion = self.motion(point, turned);
         let swings: f64 = self.of(point).iter().zip(swung).map(|(radius, swung)| radius * swung).sum();
-        Course { bend_mm: course.bend_mm + swings, ..course }
+        PointMotion { bend_mm: motion.bend_mm + swings, ..motion }
     }
 
     /// The same on a piece.
-    pub(super) fn course_of_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> Course {
-        self.course_of_swings(point, &hull.turned(piece.seconds), &hull.swung(piece.seconds))
+    pub(super) fn motion_on_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> PointMotion {
+        self.motion_with_swings(point, &hull.turned(piece.seconds), &hull.swung(piece.seconds))
     }
 
     /// What the speed of the tool centre point is not above on a piece, in mm/s.

@@ -3,7 +3,7 @@
 use super::Checker;
 use super::arm::Arm;
 use super::radii::PieceEnd;
-use super::radii::{Course, LEAST_STEP};
+use super::radii::{LEAST_STEP, PointMotion};
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
 use crate::braking::{Stop, longest_stop};
@@ -47,8 +47,8 @@ impl TcpSpeedLimit<'_> {
     pub(super) fn check_joint_way(&self, from: &[f64; 6], moved: &[f64; 6], pace: JointPace) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limit_mm_s else { return Ok(()) };
         let seconds = longest(moved) / pace.speed_deg_s;
-        let (most, course) = (limit_mm_s * seconds, self.arm.radii().course_of_way(Point::Tcp, moved));
-        if course.rate_mm <= most {
+        let (most, motion) = (limit_mm_s * seconds, self.arm.radii().motion_of_path(Point::Tcp, moved));
+        if motion.rate_mm <= most {
             return Ok(());
         }
         let mut share = 0.0;
@@ -61,7 +61,7 @@ impl TcpSpeedLimit<'_> {
             if share >= 1.0 {
                 return Ok(());
             }
-            let step = ((1.0 + Checker::AMOUNT_SPEED) * most - rate) / course.bend_mm;
+            let step = ((1.0 + Checker::AMOUNT_SPEED) * most - rate) / motion.bend_mm;
             if step.is_nan() || step < LEAST_STEP {
                 return Err((Exceeded::TooLong, share));
             }
@@ -73,7 +73,7 @@ impl TcpSpeedLimit<'_> {
     pub(super) fn check_piece(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limit_mm_s else { return Ok(()) };
         let radii = self.arm.radii();
-        let Course { rate_mm, bend_mm } = radii.course_of_piece(Point::Tcp, piece, hull);
+        let PointMotion { rate_mm, bend_mm } = radii.motion_on_piece(Point::Tcp, piece, hull);
         if rate_mm <= limit_mm_s * piece.seconds || radii.tcp_speed_at_most(piece, hull, ends) <= limit_mm_s {
             return Ok(());
         }

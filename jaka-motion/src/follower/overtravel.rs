@@ -21,6 +21,13 @@ pub struct Overtravel {
     pub braking_mm_s2: f64,
 }
 
+/// How far the tool has gone by each set-point, and how many periods after a contact it is braked.
+pub(super) struct Travel<'a> {
+    follower: &'a Follower,
+    gone_mm: Vec<f64>,
+    unbraked: usize,
+}
+
 /// How long braking may take, in seconds.
 const LONGEST_S: f64 = 0.5;
 /// How many contacts are bounded together.
@@ -31,41 +38,46 @@ const AHEAD: [usize; 3] = [2, 12, 64];
 /// speed or an acceleration too high.
 const PEAK: f64 = 1e-4;
 
-impl Follower {
-    /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further
-    /// than `allowed_mm`; none otherwise.
-    ///
-    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is
-    /// computed is at the rate 1, which is the most: at a lower one, also one that goes up or down meanwhile, the tool
-    /// has gone less far when it is braked, and rests sooner. Where the tool goes on further than is allowed before it
-    /// is braked at all, the place at which that is the furthest is told.
-    ///
-    /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It
-    /// allocates a number for each.
-    pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
-        let ways = Ways { ways_mm: self.ways_mm(checker), unbraked: self.periods(delay_s).saturating_add(1) };
-        let unbraked = ways.contacts().map(|contact| (contact, ways.between(contact, ways.braked_from(contact))));
+impl<'a> Travel<'a> {
+    /// For a contact at any set-point at the rate 1, and braking some seconds after it.
+    pub(super) fn new(follower: &'a Follower, checker: &Checker, delay_s: f64) -> Self {
+        let unbraked = periods(delay_s, follower.period_s).saturating_add(1);
+        let mut travel = Self { follower, gone_mm: Vec::new(), unbraked };
+        let (mut way_mm, mut before) = (0.0, follower.trajectory.start());
+        let found = (0..=periods(follower.duration_s, follower.period_s)).map(|place| {
+            let joints = follower.trajectory.at(travel.time_at(place)).joints;
+            way_mm += checker.arm().tcp_distance(&before.0, &joints.0);
+            before = joints;
+            way_mm
+        });
+        travel.gone_mm = found.collect();
+        travel
+    }
+
+    /// The contact after which the tool goes on the furthest, if that is further than is allowed.
+    pub(super) fn worst(&self, allowed_mm: f64) -> Option<Overtravel> {
+        let unbraked = self.contacts().map(|contact| (contact, self.between(contact, self.braked_from(contact))));
         let furthest = furthest(unbraked)?;
         let (contact, way_mm) = if furthest.1 > allowed_mm {
-            (furthest.0, self.overtravel_mm(&ways, furthest.0))
+            (furthest.0, self.overtravel_mm(furthest.0))
         } else {
-            self.furthest_braked(&ways, allowed_mm)?
+            self.furthest_braked(allowed_mm)?
         };
-        Some(self.told(&ways, contact, way_mm))
+        Some(self.told(contact, way_mm))
     }
 
     /// The contact after which the tool goes on the furthest until it rests, and how far, if that is further than is
     /// allowed.
-    fn furthest_braked(&self, ways: &Ways, allowed_mm: f64) -> Option<(usize, f64)> {
-        let (contacts, mut worst) = (ways.contacts(), None);
+    fn furthest_braked(&self, allowed_mm: f64) -> Option<(usize, f64)> {
+        let (contacts, mut worst) = (self.contacts(), None);
         for first in contacts.clone().step_by(TOGETHER) {
             let together = first..(first + TOGETHER).min(contacts.end);
-            let braking = self.braking_at_most(ways.braked_from(first), ways.braked_from(together.end - 1));
+            let braking = self.braking_at_most(self.braked_from(first), self.braked_from(together.end - 1));
             for contact in together {
                 let most = worst.map_or(allowed_mm, |(_, way_mm)| way_mm);
-                let rest = braking.map_or(ways.last(), |periods| ways.braked_from(contact) + periods);
-                if ways.between(contact, rest) > most {
-                    worst = Some((contact, self.overtravel_mm(ways, contact))).filter(|found| found.1 > most).or(worst);
+                let rest = braking.map_or(self.last(), |periods| self.braked_from(contact) + periods);
+                if self.between(contact, rest) > most {
+                    worst = Some((contact, self.overtravel_mm(contact))).filter(|found| found.1 > most).or(worst);
                 }
             }
         }
@@ -75,14 +87,14 @@ impl Follower {
     /// How many periods of the trajectory it goes on for at most where it is braked after any of these set-points, if
     /// that is known: in each one the rate falls by as much as it may all the while.
     fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
-        let limits = self.trajectory.joint_accelerations();
-        if (0..6).any(|joint| self.accelerations[joint] < limits[joint]) {
+        let limits = self.follower.trajectory.joint_accelerations();
+        if (0..6).any(|joint| self.follower.accelerations[joint] < limits[joint]) {
             return None;
         }
         AHEAD.into_iter().find_map(|ahead| {
             let (from_s, to_s) = (self.time_at(first.saturating_sub(1)), self.time_at(last + ahead + 1));
-            let change = self.trajectory.rate_change_between(from_s, to_s, 1.0 + PEAK);
-            let fall = (change.max(0.0) * (1.0 - 2.0 * PEAK) * self.period_s).min(1.0);
+            let change = self.follower.trajectory.rate_change_between(from_s, to_s, 1.0 + PEAK);
+            let fall = (change.max(0.0) * (1.0 - 2.0 * PEAK) * self.follower.period_s).min(1.0);
             let falls = (1.0 / fall).floor();
             let periods = falls - 0.5 * fall * falls * (falls + 1.0);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is compared before")]
@@ -91,78 +103,52 @@ impl Follower {
         })
     }
 
-    /// How far the tool has gone by each set-point at the rate 1.
-    fn ways_mm(&self, checker: &Checker) -> Vec<f64> {
-        let (mut way_mm, mut before) = (0.0, self.trajectory.start());
-        let ways = (0..=self.periods(self.duration_s)).map(|place| {
-            let joints = self.trajectory.at(self.time_at(place)).joints;
-            way_mm += checker.arm().tcp_distance(&before.0, &joints.0);
-            before = joints;
-            way_mm
-        });
-        ways.collect()
-    }
-
-    fn overtravel_mm(&self, ways: &Ways, contact: usize) -> f64 {
-        let rest = self.rest_from(ways.braked_from(contact));
-        rest.map_or(f64::INFINITY, |rest| ways.between(contact, rest))
+    fn overtravel_mm(&self, contact: usize) -> f64 {
+        let rest = self.rest_from(self.braked_from(contact));
+        rest.map_or(f64::INFINITY, |rest| self.between(contact, rest))
     }
 
     /// The set-point at or after which it rests, if it is braked after this one; none where that takes too long.
     fn rest_from(&self, place: usize) -> Option<usize> {
         let (time_s, before_s) = (self.time_at(place), self.time_at(place.saturating_sub(1)));
-        let (joints, before) = (self.trajectory.at(time_s).joints, self.trajectory.at(before_s).joints);
+        let (joints, before) =
+            (self.follower.trajectory.at(time_s).joints, self.follower.trajectory.at(before_s).joints);
         let step = std::array::from_fn(|joint| joints.0[joint] - before.0[joint]);
-        let mut braking = self.clone();
+        let mut braking = self.follower.clone();
         braking.state = State { time_s, rate: 1.0, change: 0.0, joints, step };
         (braking.scale, braking.haste) = (0.0, Haste::AtOnce);
-        for _ in 0..=self.periods(LONGEST_S) {
+        for _ in 0..=periods(LONGEST_S, self.follower.period_s) {
             if braking.is_at_rest() {
-                return Some(self.periods(braking.time_s()));
+                return Some(periods(braking.time_s(), self.follower.period_s));
             }
             braking.advance();
         }
         None
     }
 
-    fn told(&self, ways: &Ways, contact: usize, way_mm: f64) -> Overtravel {
-        let braked = ways.braked_from(contact);
-        let speed = |place: usize| ways.between(place.saturating_sub(1), place) / self.period_s;
-        let (braking_mm, speed_then) = (way_mm - ways.between(contact, braked), speed(braked));
+    fn told(&self, contact: usize, way_mm: f64) -> Overtravel {
+        let braked = self.braked_from(contact);
+        let speed = |place: usize| self.between(place.saturating_sub(1), place) / self.follower.period_s;
+        let (braking_mm, speed_then) = (way_mm - self.between(contact, braked), speed(braked));
         Overtravel {
             time_s: self.time_at(contact),
             way_mm,
-            unbraked_s: self.seconds(ways.unbraked),
+            unbraked_s: self.seconds(self.unbraked),
             speed_mm_s: (contact + 1..=braked).map(speed).fold(0.0, f64::max),
             braking_mm_s2: if braking_mm > 0.0 { speed_then * speed_then / (2.0 * braking_mm) } else { f64::INFINITY },
         }
     }
 
     fn time_at(&self, place: usize) -> f64 {
-        self.seconds(place).min(self.duration_s)
+        self.seconds(place).min(self.follower.duration_s)
     }
 
     fn seconds(&self, periods: usize) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "a count of periods")]
         let periods = periods as f64;
-        periods * self.period_s
+        periods * self.follower.period_s
     }
 
-    /// How many periods a time has, rounded up.
-    fn periods(&self, time_s: f64) -> usize {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
-        let periods = (time_s / self.period_s - 1e-9).ceil() as usize;
-        periods
-    }
-}
-
-/// How far the tool has gone by each set-point, and how many periods after a contact it is braked.
-struct Ways {
-    ways_mm: Vec<f64>,
-    unbraked: usize,
-}
-
-impl Ways {
     /// The set-points after which something can be touched; without those at the end, after which less of the way is
     /// left than after these.
     fn contacts(&self) -> std::ops::Range<usize> {
@@ -175,14 +161,20 @@ impl Ways {
     }
 
     fn between(&self, from: usize, to: usize) -> f64 {
-        self.ways_mm[to.min(self.last())] - self.ways_mm[from]
+        self.gone_mm[to.min(self.last())] - self.gone_mm[from]
     }
 
     fn last(&self) -> usize {
-        self.ways_mm.len().saturating_sub(1)
+        self.gone_mm.len().saturating_sub(1)
     }
 }
 
 fn furthest(contacts: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)> {
     contacts.max_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// How many periods a time has, rounded up.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
+fn periods(time_s: f64, period_s: f64) -> usize {
+    (time_s / period_s - 1e-9).ceil() as usize
 }

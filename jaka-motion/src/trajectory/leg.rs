@@ -1,8 +1,8 @@
 //! The ways from one point of a trajectory to the next.
 
+use super::corner_path::TURN_MM;
 use super::line::Line;
 use super::plan::{Bounds, Corner};
-use super::tool_way::TURN_MM;
 use crate::checker::Arm;
 
 /// A way straight in joint space, or on a straight line of the tool.
@@ -14,10 +14,10 @@ pub(super) struct Leg {
     pub(super) length: f64,
     /// The joints at its start.
     pub(super) start: [f64; 6],
-    pub(super) way: LegPath,
+    pub(super) path: LegPath,
 }
 
-/// How a leg goes, for each unit of its length.
+/// Path of a leg, for each unit of its length.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegPath {
     Joints([f64; 6]),
@@ -70,12 +70,12 @@ impl Leg {
     pub(super) fn joints(after: usize, from: [f64; 6], to: [f64; 6]) -> Self {
         let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
         let length = moved.iter().map(|moved| moved * moved).sum::<f64>().sqrt();
-        Self { after, length, start: from, way: LegPath::Joints(moved.map(|moved| moved / length)) }
+        Self { after, length, start: from, path: LegPath::Joints(moved.map(|moved| moved / length)) }
     }
 
     /// How fast it may be, and how the joints move at its ends.
     pub(super) fn survey(&self, budget: &Budget, arm: &Arm) -> Survey {
-        match &self.way {
+        match &self.path {
             LegPath::Joints(direction) => {
                 Survey { bounds: self.joint_bounds(direction, budget, arm), ends: [*direction; 2] }
             }
@@ -113,7 +113,7 @@ impl Leg {
     /// How the corner to the next leg may be rounded, for what was found of both: not at all where a line meets a way
     /// in joints, or where the way turns back.
     pub(super) fn corner(&self, next: &Self, found: [&Survey; 2], tolerances: &Tolerances, budget: &Budget) -> Corner {
-        let (way, share, cosine) = match (&self.way, &next.way) {
+        let (way, share, cosine) = match (&self.path, &next.path) {
             (LegPath::Joints(before), LegPath::Joints(after)) => {
                 let cosine = before.iter().zip(after).map(|(before, after)| before * after).sum();
                 let most = largest(|joint| (after[joint] - before[joint]).abs());
@@ -142,16 +142,6 @@ impl Leg {
     /// Where the joints are after a way on a leg in joint space.
     pub(super) fn joints_at(&self, direction: &[f64; 6], way: f64) -> [f64; 6] {
         std::array::from_fn(|joint| self.start[joint] + way * direction[joint])
-    }
-}
-
-impl Bounds {
-    fn and(self, other: Self) -> Self {
-        Self {
-            speed: self.speed.min(other.speed),
-            acceleration: self.acceleration.min(other.acceleration),
-            jerk: self.jerk.min(other.jerk),
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
 
-use super::tool_way::{Direction, OFF_WAY, ToolCourse, in_steps, is_off_at_most, least_share, together};
+use super::corner_path::{Direction, OFF_WAY, SpeedRamp, in_steps, is_off_at_most, least_share, together};
 use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
 
@@ -71,7 +71,7 @@ impl Line {
     }
 
     /// The joints where a course is, and how they move in time.
-    pub(super) fn moving(&self, course: &ToolCourse, share: f64, seconds: f64) -> Sample {
+    pub(super) fn moving(&self, course: &SpeedRamp, share: f64, seconds: f64) -> Sample {
         let [way, speed, change] = course.at(share, seconds);
         let there = self.at(way);
         let acceleration = |joint: usize| there.acceleration[joint] * speed * speed + there.velocity[joint] * change;
@@ -87,7 +87,7 @@ impl Line {
     pub(super) fn follow(
         &self,
         arm: &Arm,
-        course: &ToolCourse,
+        course: &SpeedRamp,
         seconds: f64,
         start: Option<Sample>,
         pieces: &mut Vec<Piece>,

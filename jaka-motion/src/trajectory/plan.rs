@@ -51,6 +51,15 @@ impl Bounds {
         Self { speed: speed * factor, acceleration: acceleration * factor.powi(2), jerk: jerk * factor.powi(3) }
     }
 
+    /// The lower of each.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            speed: self.speed.min(other.speed),
+            acceleration: self.acceleration.min(other.acceleration),
+            jerk: self.jerk.min(other.jerk),
+        }
+    }
+
     /// How long it takes to get from one speed to another.
     ///
     /// The speed goes as `3x² - 2x³`: its steepest rise is 1.5 times the mean, and the strongest bend 6 times.

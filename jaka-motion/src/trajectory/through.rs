@@ -2,10 +2,10 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
+use super::corner_path::Direction;
 use super::leg::{Budget, Leg, LegPath, Tolerances};
 use super::line::{LEAST, LONGEST, Line};
 use super::timing::{Timing, lost};
-use super::tool_way::Direction;
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
 use crate::checker::{Checker, Solved};
@@ -30,10 +30,9 @@ pub enum Via {
 ///
 /// # Timing
 /// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds
-/// change with a continuous acceleration and a limited jerk. Of each joint's acceleration
-/// [`ACCELERATION_SHARE`](Self::ACCELERATION_SHARE) is planned, and as much of its jerk; the rest is for those who
-/// follow the trajectory at a rate that changes. Of the highest speed of the tool centre point it is
-/// [`TCP_SHARE`](Self::TCP_SHARE).
+/// change with a continuous acceleration and a limited jerk. Of each joint's acceleration 70 % is planned, and as much
+/// of its jerk; the rest is for those who follow the trajectory at a rate that changes. Of the highest speed of the tool
+/// centre point it is 98 %.
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
@@ -60,13 +59,24 @@ const CREEPING: f64 = 1e-6;
 /// Joint positions that are further from others than this, in degrees, are of another branch.
 const ONE_BRANCH: f64 = 1e-2;
 
+/// The share of each joint's acceleration that is planned.
+pub(crate) const ACCELERATION_SHARE: f64 = 0.7;
+/// The share of the highest speed of the tool centre point that is planned, where it is limited.
+const TCP_SHARE: f64 = 0.98;
+/// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
+const TURN_DEG: f64 = 1.0;
+
 impl Through {
-    /// The share of each joint's acceleration that is planned.
-    pub const ACCELERATION_SHARE: f64 = 0.7;
-    /// The share of the highest speed of the tool centre point that is planned, where it is limited.
-    pub const TCP_SHARE: f64 = 0.98;
-    /// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
-    pub const TURN_DEG: f64 = 1.0;
+    /// For these points: see [`Trajectory::through`].
+    pub(super) fn new(points: Vec<Via>) -> Self {
+        Self {
+            points,
+            tolerances: Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 },
+            tcp_speed: f64::INFINITY,
+            joint_speeds: [f64::INFINITY; 6],
+            jerks: None,
+        }
+    }
 
     /// With the corners of lines rounded within so many millimetres; 0, as if nothing is said, to stop there.
     pub fn corner_mm(mut self, tolerance: f64) -> Self {
@@ -74,8 +84,7 @@ impl Through {
         self
     }
 
-    /// With the tool within so many degrees of its turn at corners of lines that are rounded;
-    /// [`TURN_DEG`](Self::TURN_DEG) if nothing is said.
+    /// With the tool within so many degrees of its turn at corners of lines that are rounded; 1 if nothing is said.
     pub fn corner_turn_deg(mut self, tolerance: f64) -> Self {
         self.tolerances.turn_deg = tolerance;
         self
@@ -129,11 +138,11 @@ impl Through {
         let limits = checker.limits();
         let accelerations = *limits.joint_accelerations();
         let jerks = self.jerks.unwrap_or(accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S));
-        let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| Self::TCP_SHARE * most);
+        let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
         Budget {
             speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
-            accelerations: accelerations.map(|acceleration| Self::ACCELERATION_SHARE * acceleration),
-            jerks: jerks.map(|jerk| Self::ACCELERATION_SHARE * jerk),
+            accelerations: accelerations.map(|acceleration| ACCELERATION_SHARE * acceleration),
+            jerks: jerks.map(|jerk| ACCELERATION_SHARE * jerk),
             tcp_speed: self.tcp_speed.min(limited),
         }
     }
@@ -222,7 +231,7 @@ impl Here {
             found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| lost(after, checker))?;
-        let leg = Leg { after, length, start: self.joints, way: LegPath::Tool(line) };
+        let leg = Leg { after, length, start: self.joints, path: LegPath::Tool(line) };
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))
     }
@@ -237,36 +246,6 @@ impl Here {
 
 fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
     TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
-}
-
-impl Trajectory {
-    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
-    /// rounded.
-    ///
-    /// ```
-    /// use jaka_motion::proto::messages::types::Pose;
-    /// use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
-    ///
-    /// let arm = Model::named("Zu 5").expect("a published arm");
-    /// let checker = Checker::new(Limits::of(arm).with_tcp_speed(250.0)?, Frames::new());
-    /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
-    /// let above = Pose::from(arm.forward(start));
-    /// let [aside, down] = [Pose { y: above.y + 100.0, ..above }, Pose { y: above.y + 100.0, z: above.z - 50.0, ..above }];
-    ///
-    /// let points = [Via::from(start), Via::from(aside), Via::from(down), Via::from(aside)];
-    /// let trajectory = Trajectory::through(points).corner_mm(2.0).build(&checker)?;
-    /// assert_eq!(trajectory.way_points().len(), 4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn through<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Through {
-        Through {
-            points: points.into_iter().map(Into::into).collect(),
-            tolerances: Tolerances { mm: 0.0, turn_deg: Through::TURN_DEG, joint_deg: 0.0 },
-            tcp_speed: f64::INFINITY,
-            joint_speeds: [f64::INFINITY; 6],
-            jerks: None,
-        }
-    }
 }
 
 impl From<JointPosition> for Via {

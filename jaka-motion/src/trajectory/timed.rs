@@ -1,9 +1,13 @@
 //! Trajectories through points with times.
 
+#[cfg(feature = "trajectory-files")]
+mod file;
+
 use jaka_proto::messages::types::JointPosition;
 
-use super::{Passing, Trajectory, TrajectoryError, WayPoint};
-use crate::checker::Checker;
+use super::{Passing, TrajectoryError, WayPoint};
+#[cfg(feature = "trajectory-files")]
+use crate::TrajectoryFileError;
 use crate::piece::{Piece, Sample};
 
 /// Where the joints are at a time, and how they move there, if that is known.
@@ -41,55 +45,105 @@ impl TimedPoint {
     }
 }
 
-impl Trajectory {
-    /// Through points at their times, compared with an arm's limits.
+#[cfg(feature = "trajectory-files")]
+impl TimedPoint {
+    /// The points of a CSV text; `file_name` is what errors name.
     ///
-    /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both ends.
-    /// - With velocities alone it is of the third degree. Accelerations then step at the points.
-    /// - With neither, pieces of the third degree have the velocities for which accelerations do not step, and rest at both ends.
-    ///
-    /// It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
-    /// [`rate_change`](Self::rate_change).
+    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
+    /// to `joint_6_deg`, or `joint_1_rad` and so on; and if they are given `velocity_1_deg_s` or `velocity_1_rad_s`,
+    /// and `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
+    /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
+    /// increase.
     ///
     /// ```
-    /// use jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
+    /// use jaka_motion::TimedPoint;
     ///
-    /// let checker = Checker::new(Limits::of(Model::named("Zu 5").expect("a published arm")), Frames::new());
-    /// let points = [
-    ///     TimedPoint::new(0.0, [0.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
-    ///     TimedPoint::new(1.0, [10.0, 60.0, -80.0, 190.0, -90.0, 0.0]),
-    ///     TimedPoint::new(2.0, [20.0, 60.0, -85.0, 190.0, -90.0, 0.0]),
-    /// ];
-    /// let trajectory = Trajectory::timed(&points, &checker)?;
-    /// assert_eq!(trajectory.at(1.0).joints, points[1].joints);
+    /// let text = "\
+    /// time_s,joint_1_rad,joint_2_rad,joint_3_rad,joint_4_rad,joint_5_rad,joint_6_rad
+    /// 0.0,0.0,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
+    /// 1.0,0.1,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
+    /// ";
+    /// let points = TimedPoint::from_csv(text, "way.csv")?;
+    /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
+    /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
     ///
-    /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint { time_s: point.time_s / 4.0, ..point }), &checker);
-    /// let error = sudden.unwrap_err().to_string();
-    /// assert_eq!(error, "after way-point 1, at 0.000 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
-    /// # Ok::<(), jaka_motion::TrajectoryError>(())
+    /// let errors = TimedPoint::from_csv(&text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6"), "way.csv").unwrap_err();
+    /// assert_eq!(
+    ///     errors.to_string(),
+    ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
+    ///      way.csv:1:68: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like\n\
+    ///      way.csv:3:5: joint_1_rad: found `O.1`, expected a finite number"
+    /// );
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
     /// ```
     ///
     /// # Errors
-    /// What is wrong with the points, or the first place that is beyond a limit.
-    pub fn timed(points: &[TimedPoint], checker: &Checker) -> Result<Self, TrajectoryError> {
-        check_points(points)?;
-        let samples: Vec<Sample> = match points[0].velocity {
-            Some(_) => points.iter().map(sample).collect(),
-            None => with_spline_velocities(points),
-        };
-        check_rest(&samples)?;
-        let make = if points[0].acceleration.is_some() { Piece::between } else { Piece::cubic };
-        let ends = points.windows(2).zip(samples.windows(2));
-        let pieces = ends.map(|(points, samples)| {
-            make(points[0].time_s, points[1].time_s - points[0].time_s, &samples[0], &samples[1])
-        });
-        let last = points.len() - 1;
-        let way_points = points.iter().enumerate().map(|(index, point)| {
-            let passing = if index == 0 || index == last { Passing::Stops } else { Passing::Through };
-            WayPoint { time_s: point.time_s, passing }
-        });
-        Self::checked(pieces.collect(), way_points.collect(), checker)
+    /// Everything that is wrong, at its line and column.
+    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
+        file::read_csv(text, file_name)
     }
+
+    /// The points of a JSON text; `file_name` is what errors name.
+    ///
+    /// An object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or `joints_rad`, a
+    /// list of six numbers; and if they are given `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2` or
+    /// `acceleration_rad_s2`. All points have the same. The first time is 0, and times increase.
+    ///
+    /// ```
+    /// use jaka_motion::TimedPoint;
+    ///
+    /// let text = r#"{"points": [
+    ///     {"time_s": 0, "joints_deg": [0, 60, -80, 190, -90, 0]},
+    ///     {"time_s": 1, "joints_deg": [5, 60, -80, 190, -90, 0]}
+    /// ]}"#;
+    /// let points = TimedPoint::from_json(text, "way.json")?;
+    /// assert_eq!((points.len(), points[1].joints.0[0]), (2, 5.0));
+    /// assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json")?, points);
+    ///
+    /// let errors = TimedPoint::from_json(&text.replace("[5,", "[\"5\","), "way.json").unwrap_err();
+    /// assert_eq!(errors.to_string(), "way.json:3:34: joints_deg: found `\"5\"`, expected a finite number");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong, at its line and column; where the text is not JSON, that alone.
+    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
+        file::read_json(text, file_name)
+    }
+
+    /// The points as CSV, in degrees, which [`from_csv`](Self::from_csv) reads as the same points.
+    ///
+    /// The columns are those that all points have.
+    pub fn to_csv(points: &[Self]) -> String {
+        file::write_csv(points)
+    }
+
+    /// The points as JSON, in degrees, which [`from_json`](Self::from_json) reads as the same points.
+    ///
+    /// The keys are those that all points have.
+    pub fn to_json(points: &[Self]) -> String {
+        file::write_json(points)
+    }
+}
+
+/// The pieces and way-points of a trajectory through points with times.
+pub(super) fn parts(points: &[TimedPoint]) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
+    check_points(points)?;
+    let samples: Vec<Sample> = match points[0].velocity {
+        Some(_) => points.iter().map(sample).collect(),
+        None => with_spline_velocities(points),
+    };
+    check_rest(&samples)?;
+    let make = if points[0].acceleration.is_some() { Piece::between } else { Piece::cubic };
+    let ends = points.windows(2).zip(samples.windows(2));
+    let pieces = ends
+        .map(|(points, samples)| make(points[0].time_s, points[1].time_s - points[0].time_s, &samples[0], &samples[1]));
+    let last = points.len() - 1;
+    let way_points = points.iter().enumerate().map(|(index, point)| {
+        let passing = if index == 0 || index == last { Passing::Stops } else { Passing::Through };
+        WayPoint { time_s: point.time_s, passing }
+    });
+    Ok((pieces.collect(), way_points.collect()))
 }
 
 fn sample(point: &TimedPoint) -> Sample {

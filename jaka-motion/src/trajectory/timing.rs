@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::TrajectoryError;
+use super::corner_path::{CornerPath, SpeedRamp};
 use super::leg::{Budget, Leg, LegPath, Tolerances};
 use super::line::Line;
 use super::plan::{Bounds, Corner, Passage, plan};
-use super::tool_way::{ToolCourse, ToolWay};
 use super::{Passing, WayPoint};
-use crate::beyond::{Exceeded, Way as Checked};
+use crate::beyond::{Exceeded, Way};
 use crate::checker::Checker;
 use crate::piece::{Piece, Sample};
 
@@ -28,7 +28,7 @@ pub(super) struct Timing<'a> {
 
 /// Where the pieces are that were made of a leg, and those of the corner after it.
 #[derive(Debug)]
-struct TimedPieces {
+struct LegPieces {
     passage: Passage,
     of_leg: Range<usize>,
     of_corner: Range<usize>,
@@ -56,7 +56,7 @@ impl<'a> Timing<'a> {
 
     /// The pieces, and the way-points at both ends of all legs.
     pub(super) fn pieces(mut self) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
-        let mut made: Vec<TimedPieces> = Vec::with_capacity(self.legs.len());
+        let mut made: Vec<LegPieces> = Vec::with_capacity(self.legs.len());
         let mut pieces = Vec::with_capacity(4 * self.legs.len());
         for _ in 0..ROUNDS {
             let mut is_slower = false;
@@ -76,14 +76,14 @@ impl<'a> Timing<'a> {
         Ok(one_after_the_other(&made, pieces))
     }
 
-    fn make(&self, index: usize, passage: Passage, pieces: &mut Vec<Piece>) -> Result<TimedPieces, TrajectoryError> {
+    fn make(&self, index: usize, passage: Passage, pieces: &mut Vec<Piece>) -> Result<LegPieces, TrajectoryError> {
         let first = pieces.len();
         self.make_leg(index, &passage, pieces)?;
         let of_leg = first..pieces.len();
         if passage.corner_s > 0.0 {
             self.make_corner(index, passage.speeds[2], passage.corner_s, pieces)?;
         }
-        Ok(TimedPieces { passage, of_corner: of_leg.end..pieces.len(), of_leg })
+        Ok(LegPieces { passage, of_corner: of_leg.end..pieces.len(), of_leg })
     }
 
     fn make_leg(&self, index: usize, passage: &Passage, pieces: &mut Vec<Piece>) -> Result<(), TrajectoryError> {
@@ -94,13 +94,13 @@ impl<'a> Timing<'a> {
                 continue;
             }
             let way = 0.5 * (speeds[0] + speeds[1]) * seconds;
-            match &leg.way {
+            match &leg.path {
                 LegPath::Joints(direction) => {
                     let ends = speeds.map(|speed| (direction, speed));
                     pieces.push(straight(seconds, leg.joints_at(direction, from), ends, [way, 0.0]));
                 }
                 LegPath::Tool(line) => {
-                    here = line.follow(self.checker.arm(), &ToolCourse { from, speeds }, seconds, here, pieces);
+                    here = line.follow(self.checker.arm(), &SpeedRamp { from, speeds }, seconds, here, pieces);
                     here.ok_or_else(|| lost(leg.after, self.checker))?;
                 }
             }
@@ -118,21 +118,21 @@ impl<'a> Timing<'a> {
         pieces: &mut Vec<Piece>,
     ) -> Result<(), TrajectoryError> {
         let (leg, way) = (&self.legs[index], 0.5 * speed * seconds);
-        match (&leg.way, self.legs.get(index + 1).map(|next| &next.way)) {
+        match (&leg.path, self.legs.get(index + 1).map(|next| &next.path)) {
             (LegPath::Joints(direction), Some(LegPath::Joints(next))) => {
                 let start = leg.joints_at(direction, leg.length - way);
                 pieces.push(straight(seconds, start, [(direction, speed), (next, speed)], [way; 2]));
                 Ok(())
             }
             (LegPath::Tool(line), Some(LegPath::Tool(next))) => {
-                let before = ToolCourse { from: -way, speeds: [speed, 0.0] };
-                let after = ToolCourse { from: 0.0, speeds: [0.0, speed] };
+                let before = SpeedRamp { from: -way, speeds: [speed, 0.0] };
+                let after = SpeedRamp { from: 0.0, speeds: [0.0, speed] };
                 let along = [(line.direction, before), (next.direction, after)];
-                let there = |way: f64| ToolCourse { from: way, speeds: [speed; 2] };
+                let there = |way: f64| SpeedRamp { from: way, speeds: [speed; 2] };
                 let ends =
                     [line.moving(&there(leg.length - way), 0.0, seconds), next.moving(&there(way), 0.0, seconds)];
                 let first = pieces.len();
-                let followed = ToolWay { frame: next.from, along, seconds }.follow(self.checker.arm(), ends, pieces);
+                let followed = CornerPath { frame: next.from, along, seconds }.follow(self.checker.arm(), ends, pieces);
                 followed.ok_or_else(|| lost(leg.after, self.checker))?;
                 self.keep_apart_from_singularities(leg, next, &pieces[first..])
             }
@@ -154,7 +154,7 @@ impl<'a> Timing<'a> {
     }
 
     /// Whether a leg or a corner asked too much and gets slower.
-    fn slow_down(&mut self, index: usize, made: &TimedPieces, pieces: &[Piece]) -> bool {
+    fn slow_down(&mut self, index: usize, made: &LegPieces, pieces: &[Piece]) -> bool {
         let [leg, corner] = [&made.of_leg, &made.of_corner].map(|range| {
             let factors = pieces[range.clone()].iter().map(|piece| self.factor(&self.legs[index], piece));
             factors.fold(1.0, f64::min)
@@ -173,7 +173,7 @@ impl<'a> Timing<'a> {
 
     /// How much slower a piece has to be; above 1 if it need not.
     fn factor(&self, leg: &Leg, piece: &Piece) -> f64 {
-        match leg.way {
+        match leg.path {
             LegPath::Joints(_) => self.factor_by_tcp(piece),
             // No point of it is faster than its speed: around a corner both speeds together are that.
             LegPath::Tool(_) => self.factor_by_joints(piece),
@@ -220,7 +220,7 @@ fn straight(seconds: f64, start: [f64; 6], ends: [(&[f64; 6], f64); 2], ways: [f
 }
 
 /// All pieces in their order and time, and the way-points at both ends of all legs.
-fn one_after_the_other(made: &[TimedPieces], mut pieces: Vec<Piece>) -> (Vec<Piece>, Vec<WayPoint>) {
+fn one_after_the_other(made: &[LegPieces], mut pieces: Vec<Piece>) -> (Vec<Piece>, Vec<WayPoint>) {
     let count: usize = made.iter().map(|made| made.of_leg.len() + made.of_corner.len()).sum();
     if count < pieces.len() {
         // Some were made again, at the end.
@@ -232,7 +232,7 @@ fn one_after_the_other(made: &[TimedPieces], mut pieces: Vec<Piece>) -> (Vec<Pie
     let mut way_points = Vec::with_capacity(made.len() + 1);
     way_points.push(WayPoint { time_s: 0.0, passing: Passing::Stops });
     let (mut time_s, mut left) = (0.0, pieces.as_mut_slice());
-    for TimedPieces { passage, of_leg, of_corner } in made {
+    for LegPieces { passage, of_leg, of_corner } in made {
         let (of_both, later) = std::mem::take(&mut left).split_at_mut(of_leg.len() + of_corner.len());
         left = later;
         let leg_s: f64 = of_both[..of_leg.len()].iter().map(|piece| piece.seconds).sum();
@@ -256,6 +256,6 @@ pub(super) fn lost(after: usize, checker: &Checker) -> TrajectoryError {
 }
 
 fn beyond_on(after: usize, checker: &Checker, exceeded: Exceeded) -> TrajectoryError {
-    let beyond = checker.beyond_of(Checked::Trajectory, exceeded);
+    let beyond = checker.beyond_of(Way::Trajectory, exceeded);
     TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) }
 }

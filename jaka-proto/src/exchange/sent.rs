@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::collections::VecDeque;
 
-use super::OutOfSync;
 use crate::envelope::Envelope;
 
 /// One request of an exchange. The default is one that no exchange gives.
@@ -48,6 +47,29 @@ struct Name {
     /// A reply of this name completed a request that had been given up; it may have been meant for one that is outstanding now. As
     /// long as one of these is, this holds for those that are sent after it, too.
     doubtful: bool,
+}
+
+crate::worded! {
+    /// Why the replies of a connection can no longer be attributed to its requests.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum OutOfSync {
+        /// A reply came to a command that was not sent, or that was answered already.
+        Unsolicited {
+            /// `cmdName` of the reply.
+            command: String,
+        } => "a reply to `{command}` came, but no such request is outstanding",
+        /// A reply came to a request before any of it was sent.
+        BeforeSent => "a reply came to a request before any of it was sent",
+        /// A reply names no command, and is not the refusal of the only request that is outstanding.
+        Nameless => "a reply came that names no command",
+        /// A request was not answered in time, after a reply of its name was taken for that to an older request: it may
+        /// have been its own.
+        Ambiguous {
+            /// `cmdName` of both.
+            command: String,
+        } => "one of two replies to `{command}` is lost, and it is not known which",
+    }
 }
 
 impl SentRequests {
@@ -162,3 +184,5 @@ impl SentRequests {
         }
     }
 }
+
+impl std::error::Error for OutOfSync {}

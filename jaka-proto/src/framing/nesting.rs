@@ -1,5 +1,6 @@
 //! Where a frame ends: its brackets and strings, one byte at a time or many at once.
 
+use super::is_white;
 use crate::near::first_of;
 
 /// What the scanner remembers of the frame it is in.
@@ -95,4 +96,29 @@ impl Nesting {
         }
         self.depth == 0
     }
+
+    /// Whether another packet begins where no JSON has an object: `None` where the next bytes must tell.
+    #[inline]
+    fn is_cut(&self, frame: &[u8], at: usize) -> Option<bool> {
+        match frame[at] {
+            b'{' if self.quote.is_none() && !may_have_value(&frame[..at]) => begins_with(&frame[at + 1..], b"\"len\""),
+            // In a string that has not ended, the packet's first quote seems to end it.
+            b'"' if self.quote.is_some() && !self.escaped && frame[at - 1] == b'{' => {
+                begins_with(&frame[at + 1..], b"len\"")
+            }
+            _ => Some(false),
+        }
+    }
+}
+
+/// Whether a value can follow in JSON.
+fn may_have_value(before: &[u8]) -> bool {
+    before.iter().rfind(|byte| !is_white(**byte)).is_some_and(|byte| b":,[".contains(byte))
+}
+
+/// Whether `bytes` begin so; `None` if they are too few to tell.
+fn begins_with(bytes: &[u8], beginning: &[u8]) -> Option<bool> {
+    let len = bytes.len().min(beginning.len());
+    let begins = bytes[..len] == beginning[..len];
+    (!begins || len == beginning.len()).then_some(begins)
 }

@@ -40,22 +40,18 @@ pub enum Answer {
     Nothing,
 }
 
-impl Recording {
-    /// The requests of all command connections, in their order, each with the reply that belongs to it.
-    ///
-    /// Replies that belong to no request, and messages after which replies can no longer be told apart, are left out.
-    pub fn answers(&self) -> Vec<Answered> {
-        let mut pairs = Pairs::default();
-        for entry in self.entries.iter().filter(|entry| entry.port == Port::Command) {
-            match &entry.event {
-                Event::Sent(request) => pairs.sent(entry.connection, request, entry.time),
-                Event::Received(reply) => pairs.received(entry.connection, reply, entry.time),
-                Event::Closed { by, .. } => pairs.closed(entry.connection, *by),
-                _ => {}
-            }
+/// Requests with their outcomes: see [`Recording::answers`].
+pub(super) fn answers(recording: &Recording) -> Vec<Answered> {
+    let mut pairs = Pairs::default();
+    for entry in recording.entries.iter().filter(|entry| entry.port == Port::Command) {
+        match &entry.event {
+            Event::Sent(request) => pairs.sent(entry.connection, request, entry.time),
+            Event::Received(reply) => pairs.received(entry.connection, reply, entry.time),
+            Event::Closed { by, .. } => pairs.closed(entry.connection, *by),
+            _ => {}
         }
-        pairs.all
     }
+    pairs.all
 }
 
 #[derive(Debug, Default)]

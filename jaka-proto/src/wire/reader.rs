@@ -8,15 +8,15 @@ mod status;
 
 use std::borrow::Cow;
 
-use self::capture::Capture;
 pub use fields::Keys;
 pub(crate) use odd::lossy_text;
 use skip::MAX_DEPTH;
 
+use self::capture::Capture;
 use super::error::DecodeError;
 use super::number::{self, Scalar, whole};
 use super::{Decode, Fields, Writer};
-use crate::firmware::FirmwareVersion;
+use crate::firmware::{FirmwareRange, FirmwareVersion};
 use crate::near::{first_of, plain_text};
 
 /// A position in a JSON text.
@@ -70,6 +70,22 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Reads messages of this firmware from the beginning of `text`. Of a firmware that is not known, a value whose
+    /// forms are alike in JSON cannot be read.
+    pub fn of_firmware(text: &'a str, version: Option<FirmwareVersion>) -> Self {
+        let mut reader = Self::new(text);
+        reader.set_firmware(version);
+        reader
+    }
+
+    /// Reads values in the spec's own forms, which are those of no firmware in particular.
+    #[doc(hidden)]
+    pub fn in_own_form(text: &'a str) -> Self {
+        let mut reader = Self::new(text);
+        reader.firmware = Firmware::Own;
+        reader
+    }
+
     /// Where the reader stands.
     #[doc(hidden)]
     #[inline]
@@ -82,46 +98,6 @@ impl<'a> Reader<'a> {
     #[inline]
     pub fn go_back(&mut self, to: Mark) {
         (self.at, self.comma) = (to.at, to.comma);
-    }
-
-    #[inline]
-    fn rest(&self) -> &'a [u8] {
-        self.text.as_bytes().get(self.at..).unwrap_or_default()
-    }
-
-    /// The next byte that is not white space.
-    #[inline]
-    fn peek(&mut self) -> Option<u8> {
-        match *self.rest() {
-            [byte, ..] if byte > b' ' => Some(byte),
-            // Some firmware puts a blank after each comma and colon.
-            [b' ', byte, ..] if byte > b' ' => {
-                self.at += 1;
-                Some(byte)
-            }
-            _ => self.peek_far(),
-        }
-    }
-
-    #[inline(never)]
-    fn peek_far(&mut self) -> Option<u8> {
-        while let Some(b' ' | b'\t' | b'\r' | b'\n') = self.rest().first() {
-            self.at += 1;
-        }
-        self.rest().first().copied()
-    }
-
-    fn malformed(&self, expected: &'static str) -> DecodeError {
-        DecodeError::malformed(self.text, self.at, expected)
-    }
-
-    #[inline]
-    fn expect(&mut self, byte: u8, expected: &'static str) -> Result<(), DecodeError> {
-        if self.peek() != Some(byte) {
-            return Err(self.malformed(expected));
-        }
-        self.at += 1;
-        Ok(())
     }
 
     /// Fails unless nothing but white space is left.
@@ -152,38 +128,12 @@ impl<'a> Reader<'a> {
         self.begin(b'[', "an array")
     }
 
-    #[inline]
-    fn begin(&mut self, open: u8, expected: &'static str) -> Result<(), DecodeError> {
-        if self.peek() != Some(open) {
-            return Err(self.unfit(expected));
-        }
-        self.at += 1;
-        self.comma = false;
-        Ok(())
-    }
-
-    /// The error for a value of another kind than `expected`.
-    #[cold]
-    fn unfit(&mut self, expected: &'static str) -> DecodeError {
-        let start = self.at;
-        match self.skip_strictly() {
-            Ok(()) => DecodeError::unfit(expected, &self.text[start..self.at]),
-            Err(malformed) => malformed,
-        }
-    }
-
     /// The next key of an object, or `None` after the last; the reader is then at the key's value.
     ///
     /// # Errors
     /// The text is not JSON.
     pub fn next_key(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
         if self.next(b'}', "`,` or `}`")? { self.key().map(Some) } else { Ok(None) }
-    }
-
-    fn key(&mut self) -> Result<Cow<'a, str>, DecodeError> {
-        let key = self.string("a key")?;
-        self.expect(b':', "`:`")?;
-        Ok(key)
     }
 
     /// Goes to the next element of an array; false after the last.
@@ -195,30 +145,78 @@ impl<'a> Reader<'a> {
         self.next(b']', "`,` or `]`")
     }
 
+    /// Reads null, if that is the next value.
     #[inline]
-    fn next(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
-        match *self.rest() {
-            [b',', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 1,
-            [b',', b' ', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 2,
-            _ => return self.next_closely(close, expected),
-        }
-        Ok(true)
+    pub fn null(&mut self) -> bool {
+        self.eat("null")
     }
 
-    #[inline(never)]
-    fn next_closely(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
-        if self.peek() == Some(close) {
-            self.at += 1;
-            self.comma = true;
-            return Ok(false);
+    /// Reads a string.
+    ///
+    /// # Errors
+    /// The next value is not a string.
+    pub fn text(&mut self) -> Result<Cow<'a, str>, DecodeError> {
+        if self.peek() == Some(b'"') { self.string("a string") } else { Err(self.unfit("a string")) }
+    }
+
+    /// The raw text of the next value.
+    ///
+    /// # Errors
+    /// The text is not JSON.
+    pub fn raw(&mut self) -> Result<&'a str, DecodeError> {
+        self.peek();
+        let start = self.at;
+        self.skip_strictly()?;
+        Ok(&self.text[start..self.at])
+    }
+
+    /// Firmware of the messages, if it is known.
+    pub fn firmware(&self) -> Option<FirmwareVersion> {
+        match self.firmware {
+            Firmware::Version(version) => Some(version),
+            Firmware::Unknown | Firmware::Own => None,
         }
-        if self.comma {
-            self.expect(b',', expected)?;
-            if self.peek() == Some(close) {
-                return Err(self.malformed("a value after the comma"));
+    }
+
+    /// Place of the form that the firmware has, by the firmware of each; none for the value's own form.
+    ///
+    /// # Errors
+    /// The firmware is not known.
+    #[doc(hidden)]
+    pub fn form(&self, forms: &[FirmwareRange]) -> Result<Option<usize>, DecodeError> {
+        match self.firmware {
+            Firmware::Unknown => Err(DecodeError::ambiguous()),
+            Firmware::Version(version) => Ok(FirmwareRange::place(forms, version)),
+            Firmware::Own => Ok(None),
+        }
+    }
+
+    /// True if the next value is a string, which may hold a Python literal.
+    #[doc(hidden)]
+    pub fn is_literal(&mut self) -> bool {
+        self.is_text()
+    }
+
+    /// True if the next value is an array.
+    #[doc(hidden)]
+    pub fn is_list(&mut self) -> bool {
+        self.is_array()
+    }
+
+    /// Reads a truth value, in any of the usual forms or as one of two words, of one of these pairs.
+    ///
+    /// # Errors
+    /// The value is none of these.
+    #[doc(hidden)]
+    pub fn words(&mut self, words: &[[&str; 2]]) -> Result<bool, DecodeError> {
+        let start = self.mark();
+        for [off, on] in words {
+            if let Ok(value) = self.word(off, on) {
+                return Ok(value);
             }
+            self.go_back(start);
         }
-        Ok(true)
+        self.word("false", "true")
     }
 
     /// Reads a scalar if it is written in its usual form.
@@ -238,12 +236,6 @@ impl<'a> Reader<'a> {
         self.at += len;
         self.comma |= count > 0;
         count
-    }
-
-    /// Reads null, if that is the next value.
-    #[inline]
-    pub fn null(&mut self) -> bool {
-        self.eat("null")
     }
 
     /// Whether the next value is a string.
@@ -304,14 +296,6 @@ impl<'a> Reader<'a> {
         value
     }
 
-    /// Reads a string.
-    ///
-    /// # Errors
-    /// The next value is not a string.
-    pub fn text(&mut self) -> Result<Cow<'a, str>, DecodeError> {
-        if self.peek() == Some(b'"') { self.string("a string") } else { Err(self.unfit("a string")) }
-    }
-
     /// Reads a string without escapes and control characters, if that is the next value.
     #[inline]
     pub(crate) fn usual_text(&mut self) -> Option<&'a str> {
@@ -322,6 +306,149 @@ impl<'a> Reader<'a> {
         self.at = end + 1;
         self.comma = true;
         self.text.get(start..end)
+    }
+
+    /// The text of the next value if it is a number, or a string (trimmed) that may hold one; `None` otherwise.
+    pub(super) fn scalar(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
+        match self.peek() {
+            Some(b'"') => self.string("a string").map(|text| Some(trimmed(text))),
+            Some(b'-' | b'0'..=b'9') => Ok(Some(Cow::Borrowed(self.number()))),
+            _ => Ok(None),
+        }
+    }
+
+    /// Reads with `read`, or goes back and keeps the raw text of a value that does not fit.
+    pub(super) fn or_raw<T>(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
+    ) -> Result<Result<T, &'a str>, DecodeError> {
+        let start = self.mark();
+        if let Ok(value) = read(self) {
+            return Ok(Ok(value));
+        }
+        self.go_back(start);
+        self.raw().map(Err)
+    }
+
+    /// Reads a truth value, in any of the usual forms or as one of two words.
+    pub(super) fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
+        let is = |text: &str, word: &str| {
+            text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
+        };
+        let start = self.mark();
+        match self.scalar()? {
+            Some(text) if is(&text, off) => Ok(false),
+            Some(text) if is(&text, on) => Ok(true),
+            _ => {
+                self.go_back(start);
+                bool::decode(self)
+            }
+        }
+    }
+
+    /// Sets the firmware of the messages, in place: moving the reader takes 5 % of the time of reading a short reply.
+    #[inline]
+    pub(crate) fn set_firmware(&mut self, version: Option<FirmwareVersion>) {
+        self.firmware = version.map_or(Firmware::Unknown, Firmware::Version);
+    }
+
+    /// Reads another text of the same firmware.
+    pub(super) fn of_same_firmware<'b>(&self, text: &'b str) -> Reader<'b> {
+        let mut reader = Reader::new(text);
+        reader.firmware = self.firmware;
+        reader
+    }
+
+    #[inline]
+    fn rest(&self) -> &'a [u8] {
+        self.text.as_bytes().get(self.at..).unwrap_or_default()
+    }
+
+    /// The next byte that is not white space.
+    #[inline]
+    fn peek(&mut self) -> Option<u8> {
+        match *self.rest() {
+            [byte, ..] if byte > b' ' => Some(byte),
+            // Some firmware puts a blank after each comma and colon.
+            [b' ', byte, ..] if byte > b' ' => {
+                self.at += 1;
+                Some(byte)
+            }
+            _ => self.peek_far(),
+        }
+    }
+
+    #[inline(never)]
+    fn peek_far(&mut self) -> Option<u8> {
+        while let Some(b' ' | b'\t' | b'\r' | b'\n') = self.rest().first() {
+            self.at += 1;
+        }
+        self.rest().first().copied()
+    }
+
+    fn malformed(&self, expected: &'static str) -> DecodeError {
+        DecodeError::malformed(self.text, self.at, expected)
+    }
+
+    #[inline]
+    fn expect(&mut self, byte: u8, expected: &'static str) -> Result<(), DecodeError> {
+        if self.peek() != Some(byte) {
+            return Err(self.malformed(expected));
+        }
+        self.at += 1;
+        Ok(())
+    }
+
+    #[inline]
+    fn begin(&mut self, open: u8, expected: &'static str) -> Result<(), DecodeError> {
+        if self.peek() != Some(open) {
+            return Err(self.unfit(expected));
+        }
+        self.at += 1;
+        self.comma = false;
+        Ok(())
+    }
+
+    /// The error for a value of another kind than `expected`.
+    #[cold]
+    fn unfit(&mut self, expected: &'static str) -> DecodeError {
+        let start = self.at;
+        match self.skip_strictly() {
+            Ok(()) => DecodeError::unfit(expected, &self.text[start..self.at]),
+            Err(malformed) => malformed,
+        }
+    }
+
+    fn key(&mut self) -> Result<Cow<'a, str>, DecodeError> {
+        let key = self.string("a key")?;
+        self.expect(b':', "`:`")?;
+        Ok(key)
+    }
+
+    #[inline]
+    fn next(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
+        match *self.rest() {
+            [b',', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 1,
+            [b',', b' ', byte, ..] if self.comma && byte > b' ' && byte != close => self.at += 2,
+            _ => return self.next_closely(close, expected),
+        }
+        Ok(true)
+    }
+
+    #[inline(never)]
+    fn next_closely(&mut self, close: u8, expected: &'static str) -> Result<bool, DecodeError> {
+        if self.peek() == Some(close) {
+            self.at += 1;
+            self.comma = true;
+            return Ok(false);
+        }
+        if self.comma {
+            self.expect(b',', expected)?;
+            if self.peek() == Some(close) {
+                return Err(self.malformed("a value after the comma"));
+            }
+        }
+        Ok(true)
     }
 
     fn string(&mut self, expected: &'static str) -> Result<Cow<'a, str>, DecodeError> {
@@ -363,61 +490,12 @@ impl<'a> Reader<'a> {
             .map_err(|_| DecodeError::malformed(self.text, start, "valid escapes in a string"))
     }
 
-    /// The text of the next value if it is a number, or a string (trimmed) that may hold one; `None` otherwise.
-    pub(super) fn scalar(&mut self) -> Result<Option<Cow<'a, str>>, DecodeError> {
-        match self.peek() {
-            Some(b'"') => self.string("a string").map(|text| Some(trimmed(text))),
-            Some(b'-' | b'0'..=b'9') => Ok(Some(Cow::Borrowed(self.number()))),
-            _ => Ok(None),
-        }
-    }
-
     fn number(&mut self) -> &'a str {
         let rest = &self.text[self.at..];
         let len = number::length(rest.as_bytes());
         self.at += len;
         self.comma = true;
         &rest[..len]
-    }
-
-    /// The raw text of the next value.
-    ///
-    /// # Errors
-    /// The text is not JSON.
-    pub fn raw(&mut self) -> Result<&'a str, DecodeError> {
-        self.peek();
-        let start = self.at;
-        self.skip_strictly()?;
-        Ok(&self.text[start..self.at])
-    }
-
-    /// Reads with `read`, or goes back and keeps the raw text of a value that does not fit.
-    pub(super) fn or_raw<T>(
-        &mut self,
-        read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
-    ) -> Result<Result<T, &'a str>, DecodeError> {
-        let start = self.mark();
-        if let Ok(value) = read(self) {
-            return Ok(Ok(value));
-        }
-        self.go_back(start);
-        self.raw().map(Err)
-    }
-
-    /// Reads a truth value, in any of the usual forms or as one of two words.
-    pub(super) fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
-        let is = |text: &str, word: &str| {
-            text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
-        };
-        let start = self.mark();
-        match self.scalar()? {
-            Some(text) if is(&text, off) => Ok(false),
-            Some(text) if is(&text, on) => Ok(true),
-            _ => {
-                self.go_back(start);
-                bool::decode(self)
-            }
-        }
     }
 }
 

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use crate::firmware::FirmwareVersion;
+use super::Encode;
+use crate::firmware::{FirmwareRange, FirmwareVersion};
 
 /// Writes JSON into a buffer that is reused from message to message.
 #[derive(Debug, Default, Clone)]
@@ -18,6 +19,18 @@ impl Writer {
     /// A writer with an empty buffer.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Writer of messages for this firmware. Without one, values are written in the spec's own forms.
+    pub fn for_firmware(version: Option<FirmwareVersion>) -> Self {
+        let mut writer = Self::new();
+        writer.firmware = version;
+        writer
+    }
+
+    /// Sets the firmware for which messages are written.
+    pub fn set_firmware(&mut self, version: Option<FirmwareVersion>) {
+        self.firmware = version;
     }
 
     /// Empties the buffer and keeps its memory.
@@ -99,23 +112,6 @@ impl Writer {
         self.text.push('"');
     }
 
-    /// Writes a character that cannot stand in a string as it is.
-    pub(super) fn escape(&mut self, byte: u8) {
-        match byte {
-            b'"' => self.text.push_str("\\\""),
-            b'\\' => self.text.push_str("\\\\"),
-            b'\n' => self.text.push_str("\\n"),
-            b'\r' => self.text.push_str("\\r"),
-            b'\t' => self.text.push_str("\\t"),
-            other => {
-                const HEX: &[u8; 16] = b"0123456789abcdef";
-                self.text.push_str("\\u00");
-                self.text.push(char::from(HEX[usize::from(other >> 4)]));
-                self.text.push(char::from(HEX[usize::from(other & 15)]));
-            }
-        }
-    }
-
     /// Writes one of two JSON texts, for a truth value that is not written as `true` and `false`.
     #[inline]
     pub fn choose(&mut self, value: bool, off: &str, on: &str) {
@@ -134,5 +130,75 @@ impl Writer {
             }
         }
         self.text.push(']');
+    }
+
+    /// Place of the form that the firmware has, by the firmware of each; none for the value's own form.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn form(&self, forms: &[FirmwareRange]) -> Option<usize> {
+        self.firmware.and_then(|version| FirmwareRange::place(forms, version))
+    }
+
+    /// Writes a character that cannot stand in a string as it is.
+    pub(super) fn escape(&mut self, byte: u8) {
+        match byte {
+            b'"' => self.text.push_str("\\\""),
+            b'\\' => self.text.push_str("\\\\"),
+            b'\n' => self.text.push_str("\\n"),
+            b'\r' => self.text.push_str("\\r"),
+            b'\t' => self.text.push_str("\\t"),
+            other => {
+                const HEX: &[u8; 16] = b"0123456789abcdef";
+                self.text.push_str("\\u00");
+                self.text.push(char::from(HEX[usize::from(other >> 4)]));
+                self.text.push(char::from(HEX[usize::from(other & 15)]));
+            }
+        }
+    }
+}
+
+impl Encode for f64 {
+    #[inline]
+    fn encode(&self, out: &mut Writer) {
+        out.float(*self);
+    }
+}
+
+impl Encode for i64 {
+    #[inline]
+    fn encode(&self, out: &mut Writer) {
+        out.int(*self);
+    }
+}
+
+impl Encode for bool {
+    #[inline]
+    fn encode(&self, out: &mut Writer) {
+        out.choose(*self, "false", "true");
+    }
+}
+
+impl Encode for String {
+    #[inline]
+    fn encode(&self, out: &mut Writer) {
+        out.text(self);
+    }
+}
+
+impl Encode for Value {
+    fn encode(&self, out: &mut Writer) {
+        out.json(self);
+    }
+}
+
+impl<T: Encode> Encode for Vec<T> {
+    fn encode(&self, out: &mut Writer) {
+        out.array(self, |out, item| item.encode(out));
+    }
+}
+
+impl<T: Encode, const N: usize> Encode for [T; N] {
+    fn encode(&self, out: &mut Writer) {
+        out.array(self, |out, item| item.encode(out));
     }
 }

@@ -3,7 +3,8 @@
 //! It can where its code compiles as before and means the same: where all names, types and units of the pack are there,
 //! and no argument more. What else the spec says, such as another range, counts.
 
-use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, TypeDef, TypeId, TypeKind, Variant};
+use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, TypeDef, TypeId, TypeKind, Variant};
+use crate::spec::Spec;
 
 /// Nothing, or what the spec has otherwise, to be read after "there".
 type Covers = Result<(), String>;

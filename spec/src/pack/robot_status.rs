@@ -2,15 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::change::Target;
-use super::{Draft, Pack};
+use super::Module;
 use crate::Source;
 use crate::item::Item;
-use crate::model::{Field, Spec, TypeId};
-use crate::needed::{ABSENT, NEEDED_FIELDS, NeededField, PROGRAM, StatusLine};
+use crate::model::{Field, TypeId};
+use crate::names::nearest;
+use crate::needed::{ABSENT, FieldSource, NEEDED_FIELDS, NeededField, PROGRAM, StatusLine};
 use crate::report::{At, Report};
-use crate::robot_status::FieldSource;
-use crate::similar::nearest;
+use crate::spec::Spec;
 
 /// Lines and entries of a file for what a robot needs.
 #[derive(Debug, Default)]
@@ -21,11 +20,12 @@ pub(super) struct Lines<'s> {
     changes: BTreeMap<String, (At<'s>, String)>,
 }
 
-impl<'s> Draft<'s, '_> {
-    /// Reads the table.
-    pub(super) fn robot_status(&mut self, item: &Item<'_, 's>) {
-        let Some(status) = self.spec.status_type() else {
-            return item.error(item.at, "the spec has no status packet");
+impl<'s> Lines<'s> {
+    /// Reads the table into the spec; the type of the status packet, if a line changes it.
+    pub(super) fn read(&mut self, item: &Item<'_, 's>, spec: &mut Spec) -> Option<TypeId> {
+        let Some(status) = spec.status_type() else {
+            item.error(item.at, "the spec has no status packet");
+            return None;
         };
         for needed in NEEDED_FIELDS {
             let Some(text) = item.text(needed.name) else { continue };
@@ -35,15 +35,13 @@ impl<'s> Draft<'s, '_> {
                 item.error(text.at, &format!("{message}; write the field that has it, or {}", by_program(needed)));
                 continue;
             }
-            self.status.lines.insert(needed.name, text.at);
-            self.spec.status_lines.insert(needed.name, line);
-            self.changed.add(&Target::Type(status));
+            self.lines.insert(needed.name, text.at);
+            spec.status_lines.insert(needed.name, line);
         }
         item.finish();
+        (!self.lines.is_empty()).then_some(status)
     }
-}
 
-impl<'s> Lines<'s> {
     /// Takes note of an entry that changes a field of the status packet.
     pub(super) fn note(&mut self, field: &str, item: &Item<'_, 's>) {
         self.changes.insert(field.to_owned(), (item.at, item.what.clone()));
@@ -85,6 +83,27 @@ impl<'s> Lines<'s> {
     }
 }
 
+/// A module's status packet has the built-in types, not those that a pack describes otherwise.
+pub(super) fn check_module(module: &Module, source: Source<'_>, report: &Report) {
+    let has_status = module.spec.status_type().is_some_and(|id| module.topic.types.contains(&id));
+    let is_packs = |field: &Field| {
+        let topic = field.ty.named().and_then(|id| module.spec.topic_of(id));
+        topic.is_some_and(|topic| topic.is_pack)
+    };
+    for needed in module.spec.robot_status().filter(|_| has_status) {
+        let FieldSource::Field(field) = needed.source else { continue };
+        if is_packs(field) {
+            let message = format!(
+                "the type of `{}` is this pack's own, and a robot needs the built-in one; in `[robot_status]`, \
+                 write {}",
+                field.name,
+                by_program(needed.needed)
+            );
+            report.error(At { source, offset: 0 }, message);
+        }
+    }
+}
+
 /// Problem of a line that names no field which means the same.
 fn line_problem(spec: &Spec, needed: &NeededField, name: &str, field: Option<&Field>) -> String {
     let program = by_program(needed);
@@ -118,28 +137,4 @@ fn unmapped(needed: &NeededField, is_there: bool) -> String {
 
 fn by_program(needed: &NeededField) -> String {
     format!("`{} = \"{PROGRAM}\"` where the program implements `MotionStatus` itself", needed.name)
-}
-
-impl Pack {
-    /// A module's status packet has the built-in types, not those that a pack describes otherwise.
-    pub(super) fn check_robot_status(&self, source: Source<'_>, report: &Report) {
-        let module = self.module();
-        let has_status = module.spec.status_type().is_some_and(|id| module.topic.types.contains(&id));
-        let is_packs = |field: &Field| {
-            let topic = field.ty.named().and_then(|id| module.spec.topic_of(id));
-            topic.is_some_and(|topic| topic.is_pack)
-        };
-        for needed in module.spec.robot_status().filter(|_| has_status) {
-            let FieldSource::Field(field) = needed.source else { continue };
-            if is_packs(field) {
-                let message = format!(
-                    "the type of `{}` is this pack's own, and a robot needs the built-in one; in `[robot_status]`, \
-                     write {}",
-                    field.name,
-                    by_program(needed.needed)
-                );
-                report.error(At { source, offset: 0 }, message);
-            }
-        }
-    }
 }

@@ -10,11 +10,8 @@ use crate::resolve::Index;
 /// A longer range than this is a mistake, since no source lists that many codes in a row.
 const MOST_CODES: u32 = 256;
 
-const SEVERITIES: &[(&str, Severity)] =
-    &[("error", Severity::Error), ("warning", Severity::Warning), ("information", Severity::Information)];
-
 pub(crate) fn event<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Event {
-    let severity = keyword(item, "severity", SEVERITIES).unwrap_or(Severity::Error);
+    let severity = keyword(item, "severity", Severity::WORDS).unwrap_or(Severity::Error);
     let codes = codes(item);
     for range in &codes {
         index.event_codes(item, range);

@@ -4,13 +4,12 @@ use super::common::{required_doc, snake_name, versions};
 use super::form;
 use super::wire::{NEEDS_KEY, check_written, field_type, key, written};
 use crate::advice;
-use crate::item::{Item, Placed};
+use crate::item::{Item, Placed, Unique};
 use crate::model::{Field, Type};
 use crate::names::RESERVED_FIELDS;
 use crate::range::Range;
 use crate::resolve::{Index, NO_ENUM, Need};
 use crate::scalar::Scalar;
-use crate::unique::Unique;
 use crate::version::Versions;
 
 /// Fields of a struct, from `[[… .key]]`. One written as an object has keys, none of which is one of `taken`; one

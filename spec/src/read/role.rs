@@ -6,20 +6,6 @@ use crate::model::{Command, Effect};
 use crate::resolve::{Index, Need};
 use crate::role::{Change, Motion, MotionMode, PathKind, Role};
 
-const ROLES: &[(&str, Role)] = &[
-    ("stop", Role::Stop),
-    ("pause", Role::Pause),
-    ("resume", Role::Resume),
-    ("set_point", Role::SetPoint),
-    ("servo_mode", Role::ServoMode),
-    ("output", Role::Output),
-    ("state", Role::State),
-];
-
-const CHANGES: &[(&str, Change)] = &[("frames", Change::Frames), ("tool", Change::Tool), ("payload", Change::Payload)];
-
-const PATHS: &[(&str, PathKind)] = &[("joints", PathKind::Joints), ("line", PathKind::Line), ("arc", PathKind::Arc)];
-
 /// Effect of the commands that can have a role.
 fn effect_of(role: Role) -> Effect {
     match role {
@@ -31,18 +17,18 @@ fn effect_of(role: Role) -> Effect {
 
 /// The role of a command or of a variant.
 pub(super) fn role(item: &Item<'_, '_>) -> Option<Role> {
-    if item.has("role") { keyword(item, "role", ROLES) } else { None }
+    if item.has("role") { keyword(item, "role", Role::WORDS) } else { None }
 }
 
 pub(super) fn changes(item: &Item<'_, '_>) -> Vec<Change> {
-    item.texts("changes").iter().filter_map(|text| word(item, "changes", text, CHANGES)).collect()
+    item.texts("changes").iter().filter_map(|text| word(item, "changes", text, Change::WORDS)).collect()
 }
 
 /// The motion that a command starts.
 pub(crate) fn motion(item: &Item<'_, '_>) -> Option<Motion> {
     let item = item.item("motion", "motion")?;
     let name = |key| item.text(key).map(|text| text.value);
-    let path = if item.has("path") { keyword(&item, "path", PATHS) } else { None };
+    let path = if item.has("path") { keyword(&item, "path", PathKind::WORDS) } else { None };
     let motion = Motion {
         path,
         target: item.required_text("target").value,

@@ -4,10 +4,10 @@ use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{fields, wrapped_type};
 use super::form;
 use super::role::role;
-use crate::item::{Item, Placed};
-use crate::model::{Choice, EnumValue, Field, STATUS_TYPE, TypeDef, TypeId, TypeKind, Variant};
+use crate::item::{Item, Placed, Unique};
+use crate::model::{Choice, EnumValue, Field, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::{Index, Need};
-use crate::unique::Unique;
+use crate::spec::STATUS_TYPE;
 use crate::version::Versions;
 
 /// Reads a type, and gives its definition to the index.

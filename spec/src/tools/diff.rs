@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::model::STATUS_TYPE;
+use crate::spec::STATUS_TYPE;
 use crate::{Command, ErrorCode, FieldSource, NeededSource, Spec, Topic, TypeDef};
 
 mod collect;
@@ -10,7 +10,6 @@ mod command;
 mod events;
 mod field;
 mod made;
-mod rust;
 mod types;
 
 use collect::{ADDED, Differ, Pair, REMOVED, pairs};
@@ -39,7 +38,7 @@ impl fmt::Display for Impact {
 
 /// One difference between two specs.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Change {
+pub struct Difference {
     /// What changed, such as ``command `joint_move`, request field `speed` ``.
     pub place: String,
     /// How it changed, such as ``unit changed from `deg/s` to `rad/s` ``.
@@ -49,7 +48,7 @@ pub struct Change {
 }
 
 /// In one line: impact, place and change.
-impl fmt::Display for Change {
+impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { place, what, impact } = self;
         write!(f, "{impact}: {place}: {what}")
@@ -99,7 +98,7 @@ impl fmt::Display for Change {
 /// | `[robot_status]` | minor | a robot reads the status otherwise; major where the module's `RobotStatus` becomes, or is no longer, a `MotionStatus` |
 /// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
 /// | doc, errata, disputed readings, firmware versions, remembered setting, section, titles, evidence, sources, refusal, examples, message of an error code, meaning of an event | patch | documentation, and what the simulator answers |
-pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
+pub fn diff(old: &Spec, new: &Spec) -> Vec<Difference> {
     let mut differ = Differ::new(old, new);
     topics(&mut differ);
     let listed = |spec| placed(spec, |topic| &topic.commands);
@@ -118,13 +117,13 @@ pub fn diff(old: &Spec, new: &Spec) -> Vec<Change> {
 }
 
 /// The greatest impact among the changes; nothing if there are none.
-pub fn impact(changes: &[Change]) -> Option<Impact> {
+pub fn impact(changes: &[Difference]) -> Option<Impact> {
     changes.iter().map(|change| change.impact).max()
 }
 
 /// How many changes there are and the greatest impact, such as `3 additions, 1 change, minor`; `no differences` if
 /// there are none.
-pub fn summary(changes: &[Change]) -> String {
+pub fn summary(changes: &[Difference]) -> String {
     let Some(impact) = impact(changes) else { return "no differences".to_owned() };
     let count = |what: &str| changes.iter().filter(|change| change.what == what).count();
     let (added, removed) = (count(ADDED), count(REMOVED));

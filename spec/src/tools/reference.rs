@@ -1,23 +1,37 @@
 //! The protocol as a text to read.
 
-use std::fmt::Write as _;
-
-use crate::words::{self, first_sentence};
-use crate::{Command, ErrorCode, Spec, Topic};
-
 mod chinese;
 mod command;
 mod events;
 mod fields;
 mod markdown;
-mod pages;
 mod type_phrase;
 mod types;
 mod wire_names;
 
-use markdown::{Table, code, escape, link};
+use std::fmt::Write as _;
 
-pub use chinese::reference_zh;
+pub use self::chinese::reference_zh;
+use self::markdown::{Table, code, escape, link};
+use crate::words::first_sentence;
+use crate::{Command, ErrorCode, Spec, Topic};
+
+/// The pages of the English edition.
+const ENGLISH: [&str; 13] = [
+    include_str!("../../reference/about.md"),
+    include_str!("../../reference/session.md"),
+    include_str!("../../reference/programs.md"),
+    include_str!("../../reference/framing.md"),
+    include_str!("../../reference/packet.md"),
+    include_str!("../../reference/states.md"),
+    include_str!("../../reference/conventions.md"),
+    include_str!("../../reference/events.md"),
+    include_str!("../../reference/refusals.md"),
+    include_str!("../../reference/queries.md"),
+    include_str!("../../reference/firmware.md"),
+    include_str!("../../reference/traps.md"),
+    include_str!("../../reference/tables.md"),
+];
 
 /// A reference of the protocol in Markdown, for readers who write no Rust.
 ///
@@ -27,7 +41,7 @@ pub use chinese::reference_zh;
 pub fn reference(spec: &Spec) -> String {
     let spec = &wire_names::in_wire_names(spec);
     let mut out = String::from("# The JAKA TCP protocol\n\n");
-    out += &pages::ENGLISH.join("\n");
+    out += &ENGLISH.join("\n");
     index_by_topic(&mut out, spec);
     index_by_section(&mut out, spec);
     for topic in &spec.topics {
@@ -63,7 +77,7 @@ fn index_by_section(out: &mut String, spec: &Spec) {
     let mut table = Table::new(&["section", "title in the document", "command", "topic", "effect"]);
     for (topic, command) in by_section(spec) {
         let [section, title] = [&command.section, &command.title_zh].map(|text| text.clone().unwrap_or_default());
-        let effect = words::effect(command.effect).to_owned();
+        let effect = command.effect.word().to_owned();
         table.row([section, title, command_link(command), link(&topic.title, &topic.title), effect]);
     }
     table.render(out);

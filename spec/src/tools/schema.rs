@@ -1,18 +1,14 @@
 //! The protocol as JSON Schema.
 
-use serde_json::{Map, Value, json};
-
-use self::defs::Defs;
-use self::parts::{SchemaForm, alternatives, reference};
-use crate::Spec;
-
-mod advice;
 mod defs;
 mod describe;
 mod lenient;
 mod message;
-mod parts;
-mod scalar;
+
+use serde_json::{Map, Value, json};
+
+use self::defs::Defs;
+use crate::Spec;
 
 /// A JSON Schema of all messages, in the draft 2020-12.
 ///
@@ -50,13 +46,22 @@ pub fn schema(spec: &Spec) -> Value {
     defs.add("reply", alternatives("anyOf", &replies));
     defs.add("refusal", message::refusal());
     for (id, _) in spec.types() {
-        defs.named(id, SchemaForm::Received);
+        defs.named(id, Direction::Received);
     }
     if let Some(id) = spec.status_type() {
-        let status = defs.named(id, SchemaForm::Received);
+        let status = defs.named(id, Direction::Received);
         defs.add("status", status);
     }
     root(&defs.finish())
+}
+
+/// How a value is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    /// In the one form in which the client sends it.
+    Sent,
+    /// In any form in which the client reads it.
+    Received,
 }
 
 fn root(defs: &Map<String, Value>) -> Value {
@@ -67,4 +72,34 @@ fn root(defs: &Map<String, Value>) -> Value {
         "oneOf": [reference("request"), reference("reply")],
         "$defs": defs,
     })
+}
+
+/// A reference to a definition. In its JSON pointer, everything but letters and digits is escaped.
+fn reference(name: &str) -> Value {
+    let escape = |byte: u8| match byte {
+        b'~' => "~0".to_owned(),
+        b'/' => "~1".to_owned(),
+        b'-' | b'.' | b'_' => char::from(byte).to_string(),
+        byte if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
+        byte => format!("%{byte:02X}"),
+    };
+    let name: String = name.bytes().map(escape).collect();
+    json!({ "$ref": format!("#/$defs/{name}") })
+}
+
+/// A schema that passes what one of the schemas passes; none passes nothing.
+fn alternatives(keyword: &str, schemas: &[Value]) -> Value {
+    if schemas.is_empty() { json!({ "not": {} }) } else { json!({ keyword: schemas }) }
+}
+
+/// The schema with one more keyword.
+fn with(mut schema: Value, keyword: &str, value: impl Into<Value>) -> Value {
+    schema[keyword] = value.into();
+    schema
+}
+
+/// The number, without a fraction where it has none.
+fn number(value: f64) -> Value {
+    let text = value.to_string();
+    text.parse::<i64>().map_or_else(|_| json!(value), |whole| json!(whole))
 }

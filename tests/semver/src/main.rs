@@ -33,24 +33,21 @@ mod generator {
     pub(crate) mod enums;
     pub(crate) mod error_codes;
     pub(crate) mod events;
-    pub(crate) mod firmware;
     pub(crate) mod forms;
     pub(crate) mod literal;
     pub(crate) mod motion;
-    pub(crate) mod request;
     pub(crate) mod scope;
     pub(crate) mod topic;
     pub(crate) mod type_forms;
     pub(crate) mod typedef;
     pub(crate) mod validate;
-    pub(crate) mod value;
 }
 
 // Modules of the macro crate name one another from its root.
 #[allow(unused_imports, reason = "each is named by some module of the macro crate")]
 use generator::{
-    choice, client, codec, command, construct, docs, enums, error_codes, events, firmware, forms, literal, motion,
-    request, scope, topic, type_forms, typedef, validate, value,
+    choice, client, codec, command, construct, docs, enums, error_codes, events, forms, literal, motion, scope, topic,
+    type_forms, typedef, validate,
 };
 
 use std::env;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::thread;
 
-use jaka_spec::tools::{Change, diff};
+use jaka_spec::tools::{Difference, diff};
 use jaka_spec::{BUILTIN, Source, Spec};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
@@ -50,8 +50,8 @@ struct Edited {
     spec: Spec,
     /// The version whose crate has its code: `old` where an edit changes none.
     version: &'static str,
-    changes: Vec<Change>,
-    undone: Vec<Change>,
+    changes: Vec<Difference>,
+    undone: Vec<Difference>,
 }
 
 /// Verdicts of the compiler on programs.

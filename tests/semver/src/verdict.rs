@@ -1,6 +1,6 @@
 //! Compares what `diff` says with what the compiler says.
 
-use jaka_spec::tools::{Change, Impact};
+use jaka_spec::tools::{Difference, Impact};
 use jaka_spec::{EnumValue, Field, Request, Spec, Type, TypeKind, Variant, is_floats};
 
 /// Moment at which a major change is noticed.
@@ -22,9 +22,9 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
-    pub(crate) fn new(old: &Spec, new: &Spec, changes: &[Change], compiles: bool) -> Self {
+    pub(crate) fn new(old: &Spec, new: &Spec, changes: &[Difference], compiles: bool) -> Self {
         let is_breaking =
-            |change: &&Change| change.impact == Impact::Major && noticed(old, new, change) == Noticed::Compiling;
+            |change: &&Difference| change.impact == Impact::Major && noticed(old, new, change) == Noticed::Compiling;
         let breaking = changes.iter().filter(is_breaking).map(ToString::to_string).collect();
         Self { impact: jaka_spec::tools::impact(changes), compiles, breaking }
     }
@@ -54,7 +54,7 @@ impl Verdict {
 pub(crate) fn addition_problem(
     old: &Spec,
     new: &Spec,
-    changes: &[Change],
+    changes: &[Difference],
     new_with_old_compiles: bool,
 ) -> Option<String> {
     let impact = jaka_spec::tools::impact(changes);
@@ -71,7 +71,7 @@ pub(crate) fn addition_problem(
 }
 
 /// True for something that is there after the change alone, and that programs can name.
-fn is_seen_addition(old: &Spec, new: &Spec, change: &Change) -> bool {
+fn is_seen_addition(old: &Spec, new: &Spec, change: &Difference) -> bool {
     let is_event = change.place.starts_with("event `");
     match &*change.what {
         _ if change.impact == Impact::Patch => false,
@@ -127,7 +127,7 @@ const NOTICED: &[(&str, Noticed)] = &[
     ("an array with further elements becomes an error", Noticed::Running),
 ];
 
-fn noticed(old: &Spec, new: &Spec, change: &Change) -> Noticed {
+fn noticed(old: &Spec, new: &Spec, change: &Difference) -> Noticed {
     let listed = NOTICED.iter().find(|(text, _)| change.what.starts_with(text));
     let (text, noticed) = listed.unwrap_or_else(|| panic!("`{change}` is not in the list of major changes"));
     let is_noticed_running = match *text {

@@ -9,7 +9,6 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader};
 use jaka_proto::{Envelope, ErrorCode};
 use jaka_sim::{Controller, Firmware};
-use jaka_spec::words;
 use jaka_tests::{Arm, ArmBuilder, LONG, skipped, spec};
 use serde_json::de::IoRead;
 use serde_json::{Map, StreamDeserializer, Value};
@@ -188,7 +187,7 @@ fn the_events_have_the_severity_of_the_spec() {
         let cells: Vec<_> = line.split('|').map(str::trim).collect();
         for code in cells[1].split('`').skip(1).step_by(2) {
             let number = u32::from_str_radix(&code[2..], 16).expect("a hexadecimal code");
-            assert_eq!(spec.event(number).map(|event| words::severity(event.severity)), Some(cells[2]), "{code}");
+            assert_eq!(spec.event(number).map(|event| event.severity.word()), Some(cells[2]), "{code}");
             count += 1;
         }
     }

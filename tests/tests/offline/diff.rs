@@ -1,7 +1,7 @@
 //! Differences between two specs, and what each means for programs that use the generated Rust.
 
 use expect_test::{Expect, expect};
-use jaka_spec::tools::{Change, Impact, diff, impact, summary};
+use jaka_spec::tools::{Difference, Impact, diff, impact, summary};
 use jaka_spec::{BUILTIN, Source, Spec, load, load_pack};
 use jaka_tests::spec;
 
@@ -39,7 +39,7 @@ fn command_text(file: &str, wire: &str) -> &'static str {
     &text[start..end]
 }
 
-fn lines(changes: &[Change]) -> String {
+fn lines(changes: &[Difference]) -> String {
     changes.iter().map(|change| change.to_string() + "\n").collect()
 }
 
@@ -601,7 +601,7 @@ pub(crate) fn with_forms() -> Spec {
 
 #[test]
 fn forms_by_firmware() {
-    let is_known = |change: &Change| change.what != "added" && change.what != "removed";
+    let is_known = |change: &Difference| change.what != "added" && change.what != "removed";
     let forms = |old: &Spec, new: &Spec| {
         let changes: Vec<_> = diff(old, new).into_iter().filter(is_known).collect();
         lines(&changes)

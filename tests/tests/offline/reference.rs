@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use expect_test::{expect, expect_file};
 use jaka_spec::prose::prose;
 use jaka_spec::tools::{reference, reference_zh};
-use jaka_spec::{Source, load, words};
+use jaka_spec::{Source, load};
 use jaka_tests::spec;
 
 #[test]
@@ -88,7 +88,7 @@ fn everything_of_the_spec_is_in_it() {
     }
     let mut codes = 0;
     for event in spec.events() {
-        let (severity, meaning) = (words::severity(event.severity), event.meaning.as_deref());
+        let (severity, meaning) = (event.severity.word(), event.meaning.as_deref());
         let row = meaning.map(|meaning| format!("` | {severity} | {meaning} |\n"));
         assert!(row.is_none_or(|row| text.contains(&row)), "{event:?}");
         codes += event.codes().count();

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use jaka_spec::tools::{self, Change};
+use jaka_spec::tools::{self, Difference};
 use serde_json::{Value, json};
 
 use super::files;
@@ -48,14 +48,14 @@ impl Diff {
 }
 
 /// The changes, a line each, and their summary.
-fn text(changes: &[Change]) -> String {
+fn text(changes: &[Difference]) -> String {
     let lines: String = changes.iter().map(|change| change.to_string() + "\n").collect();
     lines + &tools::summary(changes) + "\n"
 }
 
-fn json(changes: &[Change]) -> String {
+fn json(changes: &[Difference]) -> String {
     let change =
-        |change: &Change| json!({"impact": change.impact.to_string(), "place": change.place, "what": change.what});
+        |change: &Difference| json!({"impact": change.impact.to_string(), "place": change.place, "what": change.what});
     let all = json!({
         "impact": tools::impact(changes).map_or(Value::Null, |impact| impact.to_string().into()),
         "changes": changes.iter().map(change).collect::<Vec<_>>(),

@@ -3,6 +3,7 @@
 use jaka_proto::messages::types::Pose;
 
 use super::{HOME, Random, checker, witness, zu5};
+use crate::trajectory::through::ACCELERATION_SHARE;
 use crate::{Checker, Frames, Model, Passing, Through, Trajectory, Transform, Via};
 
 fn some_joints(random: &mut Random) -> [f64; 6] {
@@ -56,7 +57,7 @@ fn ways_in_joints_are_straight_but_for_their_corners() {
         for period_s in [0.001, 0.008] {
             witness(&trajectory, &checker, period_s);
         }
-        jerks_are_within(&trajectory, &checker, Through::ACCELERATION_SHARE);
+        jerks_are_within(&trajectory, &checker, ACCELERATION_SHARE);
         for time_s in times(&trajectory, 3000) {
             let here = trajectory.at(time_s).joints.0;
             let off = points.windows(2).map(|pair| off_way(here, pair[0], pair[1])).fold(f64::INFINITY, f64::min);

@@ -2,8 +2,8 @@
 
 use std::fmt::Display;
 
-use super::{Change, Impact};
-use crate::{Field, Spec, Versions};
+use super::{Difference, Impact};
+use crate::{Field, Scalar, Spec, Type, Versions};
 
 /// What is said of an item that only the new spec has.
 pub(super) const ADDED: &str = "added";
@@ -14,7 +14,7 @@ pub(super) const REMOVED: &str = "removed";
 pub(super) struct Differ<'s> {
     pub(super) old: &'s Spec,
     pub(super) new: &'s Spec,
-    changes: Vec<Change>,
+    changes: Vec<Difference>,
 }
 
 impl<'s> Differ<'s> {
@@ -23,7 +23,7 @@ impl<'s> Differ<'s> {
     }
 
     pub(super) fn note(&mut self, place: &str, what: impl Into<String>, impact: Impact) {
-        self.changes.push(Change { place: place.to_owned(), what: what.into(), impact });
+        self.changes.push(Difference { place: place.to_owned(), what: what.into(), impact });
     }
 
     /// Both items, or nothing after a note that there is only one. A removal is always major.
@@ -95,7 +95,7 @@ impl<'s> Differ<'s> {
     }
 
     /// The changes, those with the greatest impact first, then by place.
-    pub(super) fn finish(mut self) -> Vec<Change> {
+    pub(super) fn finish(mut self) -> Vec<Difference> {
         self.changes.sort_by(|a, b| b.impact.cmp(&a.impact).then_with(|| a.place.cmp(&b.place)));
         self.changes
     }
@@ -113,6 +113,22 @@ impl<'i, T> Pair<'i, T> {
     pub(super) fn any(&self) -> &'i T {
         match self {
             Self::Removed(item) | Self::Added(item) | Self::Both(_, item) => item,
+        }
+    }
+}
+
+impl Differ<'_> {
+    /// True if both types are the same in Rust, however they are written on the wire.
+    pub(super) fn same_type(&self, old: &Type, new: &Type) -> bool {
+        match (old, new) {
+            (Type::Python(old), new) => self.same_type(old, new),
+            (old, Type::Python(new)) => self.same_type(old, new),
+            (Type::Scalar(Scalar::Bool { .. }), Type::Scalar(Scalar::Bool { .. })) => true,
+            (Type::Scalar(old), Type::Scalar(new)) => old == new,
+            (Type::List(old), Type::List(new)) => self.same_type(old, new),
+            (Type::Array(old, old_len), Type::Array(new, new_len)) => old_len == new_len && self.same_type(old, new),
+            (Type::Named(old), Type::Named(new)) => self.old[*old].name == self.new[*new].name,
+            (Type::Scalar(_) | Type::List(_) | Type::Array(..) | Type::Named(_), _) => false,
         }
     }
 }

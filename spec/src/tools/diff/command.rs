@@ -5,8 +5,7 @@ use std::slice::from_ref;
 use super::collect::Differ;
 use super::field::{Holder, fields};
 use super::{Impact, made, types};
-use crate::words;
-use crate::{Command, Reply, Request, Scalar, Spec};
+use crate::{Command, Reply, Request, Role, Scalar, Spec, words};
 
 /// Compares one command of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
@@ -19,8 +18,8 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Comm
 
 /// What programs read from `CommandInfo`, and what the client does by it.
 fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
-    d.value(place, "effect", &words::effect(old.effect), &words::effect(new.effect), Impact::Minor);
-    let role = |command: &Command| command.role.map(words::role);
+    d.value(place, "effect", &old.effect.word(), &new.effect.word(), Impact::Minor);
+    let role = |command: &Command| command.role.map(Role::word);
     d.option(place, "role", (role(old).as_ref(), role(new).as_ref()), Impact::Minor);
     let changes = |command: &Command| words::changes(&command.changes);
     d.option(place, "change", (changes(old).as_ref(), changes(new).as_ref()), Impact::Minor);

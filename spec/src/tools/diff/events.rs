@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use super::Impact;
 use super::collect::{ADDED, Differ, REMOVED};
-use crate::words::{event_codes, severity};
+use crate::words::event_codes;
 use crate::{Event, Spec};
 
 /// How an event changed, and what that means.
@@ -46,7 +46,7 @@ fn changes(old: Option<&Event>, new: Option<&Event>) -> Vec<What> {
     };
     let mut changes = Vec::new();
     if old.severity != new.severity {
-        let (old, new) = (severity(old.severity), severity(new.severity));
+        let (old, new) = (old.severity.word(), new.severity.word());
         changes.push((format!("severity changed from `{old}` to `{new}`"), Impact::Minor));
     }
     if old.meaning != new.meaning {

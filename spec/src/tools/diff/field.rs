@@ -2,8 +2,7 @@
 
 use super::collect::{Differ, common, key, pairs};
 use super::{Impact, made};
-use crate::words;
-use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats};
+use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats, words};
 
 /// What holds the fields, as far as that decides what their changes mean.
 pub(super) struct Holder {

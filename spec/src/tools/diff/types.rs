@@ -5,8 +5,7 @@ use std::fmt::Display;
 use super::Impact;
 use super::collect::{Differ, pairs};
 use super::field::{Checks, Holder, field_type, fields, unit};
-use crate::words;
-use crate::{EnumValue, Spec, Type, TypeDef, TypeKind, Variant};
+use crate::{EnumValue, Role, Spec, Type, TypeDef, TypeKind, Variant, words};
 
 /// Compares one type of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &TypeDef) {
@@ -86,7 +85,7 @@ pub(super) fn variants(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &[
         let place = format!("{place}, variant `{}`", pair.any().wire);
         if let Some((old, new)) = d.both(&place, &pair, Impact::Minor) {
             d.value(&place, "name", &old.name, &new.name, Impact::Major);
-            let role = |variant: &Variant| variant.role.map(words::role);
+            let role = |variant: &Variant| variant.role.map(Role::word);
             d.option(&place, "role", (role(old).as_ref(), role(new).as_ref()), Impact::Minor);
             d.reworded(&place, "doc", &old.doc, &new.doc);
             fields(d, &place, holder, &old.fields, &new.fields);

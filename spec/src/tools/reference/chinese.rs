@@ -7,12 +7,21 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::markdown::{Table, code, escape, link_into};
-use super::{by_section, command_heading, pages};
-use crate::words;
+use super::{by_section, command_heading};
 use crate::{Command, Spec};
 
 /// The file of the English edition, to which the Chinese one links.
 const ENGLISH: &str = "REFERENCE.md";
+/// The front matter and the traps of the Chinese edition.
+const PAGES: [&str; 2] =
+    [include_str!("../../../reference/zh/about.md"), include_str!("../../../reference/zh/traps.md")];
+
+/// The heading of the Chinese edition's errata.
+const ERRATA: &str = include_str!("../../../reference/zh/errata.md");
+/// The heading of the Chinese edition's index.
+const INDEX: &str = include_str!("../../../reference/zh/index.md");
+/// The texts of the Chinese edition's errata: TOML, the Chinese ones by the English ones.
+const ERRATA_TEXTS: &str = include_str!("../../../reference/zh/errata.toml");
 
 /// The Chinese edition of the [reference](super::reference), in Markdown: its front matter and its traps, and by section of the
 /// document the errata and all commands. An erratum without a Chinese text is in English.
@@ -20,7 +29,7 @@ const ENGLISH: &str = "REFERENCE.md";
 /// It links to the English edition, which has the rest, as `REFERENCE.md` in the same folder.
 pub fn reference_zh(spec: &Spec) -> String {
     let mut out = String::from("# JAKA TCP 协议\n\n");
-    out += &pages::CHINESE.join("\n");
+    out += &PAGES.join("\n");
     errata(&mut out, spec);
     index(&mut out, spec);
     out.truncate(out.trim_end().len());
@@ -29,7 +38,7 @@ pub fn reference_zh(spec: &Spec) -> String {
 
 fn errata(out: &mut String, spec: &Spec) {
     *out += "\n";
-    *out += pages::CHINESE_ERRATA;
+    *out += ERRATA;
     let chinese = chinese_errata();
     for (_, command) in by_section(spec).into_iter().filter(|(_, command)| !command.errata.is_empty()) {
         let heading = format!("{} {}", section(command), command.title_zh.as_deref().unwrap_or_default());
@@ -47,18 +56,18 @@ fn errata(out: &mut String, spec: &Spec) {
 
 /// The Chinese texts of errata, by the English ones.
 fn chinese_errata() -> BTreeMap<String, String> {
-    let table = DeTable::parse(pages::CHINESE_ERRATA_TEXTS).map(Spanned::into_inner).unwrap_or_default();
+    let table = DeTable::parse(ERRATA_TEXTS).map(Spanned::into_inner).unwrap_or_default();
     let texts = table.iter().filter_map(|(english, chinese)| Some((english.get_ref(), chinese.get_ref().as_str()?)));
     texts.map(|(english, chinese)| (english.to_string(), chinese.to_owned())).collect()
 }
 
 fn index(out: &mut String, spec: &Spec) {
-    *out += pages::CHINESE_INDEX;
+    *out += INDEX;
     *out += "\n";
     let mut table = Table::new(&["章节", "标题", "命令", "主题", "作用"]);
     for (topic, command) in by_section(spec) {
         let [title, topic] = [&command.title_zh, &topic.title_zh].map(|text| text.clone().unwrap_or_default());
-        let effect = words::effect(command.effect).to_owned();
+        let effect = command.effect.word().to_owned();
         table.row([section(command), title, command_link(command), topic, effect]);
     }
     table.render(out);

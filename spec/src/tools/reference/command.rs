@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 
 use super::markdown::{code, escape};
 use super::{command_heading, fields, type_phrase};
-use crate::words;
-use crate::{Command, Motion, Reply, Request, Spec};
+use crate::{Command, Motion, Reply, Request, Spec, words};
 
 /// All there is to know about a command.
 pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
@@ -29,7 +28,7 @@ pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
 /// What can be said in a line each.
 fn facts(command: &Command) -> impl Iterator<Item = String> {
     let facts = [
-        Some(format!("Effect: {}.", words::effect(command.effect))),
+        Some(format!("Effect: {}.", command.effect.word())),
         command.role.map(|role| words::role_sentence(role).to_owned()),
         words::changes(&command.changes).map(|changes| format!("Changes {changes}.")),
         command.motion.as_ref().map(|motion| motion_fact(command, motion)),

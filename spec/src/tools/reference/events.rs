@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::markdown::{Table, code};
-use crate::words::{event_codes, list, severity};
+use crate::words::{event_codes, list};
 use crate::{Event, Severity};
 
 /// The line of the index.
@@ -21,7 +21,7 @@ pub(super) fn render(out: &mut String, events: &[Event]) {
     let mut table = Table::new(&["code", "severity", "meaning"]);
     for (event, meaning) in known {
         let codes: Vec<_> = event.codes.iter().map(|codes| code(&event_codes(codes))).collect();
-        table.row([codes.join(", "), severity(event.severity).to_owned(), meaning.clone()]);
+        table.row([codes.join(", "), event.severity.word().to_owned(), meaning.clone()]);
     }
     table.render(out);
     if !others.is_empty() {

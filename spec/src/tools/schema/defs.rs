@@ -4,9 +4,8 @@ use std::fmt::Display;
 
 use serde_json::{Map, Value, json};
 
-use super::parts::{SchemaForm, alternatives, number, reference, with};
-use super::{advice, describe, lenient, scalar};
-use crate::{Choice, EnumValue, Field, Spec, Type, TypeDef, TypeId, TypeKind};
+use super::{Direction, alternatives, describe, lenient, number, reference, with};
+use crate::{Advice, Choice, EnumValue, Field, Shape, Spec, Type, TypeDef, TypeId, TypeKind};
 
 /// The definitions made so far.
 pub(super) struct Defs<'s> {
@@ -30,82 +29,82 @@ impl<'s> Defs<'s> {
     }
 
     /// The reference to a named type, which is defined if it is not yet.
-    pub(super) fn named(&mut self, id: TypeId, form: SchemaForm) -> Value {
+    pub(super) fn named(&mut self, id: TypeId, direction: Direction) -> Value {
         let def = &self.spec[id];
-        let key = match form {
-            SchemaForm::Sent => def.name.clone(),
-            SchemaForm::Received => format!("lenient.{}", def.name),
+        let key = match direction {
+            Direction::Sent => def.name.clone(),
+            Direction::Received => format!("lenient.{}", def.name),
         };
         if !self.defs.contains_key(&key) {
-            let schema = self.definition(def, form);
+            let schema = self.definition(def, direction);
             self.add(&key, schema);
         }
         reference(&key)
     }
 
-    fn definition(&mut self, def: &TypeDef, form: SchemaForm) -> Value {
+    fn definition(&mut self, def: &TypeDef, direction: Direction) -> Value {
         let (schema, more) = match &def.kind {
-            TypeKind::Object(fields) => (self.object(fields, form), String::new()),
-            TypeKind::Array { fields, exact } => (self.array(None, fields, *exact, form), String::new()),
-            TypeKind::Choice(choice) => (self.array_choice(choice, form), String::new()),
-            TypeKind::Wrapper(ty, unit) => (self.value(ty, form), describe::unit(unit.as_deref())),
-            TypeKind::IntEnum(values) => enumeration(values, form, lenient::integer()),
-            TypeKind::TextEnum(values) => enumeration(values, form, json!({ "type": "string" })),
+            TypeKind::Object(fields) => (self.object(fields, direction), String::new()),
+            TypeKind::Array { fields, exact } => (self.array(None, fields, *exact, direction), String::new()),
+            TypeKind::Choice(choice) => (self.array_choice(choice, direction), String::new()),
+            TypeKind::Wrapper(ty, unit) => (self.value(ty, direction), describe::unit(unit.as_deref())),
+            TypeKind::IntEnum(values) => enumeration(values, direction, lenient::integer()),
+            TypeKind::TextEnum(values) => enumeration(values, direction, json!({ "type": "string" })),
         };
         with(schema, "description", describe::join(&[&def.doc, &more]))
     }
 
     /// An object with these keys; in a request, with no others.
-    pub(super) fn object(&mut self, fields: &[Field], form: SchemaForm) -> Value {
+    pub(super) fn object(&mut self, fields: &[Field], direction: Direction) -> Value {
         let properties: Map<_, _> =
-            fields.iter().map(|field| (field.wire.clone(), self.field(fields, field, form))).collect();
+            fields.iter().map(|field| (field.wire.clone(), self.field(fields, field, direction))).collect();
         let required: Vec<_> = fields.iter().filter(|field| !field.optional).map(|field| &field.wire).collect();
         let object = json!({ "type": "object", "properties": properties, "required": required });
-        let rules = if form == SchemaForm::Sent { advice::rules(self.spec, fields) } else { Vec::new() };
+        let rules = if direction == Direction::Sent { advised(self.spec, fields) } else { Vec::new() };
         let object = if rules.is_empty() { object } else { with(object, "allOf", rules) };
-        match form {
-            SchemaForm::Sent => with(object, "additionalProperties", false),
-            SchemaForm::Received => object,
+        match direction {
+            Direction::Sent => with(object, "additionalProperties", false),
+            Direction::Received => object,
         }
     }
 
     /// An array that begins with the tag, if there is one, and these elements.
-    fn array(&mut self, tag: Option<Value>, fields: &[Field], exact: bool, form: SchemaForm) -> Value {
+    fn array(&mut self, tag: Option<Value>, fields: &[Field], exact: bool, direction: Direction) -> Value {
         let least = tag.iter().count() + fields.iter().filter(|field| !field.optional).count();
         let mut items: Vec<_> = tag.into_iter().collect();
-        items.extend(fields.iter().map(|field| self.field(fields, field, form)));
+        items.extend(fields.iter().map(|field| self.field(fields, field, direction)));
         let array = json!({ "type": "array", "minItems": least });
         // A schema may not have an empty list of them.
         let array = if items.is_empty() { array } else { with(array, "prefixItems", items) };
-        if exact || form == SchemaForm::Sent { with(array, "items", false) } else { array }
+        if exact || direction == Direction::Sent { with(array, "items", false) } else { array }
     }
 
-    fn array_choice(&mut self, choice: &Choice, form: SchemaForm) -> Value {
+    fn array_choice(&mut self, choice: &Choice, direction: Direction) -> Value {
         let mut variants = Vec::new();
         for variant in &choice.variants {
-            let tag = match form {
-                SchemaForm::Sent => json!({ "const": variant.wire }),
-                SchemaForm::Received => lenient::tag(variant.wire),
+            let tag = match direction {
+                Direction::Sent => json!({ "const": variant.wire }),
+                Direction::Received => lenient::tag(variant.wire),
             };
-            let array = self.array(Some(tag), &variant.fields, false, form);
+            let array = self.array(Some(tag), &variant.fields, false, direction);
             let array = with(array, "title", variant.name.clone());
             variants.push(with(array, "description", variant.doc.clone()));
         }
-        if form == SchemaForm::Received {
+        if direction == Direction::Received {
             variants.push(lenient::other_variant(&choice.variants));
         }
         json!({ "oneOf": variants })
     }
 
     /// A field's value, with what the field adds to its type.
-    pub(super) fn field(&mut self, fields: &[Field], field: &Field, form: SchemaForm) -> Value {
-        let mut schema = self.value(&field.ty, form);
-        if form == SchemaForm::Sent {
+    pub(super) fn field(&mut self, fields: &[Field], field: &Field, direction: Direction) -> Value {
+        let mut schema = self.value(&field.ty, direction);
+        if direction == Direction::Sent {
             limit(&mut schema, field);
         }
         if field.or_raw {
             schema = json!({ "anyOf": [schema, true] });
-        } else if field.optional && form == SchemaForm::Received {
+        } else if field.optional && direction == Direction::Received {
             schema = json!({ "anyOf": [schema, { "type": "null" }] });
         }
         // Texts call the field by its name.
@@ -115,15 +114,15 @@ impl<'s> Defs<'s> {
         with(schema, "description", describe::field(self.spec, fields, field))
     }
 
-    fn value(&mut self, ty: &Type, form: SchemaForm) -> Value {
+    fn value(&mut self, ty: &Type, direction: Direction) -> Value {
         match ty {
-            Type::List(element) => json!({ "type": "array", "items": self.value(element, form) }),
+            Type::List(element) => json!({ "type": "array", "items": self.value(element, direction) }),
             Type::Array(element, len) => {
-                json!({ "type": "array", "items": self.value(element, form), "minItems": len, "maxItems": len })
+                json!({ "type": "array", "items": self.value(element, direction), "minItems": len, "maxItems": len })
             }
-            Type::Named(id) => self.named(*id, form),
+            Type::Named(id) => self.named(*id, direction),
             Type::Python(_) => json!({ "type": "string" }),
-            Type::Scalar(scalar) => scalar::schema(scalar, form),
+            Type::Scalar(scalar) => lenient::scalar(scalar, direction),
         }
     }
 }
@@ -147,15 +146,59 @@ fn limit(schema: &mut Value, field: &Field) {
 /// The schema of an enum, and what its description adds.
 fn enumeration<T: Display + Clone + Into<Value>>(
     values: &[EnumValue<T>],
-    form: SchemaForm,
+    direction: Direction,
     any: Value,
 ) -> (Value, String) {
     let listed = values.iter().filter(|value| !value.advisory);
     let constants: Vec<_> = listed
         .map(|value| json!({ "const": value.wire.clone().into(), "title": value.name, "description": value.doc }))
         .collect();
-    match form {
-        SchemaForm::Sent => (alternatives("oneOf", &constants), describe::newer_values(values)),
-        SchemaForm::Received => (any, describe::known_values(values)),
+    match direction {
+        Direction::Sent => (alternatives("oneOf", &constants), describe::newer_values(values)),
+        Direction::Received => (any, describe::known_values(values)),
+    }
+}
+
+/// A schema of the whole object for each row that is advised of one of its fields.
+///
+/// A bound that grows with a count is exact where the count is left out; otherwise it is that of the greatest count.
+pub(super) fn advised(spec: &Spec, fields: &[Field]) -> Vec<Value> {
+    let rows = fields.iter().flat_map(|field| field.advised.iter().map(move |advice| (field, advice)));
+    rows.flat_map(|(field, advice)| advised_row(spec, fields, field, advice)).collect()
+}
+
+fn advised_row(spec: &Spec, fields: &[Field], field: &Field, advice: &Advice) -> Vec<Value> {
+    let sibling = |name: &String| fields.iter().find(|other| other.name == *name);
+    let rule = |times: f64, mut conditions: Vec<Value>| {
+        if let Some((when, selector)) = advice.when.as_ref().and_then(|when| Some((when, sibling(&when.field)?))) {
+            conditions.push(json!({ "properties": { (&selector.wire): { "const": when.value } } }));
+        }
+        let bound = bound(spec, &field.ty, field.unit.as_deref(), (advice, advice.max * times));
+        let rule = json!({ "properties": { (&field.wire): bound } });
+        if conditions.is_empty() { rule } else { json!({ "if": { "allOf": conditions }, "then": rule }) }
+    };
+    let Some(count) = advice.per.as_ref().and_then(sibling) else { return vec![rule(1.0, Vec::new())] };
+    let given = json!({ "required": [count.wire] });
+    let greatest = count.advised.iter().map(|advice| advice.max).chain(count.range.max).reduce(f64::min);
+    let left_out = count.optional.then(|| rule(1.0, vec![json!({ "not": given })]));
+    left_out.into_iter().chain(greatest.map(|greatest| rule(greatest, vec![given.clone()]))).collect()
+}
+
+/// A value of the type whose numbers of the row's unit are within its bound.
+fn bound(spec: &Spec, ty: &Type, unit: Option<&str>, (advice, max): (&Advice, f64)) -> Value {
+    let inner = |field: &Field| bound(spec, &field.ty, field.unit.as_deref(), (advice, max));
+    let unit = spec.unit(ty).or(unit);
+    match spec.shape(ty) {
+        Shape::Scalar(scalar) if scalar.is_number() && (advice.unit.is_none() || unit == advice.unit.as_deref()) => {
+            let bound = json!({ "minimum": number(-max), "maximum": number(max) });
+            if advice.nonzero { with(bound, "not", json!({ "const": 0 })) } else { bound }
+        }
+        Shape::List(element, _) => json!({ "items": bound(spec, element, unit, (advice, max)) }),
+        Shape::Tuple { fields, .. } => json!({ "prefixItems": fields.iter().map(inner).collect::<Vec<_>>() }),
+        Shape::Object(fields) => {
+            let properties: Map<_, _> = fields.iter().map(|field| (field.wire.clone(), inner(field))).collect();
+            json!({ "properties": properties })
+        }
+        _ => json!(true),
     }
 }

@@ -2,8 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::words;
-use crate::{Command, EnumValue, Field, Spec, Type};
+use crate::{Command, EnumValue, Field, Spec, Type, words};
 
 /// The texts that are not empty, as paragraphs.
 pub(super) fn join(texts: &[&str]) -> String {

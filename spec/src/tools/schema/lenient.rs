@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::parts::reference;
-use crate::Variant;
+use super::{Direction, reference};
+use crate::{Scalar, Variant};
 
 const NUMBER: &str = "lenient.float";
 const INTEGER: &str = "lenient.int";
@@ -47,7 +47,7 @@ pub(super) fn definitions() -> Map<String, Value> {
 }
 
 /// A number in any form.
-pub(super) fn number() -> Value {
+fn number() -> Value {
     reference(NUMBER)
 }
 
@@ -57,7 +57,7 @@ pub(super) fn integer() -> Value {
 }
 
 /// A truth value in any form, or as one of two words.
-pub(super) fn boolean(forms: [&str; 2]) -> Value {
+fn boolean(forms: [&str; 2]) -> Value {
     let words = forms.map(|form| form.trim_matches('"'));
     let usual = ["true", "false", "0", "1"];
     if words.iter().all(|word| usual.contains(&word.to_ascii_lowercase().as_str())) {
@@ -127,4 +127,24 @@ fn escaped(text: &str) -> String {
         pattern.push(c);
     }
     pattern
+}
+
+/// A scalar as it is sent, or in any form in which it is read.
+pub(super) fn scalar(scalar: &Scalar, direction: Direction) -> Value {
+    match (scalar, direction) {
+        (Scalar::Bool { off, on }, Direction::Sent) if off == "false" && on == "true" => json!({ "type": "boolean" }),
+        (Scalar::Bool { off, on }, Direction::Sent) => json!({ "enum": [parsed(off), parsed(on)] }),
+        (Scalar::Bool { off, on }, Direction::Received) => boolean([off, on]),
+        (Scalar::Int, Direction::Sent) => json!({ "type": "integer" }),
+        (Scalar::Int, Direction::Received) => integer(),
+        (Scalar::Float, Direction::Sent) => json!({ "type": "number" }),
+        (Scalar::Float, Direction::Received) => number(),
+        (Scalar::Text, _) => json!({ "type": "string" }),
+        (Scalar::Json, _) => json!({}),
+    }
+}
+
+/// The value of a JSON text of the spec.
+fn parsed(json: &str) -> Value {
+    serde_json::from_str(json).unwrap_or_else(|_| json!(json))
 }

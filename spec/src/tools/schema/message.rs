@@ -3,9 +3,8 @@
 use serde_json::{Value, json};
 
 use super::defs::Defs;
-use super::parts::{SchemaForm, reference, with};
-use super::{describe, lenient};
-use crate::envelope::{COMMAND_NAME as NAME, ERROR_CODE as CODE, ERROR_MESSAGE as MESSAGE};
+use super::{Direction, describe, lenient, reference, with};
+use crate::keys::{COMMAND_NAME as NAME, ERROR_CODE as CODE, ERROR_MESSAGE as MESSAGE};
 use crate::{Command, Field, Request};
 
 /// A request, in the form in which the client sends it.
@@ -29,7 +28,7 @@ pub(super) fn request(defs: &mut Defs<'_>, command: &Command) -> Value {
 
 /// The object of a request: `cmdName`, the tag of its variant, and the fields.
 fn named_object(defs: &mut Defs<'_>, command: &Command, fields: &[Field], tag: Option<(&String, i64)>) -> Value {
-    let mut object = defs.object(fields, SchemaForm::Sent);
+    let mut object = defs.object(fields, Direction::Sent);
     let mut required = vec![json!(NAME)];
     object["properties"][NAME] = json!({ "const": command.wire });
     if let Some((key, value)) = tag {
@@ -43,7 +42,7 @@ fn named_object(defs: &mut Defs<'_>, command: &Command, fields: &[Field], tag: O
 /// A reply or a refusal, in any form in which the client reads it.
 pub(super) fn reply(defs: &mut Defs<'_>, command: &Command) -> Value {
     let fields = defs.spec.reply_fields(command);
-    let mut accepted = defs.object(fields, SchemaForm::Received);
+    let mut accepted = defs.object(fields, Direction::Received);
     let mut required = vec![json!(NAME)];
     required.extend(accepted["required"].as_array().cloned().unwrap_or_default());
     accepted["required"] = json!(required);

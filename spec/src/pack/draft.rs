@@ -1,77 +1,48 @@
-//! `[[extend]]` and `[[override]]`: changes of what the spec has.
+//! A spec while a pack is being applied: new items, `[[extend]]` and `[[override]]`.
 
+use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use super::{COVERED, Changed, Draft, covers};
-use crate::advice;
-use crate::envelope::{COMMAND_NAME, ENVELOPE};
+use super::robot_status::Lines;
+use super::target::{Part, Place, Target, choice, command_mut, list};
+use super::{Changed, Covered, covers};
 use crate::item::{Item, Placed};
-use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, Spec, Topic, Type, TypeDef, TypeId, TypeKind};
+use crate::keys::COMMAND_NAME;
+use crate::model::{Command, EnumValue, ErrorCode, Event, Field, Topic, Type, TypeId, TypeKind, Variant};
 use crate::report::{At, Report};
-use crate::resolve::Need;
+use crate::resolve::{Index, Need};
 use crate::role::MotionMode;
-use crate::similar::nearest;
+use crate::spec::Spec;
+use crate::words::event_code;
 use crate::{Source, meaning, read};
 
-/// What an entry changes: a command by its `cmdName`, or a type by its name.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Target {
-    Command(String),
-    Type(TypeId),
+/// A spec while a pack is being applied.
+pub(super) struct Draft<'s, 'r> {
+    pub(super) spec: Spec,
+    pub(super) index: Index<'s>,
+    pub(super) notes: &'r Report,
+    pub(super) codes: Vec<ErrorCode>,
+    pub(super) events: Vec<Event>,
+    pub(super) changed: Changed,
+    pub(super) covered: Covered,
+    /// Commands of the spec to which it gives another motion.
+    pub(super) motions: BTreeSet<String>,
+    /// Where it is changed: the entries, in the order of the file.
+    pub(super) edits: Vec<(At<'s>, String, Target)>,
+    /// Its lines and entries for what a robot needs.
+    pub(super) status: Lines<'s>,
 }
 
-impl Target {
-    fn of(item: &Item<'_, '_>, spec: &Spec) -> Option<Self> {
-        let name = item.required_text("target");
-        if spec.command(&name.value).is_some() {
-            return Some(Self::Command(name.value));
-        }
-        if let Some(id) = spec.type_id(&name.value) {
-            return Some(Self::Type(id));
-        }
-        let known = spec.commands().map(|command| &*command.wire).chain(spec.types.iter().map(|def| &*def.name));
-        let hint = nearest(&name.value, known).map(|near| format!("; there is `{near}`")).unwrap_or_default();
-        if !name.value.is_empty() {
-            item.error(name.at, &format!("the spec has no command and no type `{}`{hint}", name.value));
-        }
-        None
-    }
+const COVERED: &str =
+    "the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives";
 
-    /// The type that it is.
-    pub(super) fn type_id(&self) -> Option<TypeId> {
-        if let Self::Type(id) = self { Some(*id) } else { None }
-    }
+const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";
 
-    /// Where its fields stand.
-    fn parts(&self) -> &'static [Part] {
-        match self {
-            Self::Command(_) => &[Part::Request, Part::Reply],
-            Self::Type(_) => &[Part::Type],
-        }
-    }
-}
-
-/// Where the fields stand that an entry names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
-    Request,
-    Reply,
-    Type,
-}
-
-impl Part {
-    fn key(self) -> &'static str {
-        match self {
-            Self::Request => "request",
-            Self::Reply => "reply",
-            Self::Type => "field",
-        }
-    }
-}
+const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
 
 impl<'s> Draft<'s, '_> {
     /// Adds fields, or values of an enum.
-    pub(super) fn extend(&mut self, item: &Item<'_, 's>) {
+    fn extend(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
         let variant = if item.is_text("variant") { item.text("variant") } else { None };
         let mut added = Vec::new();
@@ -98,6 +69,160 @@ impl<'s> Draft<'s, '_> {
         } else {
             self.covered.changes.add(&target);
         }
+    }
+
+    /// Changes one field or one value, or what is said about a command.
+    fn change(&mut self, item: &Item<'_, 's>) {
+        let Some(target) = Target::of(item, &self.spec) else { return };
+        let variant = item.text("variant");
+        if let (Target::Type(id), true) = (&target, item.has("value")) {
+            return self.change_value(item, *id);
+        }
+        let named: Vec<_> = target.parts().iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
+        match (named.as_slice(), &target) {
+            ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
+            ([], Target::Command(wire)) => self.change_command(item, wire),
+            ([], Target::Type(id)) if item.has("form") => self.change_type_forms(item, *id),
+            ([], Target::Type(_)) => {
+                item.error(item.at, "`field`, `value` or `form` says what is overridden, and is missing");
+            }
+            _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
+        }
+    }
+
+    /// Checks the roles and motions of the spec's commands, of which an entry may have changed the fields or the types.
+    pub(super) fn check_motions(&self, base: &Spec, source: Source<'_>, report: &Report) {
+        for command in self.spec.commands() {
+            let changed = || base.command(&command.wire).and_then(|old| self.changed_field(base, old, command));
+            let Some(problem) = meaning::problem(command, self.index.types()).or_else(changed) else { continue };
+            let of_command = |target: &Target| matches!(target, Target::Command(wire) if *wire == command.wire);
+            let entry = self.edits.iter().find(|(_, _, target)| of_command(target)).or_else(|| self.edits.first());
+            let at = entry.map_or(At { source, offset: 0 }, |(at, ..)| *at);
+            let hint = match command.motion {
+                Some(_) => "; give it another `motion` in an `[[override]]`, or `motion = \"unknown\"`",
+                None => "",
+            };
+            report.error(at, format!("`{}`: {problem}{hint}", command.wire));
+        }
+    }
+
+    /// Checks which fields are optional, now that all of them are known.
+    pub(super) fn check_optional(&self, report: &Report) {
+        for (at, what, target) in &self.edits {
+            if let Some(problem) = self.optional_problem(target) {
+                report.error(*at, format!("{what}: {problem}"));
+            }
+        }
+    }
+
+    /// Reads a file into a topic of its own.
+    pub(super) fn read(&mut self, root: &Item<'_, 's>, topic: &mut Topic) {
+        let commands = root.items("command", "command");
+        let types = root.items("type", "type");
+        let errors = root.items("error", "error code");
+        let events = root.items("event", "event");
+        let extensions = root.items("extend", "extension of");
+        let overrides = root.items("override", "override of");
+        let robot_status = root.item("robot_status", "`[robot_status]`");
+        let all = [&commands, &types, &errors, &events, &extensions, &overrides];
+        if all.iter().all(|items| items.is_empty()) && robot_status.is_none() {
+            let message = "a pack has `[[command]]`, `[[type]]`, `[[error]]`, `[[event]]`, `[[extend]]`, \
+                           `[[override]]` or `[robot_status]`";
+            root.error(root.at, message);
+        }
+        topic.types = types.iter().filter_map(|item| self.new_type(item)).collect();
+        topic.commands = commands.iter().filter_map(|item| self.new_command(item)).collect();
+        topic.errors = errors.iter().filter_map(|item| self.new_error(item)).collect();
+        topic.events = events.iter().filter_map(|item| self.new_event(item)).collect();
+        for item in &extensions {
+            self.extend(item);
+        }
+        for item in &overrides {
+            self.change(item);
+        }
+        if let Some(item) = &robot_status {
+            let changed = self.status.read(item, &mut self.spec);
+            self.changed.types.extend(changed);
+        }
+    }
+
+    /// Says that an entry changes nothing.
+    fn note(&self, item: &Item<'_, 's>, message: &str) {
+        self.notes.error(item.at, format!("{}: {message}", item.what));
+    }
+
+    fn new_command(&mut self, item: &Item<'_, 's>) -> Option<Command> {
+        let known = item.text("wire").and_then(|wire| self.spec.command(&wire.value).cloned());
+        let Some(known) = known else {
+            if item.has("bare_reply") {
+                item.error(item.at, "`bare_reply` is for commands of the built-in spec");
+            }
+            let command = read::command(item, &mut self.index);
+            no_roles_of_variants(item, command.variants());
+            return Some(command);
+        };
+        let new = read::command(item, &mut self.index.again());
+        match covers::command(&self.spec, &known, &new) {
+            Ok(()) => {
+                self.note(item, COVERED);
+                self.covered.commands.insert(known.wire, new.name);
+            }
+            Err(difference) => differs(item, &difference),
+        }
+        None
+    }
+
+    fn new_type(&mut self, item: &Item<'_, 's>) -> Option<TypeId> {
+        let Some(known) = item.text("name").and_then(|name| self.spec.type_id(&name.value)) else {
+            return Some(read::type_def(item, &mut self.index));
+        };
+        let mut again = self.index.again();
+        let new = read::type_def(item, &mut again);
+        match covers::type_def(&self.spec, known, again.definition(new)) {
+            Ok(()) => {
+                self.note(item, COVERED);
+                self.covered.types.insert(known);
+            }
+            Err(difference) => differs(item, &difference),
+        }
+        None
+    }
+
+    fn new_error(&mut self, item: &Item<'_, 's>) -> Option<ErrorCode> {
+        let is_known = item.int("wire").is_some_and(|wire| self.spec.errors().any(|code| code.wire == wire.value));
+        let new = if is_known {
+            self.note(item, COVERED);
+            read::error_code(item, &mut self.index.again())
+        } else {
+            read::error_code(item, &mut self.index)
+        };
+        self.codes.push(new.clone());
+        (!is_known).then_some(new)
+    }
+
+    /// The event without the codes of which the spec says as much. Codes of which it says less, the spec then leaves to the pack.
+    fn new_event(&mut self, item: &Item<'_, 's>) -> Option<Event> {
+        let mut event = read::event(item, &mut self.index);
+        for code in event.codes() {
+            if let Some(known) = self.spec.event(code).filter(|known| known.severity != event.severity) {
+                let (code, severity) = (event_code(code), known.severity.word());
+                item.error(item.at, &format!("the spec has the code {code} already, with the severity `{severity}`"));
+            }
+        }
+        self.events.push(event.clone());
+        let adds = event.meaning.is_some();
+        let says_as_much = |known: &Event| known.meaning.is_some() || !adds;
+        let spec = &self.spec;
+        event.retain(|code| !spec.event(code).is_some_and(says_as_much));
+        if event.codes.is_empty() {
+            self.note(item, COVERED);
+            return None;
+        }
+        for topic in &mut self.spec.topics {
+            topic.events.iter_mut().for_each(|known| known.retain(|code| !event.has(code)));
+            topic.events.retain(|known| !known.codes.is_empty());
+        }
+        Some(event)
     }
 
     /// Adds a field; false if nothing changes.
@@ -134,14 +259,14 @@ impl<'s> Draft<'s, '_> {
             }
             Target::Type(_) => read::array_variant(item, index),
         };
-        super::no_roles_of_variants(item, std::slice::from_ref(&new));
+        no_roles_of_variants(item, std::slice::from_ref(&new));
         let same = choice.variants.iter().find(|old| old.wire == new.wire || old.name == new.name);
         match same.map(|old| covers::variant(old, &new)) {
             Some(Ok(())) => {
                 self.note(item, COVERED);
                 return false;
             }
-            Some(Err(difference)) => super::differs(item, &difference),
+            Some(Err(difference)) => differs(item, &difference),
             None => choice.variants.push(new),
         }
         true
@@ -167,25 +292,6 @@ impl<'s> Draft<'s, '_> {
             self.note(item, COVERED);
         }
         !repeated
-    }
-
-    /// Changes one field or one value, or what is said about a command.
-    pub(super) fn change(&mut self, item: &Item<'_, 's>) {
-        let Some(target) = Target::of(item, &self.spec) else { return };
-        let variant = item.text("variant");
-        if let (Target::Type(id), true) = (&target, item.has("value")) {
-            return self.change_value(item, *id);
-        }
-        let named: Vec<_> = target.parts().iter().filter_map(|part| Some((*part, item.text(part.key())?))).collect();
-        match (named.as_slice(), &target) {
-            ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
-            ([], Target::Command(wire)) => self.change_command(item, wire),
-            ([], Target::Type(id)) if item.has("form") => self.change_type_forms(item, *id),
-            ([], Target::Type(_)) => {
-                item.error(item.at, "`field`, `value` or `form` says what is overridden, and is missing");
-            }
-            _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
-        }
     }
 
     /// Gives a type other forms by firmware.
@@ -310,33 +416,6 @@ impl<'s> Draft<'s, '_> {
         }
         self.changed.add(target);
     }
-}
-
-impl Changed {
-    pub(super) fn add(&mut self, target: &Target) {
-        match target {
-            Target::Command(wire) => self.commands.insert(wire.clone()),
-            Target::Type(id) => self.types.insert(*id),
-        };
-    }
-}
-
-impl Draft<'_, '_> {
-    /// Checks the roles and motions of the spec's commands, of which an entry may have changed the fields or the types.
-    pub(super) fn check_motions(&self, base: &Spec, source: Source<'_>, report: &Report) {
-        for command in self.spec.commands() {
-            let changed = || base.command(&command.wire).and_then(|old| self.changed_field(base, old, command));
-            let Some(problem) = meaning::problem(command, self.index.types()).or_else(changed) else { continue };
-            let of_command = |target: &Target| matches!(target, Target::Command(wire) if *wire == command.wire);
-            let entry = self.edits.iter().find(|(_, _, target)| of_command(target)).or_else(|| self.edits.first());
-            let at = entry.map_or(At { source, offset: 0 }, |(at, ..)| *at);
-            let hint = match command.motion {
-                Some(_) => "; give it another `motion` in an `[[override]]`, or `motion = \"unknown\"`",
-                None => "",
-            };
-            report.error(at, format!("`{}`: {problem}{hint}", command.wire));
-        }
-    }
 
     /// The field of a motion that means something else than in the base, where the pack says nothing of the motion.
     fn changed_field(&self, base: &Spec, old: &Command, command: &Command) -> Option<String> {
@@ -350,15 +429,6 @@ impl Draft<'_, '_> {
         let is_changed = |old: &Field, new: &Field| old.ty != new.ty || old.unit != new.unit || !is_alike(new);
         let (_, new) = pairs.find(|(old, new)| motion.names(&new.name) && is_changed(old, new))?;
         Some(format!("its motion names the field `{}`, whose type or unit this pack changes", new.name))
-    }
-
-    /// Checks which fields are optional, now that all of them are known.
-    pub(super) fn check_optional(&self, report: &Report) {
-        for (at, what, target) in &self.edits {
-            if let Some(problem) = self.optional_problem(target) {
-                report.error(*at, format!("{what}: {problem}"));
-            }
-        }
     }
 
     fn optional_problem(&self, target: &Target) -> Option<&'static str> {
@@ -383,6 +453,19 @@ impl Draft<'_, '_> {
     }
 }
 
+/// Refuses roles of variants, since a variant has parameters: a pack's stop has none.
+fn no_roles_of_variants(item: &Item<'_, '_>, variants: &[Variant]) {
+    if variants.iter().any(|variant| variant.role.is_some()) {
+        item.error(item.at, "`role` of a variant is for the built-in spec");
+    }
+}
+
+fn differs(item: &Item<'_, '_>, difference: &str) {
+    let message =
+        format!("the spec has one of this name by now, and there {difference}, which your program would notice");
+    item.error(item.at, &(message + "; delete the entry, and change the rest with `[[extend]]` and `[[override]]`"));
+}
+
 /// True if the values of a motion's mode have the names in Rust that they have in the base. There may be others by now.
 fn same_values(base: &Spec, spec: &Spec, ty: &Type, mode: &MotionMode) -> bool {
     let Some(id) = ty.named() else { return false };
@@ -396,108 +479,6 @@ fn same_values(base: &Spec, spec: &Spec, ty: &Type, mode: &MotionMode) -> bool {
 /// Key that both fields have, each in some firmware.
 fn shared_key<'f>(field: &'f Field, other: &Field) -> Option<&'f str> {
     field.keys().find(|key| other.keys().any(|other| other == *key))
-}
-
-const OPTIONAL_STATUS: &str = "a field of the status packet must be optional: its key may not come, or not fit";
-const UNDISPUTED: &str = "`settled` is for a disputed field, and no source disputes this one; it can be deleted";
-
-/// The target of an entry, its `variant`, and the part of the target that is changed.
-type Place<'p, 's> = (&'p Target, Option<&'p Placed<'s, String>>, Part);
-
-/// Fields that a pack changes.
-struct List<'f> {
-    fields: &'f mut Vec<Field>,
-    /// Keys that no field may have; elements of an array have no keys.
-    taken: Option<Vec<&'f str>>,
-    /// The name of the field that a bare reply stands for.
-    bare_reply: Option<&'f mut String>,
-}
-
-impl<'f> List<'f> {
-    fn object(fields: &'f mut Vec<Field>, taken: &[&'f str]) -> Self {
-        Self { fields, taken: Some(taken.to_vec()), bare_reply: None }
-    }
-
-    fn array(fields: &'f mut Vec<Field>) -> Self {
-        Self { fields, taken: None, bare_reply: None }
-    }
-
-    fn reply(fields: &'f mut Vec<Field>, bare_reply: Option<&'f mut String>) -> Self {
-        Self { bare_reply, ..Self::object(fields, ENVELOPE) }
-    }
-
-    /// Puts a field in another's place.
-    fn replace(&mut self, at: usize, new: Field) {
-        if let Some(name) = self.bare_reply.as_mut().filter(|name| ***name == self.fields[at].name) {
-            new.name.clone_into(name);
-        }
-        let old = std::mem::replace(&mut self.fields[at], new);
-        let new = self.fields[at].name.clone();
-        advice::rename(self.fields, &old.name, &new);
-    }
-}
-
-/// The fields at a place, or an error if there can be none.
-fn list<'f, 's>(item: &Item<'_, 's>, spec: &'f mut Spec, (target, variant, part): Place<'_, 's>) -> Option<List<'f>> {
-    let (choice, keyed) = match target {
-        Target::Command(wire) => {
-            let Command { request, reply, bare_reply, .. } = command_mut(&mut spec.topics, wire)?;
-            if part == Part::Reply {
-                return match reply {
-                    Reply::Fields(fields) => Some(List::reply(fields, bare_reply.as_mut())),
-                    Reply::Object(id) => {
-                        let name = &spec.types[id.0].name;
-                        item.error(item.at, &format!("the reply is a `{name}`; change that type"));
-                        None
-                    }
-                    Reply::Raw => {
-                        item.error(item.at, "the reply is raw JSON, without fields");
-                        None
-                    }
-                };
-            }
-            match request {
-                Request::Fields(fields) => return Some(List::object(fields, &[COMMAND_NAME])),
-                Request::Choice(choice) => (choice, true),
-            }
-        }
-        Target::Type(id) => match &mut spec.types[id.0] {
-            TypeDef { kind: TypeKind::Object(fields), .. } => {
-                let is_reply =
-                    spec.topics.iter().flat_map(|topic| &topic.commands).any(|c| c.reply == Reply::Object(*id));
-                return Some(List::object(fields, if is_reply { ENVELOPE } else { &[] }));
-            }
-            TypeDef { kind: TypeKind::Array { fields, .. }, .. } => return Some(List::array(fields)),
-            TypeDef { kind: TypeKind::Choice(choice), .. } => (choice, false),
-            TypeDef { name, .. } => {
-                item.error(item.at, &format!("`{name}` has no fields"));
-                return None;
-            }
-        },
-    };
-    let Choice { tag, variants } = choice;
-    let known: Vec<_> = variants.iter().map(|variant| variant.name.clone()).collect();
-    let found = variant.and_then(|name| variants.iter_mut().find(|variant| variant.name == name.value));
-    if found.is_none() {
-        let at = variant.map_or(item.at, |variant| variant.at);
-        item.error(at, &format!("`variant` says which variant is meant: one of {}", known.join(", ")));
-    }
-    let fields = &mut found?.fields;
-    Some(if keyed { List::object(fields, &[COMMAND_NAME, tag]) } else { List::array(fields) })
-}
-
-/// The choice that a target is.
-fn choice<'s>(spec: &'s mut Spec, target: &Target) -> Option<&'s mut Choice> {
-    match target {
-        Target::Command(wire) => match &mut command_mut(&mut spec.topics, wire)?.request {
-            Request::Choice(choice) => Some(choice),
-            Request::Fields(_) => None,
-        },
-        Target::Type(id) => match &mut spec.types[id.0].kind {
-            TypeKind::Choice(choice) => Some(choice),
-            _ => None,
-        },
-    }
 }
 
 fn taken(old: &Field, new: &Field, difference: &str) -> String {
@@ -543,8 +524,4 @@ fn add_value<T: PartialEq>(item: &Item<'_, '_>, values: &mut Vec<EnumValue<T>>, 
         None => values.push(new),
     }
     false
-}
-
-fn command_mut<'t>(topics: &'t mut [Topic], wire: &str) -> Option<&'t mut Command> {
-    topics.iter_mut().flat_map(|topic| &mut topic.commands).find(|command| command.wire == wire)
 }

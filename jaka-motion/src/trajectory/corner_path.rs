@@ -1,4 +1,4 @@
-//! The way of the tool around the corners of lines.
+//! The path of the tool around the corners of lines.
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
@@ -12,17 +12,17 @@ pub(super) struct Direction {
     pub(super) turned: Vector3<f64>,
 }
 
-/// A stretch of the tool's way, from two directions at a frame: what is left of the one, and what is done of the other.
+/// A stretch of the tool's path, from two directions at a frame: what is left of the one, and what is done of the other.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ToolWay {
+pub(super) struct CornerPath {
     pub(super) frame: Isometry3<f64>,
-    pub(super) along: [(Direction, ToolCourse); 2],
+    pub(super) along: [(Direction, SpeedRamp); 2],
     pub(super) seconds: f64,
 }
 
 /// How far the tool is along a direction, over a stretch: its speed goes from one to another as `3x² - 2x³`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ToolCourse {
+pub(super) struct SpeedRamp {
     pub(super) from: f64,
     pub(super) speeds: [f64; 2],
 }
@@ -45,7 +45,7 @@ impl Direction {
     }
 }
 
-impl ToolCourse {
+impl SpeedRamp {
     /// Whether it has one speed.
     pub(super) fn is_even(&self) -> bool {
         self.speeds[0].total_cmp(&self.speeds[1]).is_eq()
@@ -64,7 +64,7 @@ impl ToolCourse {
     }
 }
 
-impl ToolWay {
+impl CornerPath {
     /// How the tool moves at a share of the time.
     pub(super) fn at(&self, share: f64) -> Led {
         let [(one, first), (other, second)] = self.along;

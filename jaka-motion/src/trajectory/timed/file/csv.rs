@@ -1,7 +1,8 @@
 //! CSV.
 
-use super::columns::{Column, Kind, Unit, number};
-use super::rows::{Row, Rows};
+use std::fmt::Write;
+
+use super::{Column, Kind, Row, Rows, Unit, angles, kinds, number};
 use crate::text_file::{Report, nearest};
 use crate::trajectory::timed::TimedPoint;
 
@@ -26,6 +27,24 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
         report.error(at, format!("found {count} points, expected at least 2"));
     }
     rows.finish()
+}
+
+/// Text of points, with as many digits as tell each number from all others.
+pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
+    let kinds = kinds(points);
+    let names = Kind::ALL.into_iter().take(kinds);
+    let names = names.flat_map(|kind| (1..=6).map(move |joint| kind.column(joint, Unit::Degrees)));
+    let mut text = std::iter::once(Column::TIME.to_owned()).chain(names).collect::<Vec<_>>().join(",");
+    text.push('\n');
+    for point in points {
+        text.push_str(&point.time_s.to_string());
+        for number in angles(point).take(kinds).flat_map(|(_, angles)| angles) {
+            // Writing to a string does not fail.
+            let _ = write!(text, ",{number}");
+        }
+        text.push('\n');
+    }
+    text
 }
 
 /// The lines that count, with their offsets.

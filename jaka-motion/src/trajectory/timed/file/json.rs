@@ -5,8 +5,7 @@ use std::borrow::Cow;
 use jaka_proto::wire::{DecodeError, Reader};
 use serde_json::value::RawValue;
 
-use super::columns::{Column, Kind, Unit, number};
-use super::rows::{Row, Rows};
+use super::{Column, Kind, Row, Rows, Unit, angles, kinds, number};
 use crate::text_file::{Report, nearest};
 use crate::trajectory::timed::TimedPoint;
 
@@ -46,6 +45,19 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
         report.error(file.place(whole), format!("found {} points, expected at least 2", points.len()));
     }
     rows.finish()
+}
+
+/// Text of points, with as many digits as tell each number from all others.
+pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
+    let kinds = kinds(points);
+    let point = |point: &TimedPoint| {
+        let lists = angles(point).take(kinds).map(|(kind, angles)| {
+            let numbers = angles.map(|number| number.to_string()).join(", ");
+            format!(", \"{}\": [{numbers}]", kind.key(Unit::Degrees))
+        });
+        format!("    {{\"{}\": {}{}}}", Column::TIME, point.time_s, lists.collect::<String>())
+    };
+    format!("{{\"points\": [\n{}\n]}}\n", points.iter().map(point).collect::<Vec<_>>().join(",\n"))
 }
 
 struct File<'t> {

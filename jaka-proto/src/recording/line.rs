@@ -1,84 +1,19 @@
-//! How a recording is read, line by line.
+//! The keys of a line of a recording, and their values.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::collections::hash_map;
-use std::fmt;
-use std::str;
 use std::time::Duration;
 
-use super::{Ending, Entry, Event, FORMAT, Header, Message, MotionStep, Port, Recording};
+use super::{Ending, Event, Message, MotionStep};
 use crate::wire::{Decode, DecodeError, Reader};
 
-impl Recording {
-    /// Reads a file's bytes.
-    ///
-    /// A last line that is cut off, without a line feed, is reported by [`truncated`](Self::truncated).
-    ///
-    /// # Errors
-    /// The first line that is neither a header nor an entry.
-    pub fn read(file: &[u8]) -> Result<Self, RecordingError> {
-        let mut lines = file.split_inclusive(|byte| *byte == b'\n').enumerate();
-        let (_, first) = lines.next().unwrap_or_default();
-        let header = at_line(0, text(first).and_then(Header::read))?;
-        let mut recording = Self::new(header, Vec::new());
-        for (index, line) in lines {
-            match at_line(index, text(line).and_then(Entry::read)) {
-                Ok(entry) => recording.entries.push(entry),
-                Err(error) if !line.ends_with(b"\n") => recording.truncated = Some(error),
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(recording)
-    }
-}
-
-fn at_line<T>(index: usize, read: Result<T, DecodeError>) -> Result<T, RecordingError> {
-    read.map_err(|source| RecordingError { line: index + 1, source })
-}
-
-fn text(line: &[u8]) -> Result<&str, DecodeError> {
-    str::from_utf8(line).map_err(|_| DecodeError::unfit("UTF-8", &String::from_utf8_lossy(line)))
-}
-
-impl Header {
-    /// Reads the first line of a recording, with or without its line feed.
-    ///
-    /// # Errors
-    /// It is not a header, or one of another version of the format.
-    pub fn read(line: &str) -> Result<Self, DecodeError> {
-        let line = Line::read(line)?;
-        let format: i64 = line.required("jaka_recording")?;
-        if format != i64::from(FORMAT) {
-            let expected = format!("version {FORMAT} of the format");
-            return Err(DecodeError::unfit(expected, &format.to_string()).in_field("jaka_recording"));
-        }
-        let Seconds(started) = line.required("started")?;
-        Ok(Self { started, software: line.optional("software")?.unwrap_or_default() })
-    }
-}
-
-impl Entry {
-    /// Reads a line after the first, with or without its line feed.
-    ///
-    /// # Errors
-    /// It is not an entry.
-    pub fn read(line: &str) -> Result<Self, DecodeError> {
-        let line = Line::read(line)?;
-        let Seconds(time) = line.required("time")?;
-        let port = line.one_of("port", "`command` or `status`", Port::ALL, Port::word)?;
-        let connection = line.optional("connection")?.unwrap_or(1);
-        let connection = u32::try_from(connection)
-            .map_err(|_| DecodeError::unfit("a number", &connection.to_string()).in_field("connection"))?;
-        Ok(Self { time, port, connection, event: line.event()? })
-    }
-}
-
 /// The keys of a line, each with the text of its value.
-struct Line<'l>(HashMap<Cow<'l, str>, &'l str>);
+pub(super) struct Line<'l>(HashMap<Cow<'l, str>, &'l str>);
 
 impl<'l> Line<'l> {
-    fn read(line: &'l str) -> Result<Self, DecodeError> {
+    /// Reads the keys and their values.
+    pub(super) fn read(line: &'l str) -> Result<Self, DecodeError> {
         let (mut reader, mut values) = (Reader::new(line), HashMap::new());
         reader.begin_object()?;
         while let Some(key) = reader.next_key()? {
@@ -92,16 +27,18 @@ impl<'l> Line<'l> {
     }
 
     /// The value of a key. A null counts as absent.
-    fn optional<T: Decode>(&self, key: &'static str) -> Result<Option<T>, DecodeError> {
+    pub(super) fn optional<T: Decode>(&self, key: &'static str) -> Result<Option<T>, DecodeError> {
         let value = self.0.get(key).filter(|value| **value != "null");
         value.map(|value| T::decode(&mut Reader::new(value)).map_err(|error| error.in_field(key))).transpose()
     }
 
-    fn required<T: Decode>(&self, key: &'static str) -> Result<T, DecodeError> {
+    /// The value of a key that must be there.
+    pub(super) fn required<T: Decode>(&self, key: &'static str) -> Result<T, DecodeError> {
         self.optional(key)?.ok_or_else(|| DecodeError::missing(key, key))
     }
 
-    fn one_of<T: Copy, const N: usize>(
+    /// The one of some values that a key names by its word.
+    pub(super) fn one_of<T: Copy, const N: usize>(
         &self,
         key: &'static str,
         expected: &str,
@@ -113,7 +50,8 @@ impl<'l> Line<'l> {
         value.ok_or_else(|| DecodeError::unfit(expected, &found).in_field(key))
     }
 
-    fn event(&self) -> Result<Event, DecodeError> {
+    /// The event, by its name and keys.
+    pub(super) fn event(&self) -> Result<Event, DecodeError> {
         match &*self.required::<String>("event")? {
             "connected" => Ok(Event::Connected { address: self.optional("address")?.unwrap_or_default() }),
             "sent" => self.message().map(Event::Sent),
@@ -144,7 +82,7 @@ impl<'l> Line<'l> {
 
 /// A time in seconds, to the microsecond.
 #[derive(Debug)]
-struct Seconds(Duration);
+pub(super) struct Seconds(pub(super) Duration);
 
 impl Decode for Seconds {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -184,22 +122,3 @@ impl Decode for Hex {
         bytes.map(Self).ok_or_else(|| DecodeError::unfit("two hexadecimal digits for each byte", &text))
     }
 }
-
-/// A line of a recording that cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct RecordingError {
-    /// The number of the line, counted from 1.
-    pub line: usize,
-    /// What is wrong with it.
-    pub source: DecodeError,
-}
-
-impl fmt::Display for RecordingError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {} of the recording cannot be read: {}", self.line, self.source)
-    }
-}
-
-/// The text of what is wrong is this error's own.
-impl std::error::Error for RecordingError {}

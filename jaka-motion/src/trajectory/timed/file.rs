@@ -1,0 +1,161 @@
+//! Points with times, from files and to files: what their numbers are, by the names that have their units.
+
+mod csv;
+mod json;
+
+pub(super) use self::csv::write as write_csv;
+pub(super) use self::json::write as write_json;
+use super::TimedPoint;
+use crate::text_file::{FileErrors, Report};
+
+/// What six numbers are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+/// In which unit an angle is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Unit {
+    Degrees,
+    Radians,
+}
+
+/// What one number is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Column {
+    Time,
+    Of(Kind, usize, Unit),
+}
+
+/// What a row or an object says, as far as it could be read.
+#[derive(Debug, Clone, Default)]
+struct Row {
+    /// The time and its place.
+    time: Option<(f64, usize)>,
+    /// Positions, velocities and accelerations, by [`Kind`], in degrees.
+    angles: [Option<[f64; 6]>; 3],
+}
+
+/// The points so far.
+#[derive(Debug, Default)]
+struct Rows {
+    points: Vec<TimedPoint>,
+    last_s: Option<f64>,
+}
+
+impl Kind {
+    const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
+
+    /// Its name for one joint and for all, and what follows the unit of an angle.
+    fn names(self) -> [&'static str; 3] {
+        match self {
+            Self::Position => ["joint", "joints", ""],
+            Self::Velocity => ["velocity", "velocity", "_s"],
+            Self::Acceleration => ["acceleration", "acceleration", "_s2"],
+        }
+    }
+
+    /// The name of a column with it.
+    fn column(self, joint: usize, unit: Unit) -> String {
+        let [one, _, per_time] = self.names();
+        format!("{one}_{joint}_{}{per_time}", unit.name())
+    }
+
+    /// The key of a list with it.
+    fn key(self, unit: Unit) -> String {
+        let [_, all, per_time] = self.names();
+        format!("{all}_{}{per_time}", unit.name())
+    }
+}
+
+impl Unit {
+    const BOTH: [Self; 2] = [Self::Degrees, Self::Radians];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Degrees => "deg",
+            Self::Radians => "rad",
+        }
+    }
+
+    fn to_degrees(self, number: f64) -> f64 {
+        match self {
+            Self::Degrees => number,
+            Self::Radians => number.to_degrees(),
+        }
+    }
+}
+
+impl Column {
+    /// The name of the column with times, and their key.
+    const TIME: &'static str = "time_s";
+
+    /// All columns that there can be, by name.
+    fn all() -> Vec<(String, Self)> {
+        let angles = Kind::ALL.into_iter().flat_map(|kind| {
+            let joints = (1..=6).flat_map(|joint| Unit::BOTH.map(|unit| (joint, unit)));
+            joints.map(move |(joint, unit)| (kind.column(joint, unit), Self::Of(kind, joint - 1, unit)))
+        });
+        std::iter::once((Self::TIME.to_owned(), Self::Time)).chain(angles).collect()
+    }
+}
+
+impl Row {
+    fn angles(&mut self, kind: Kind) -> &mut Option<[f64; 6]> {
+        &mut self.angles[kind as usize]
+    }
+}
+
+impl Rows {
+    /// Adds a row, whose time comes after that of the one before.
+    fn add(&mut self, row: &Row, report: &mut Report<'_>) {
+        let Some((time_s, at)) = row.time else { return };
+        match self.last_s {
+            None if time_s != 0.0 => report.found(at, Column::TIME, &time_s.to_string(), "0, at the first point"),
+            Some(last_s) if time_s <= last_s => {
+                report.found(at, Column::TIME, &time_s.to_string(), &format!("more than the {last_s} before it"));
+            }
+            _ => {}
+        }
+        self.last_s = Some(time_s);
+        let [Some(joints), velocity, acceleration] = row.angles else { return };
+        self.points.push(TimedPoint { time_s, joints: joints.into(), velocity, acceleration });
+    }
+
+    fn finish(self) -> Vec<TimedPoint> {
+        self.points
+    }
+}
+
+/// Reads the points of a CSV text: see [`TimedPoint::from_csv`].
+pub(super) fn read_csv(text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
+    let mut report = Report::new(text, file_name);
+    let points = csv::read(text, &mut report);
+    report.finish(points)
+}
+
+/// Reads the points of a JSON text: see [`TimedPoint::from_json`].
+pub(super) fn read_json(text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
+    let mut report = Report::new(text, file_name);
+    let points = json::read(text, &mut report);
+    report.finish(points)
+}
+
+/// How many kinds all points have.
+fn kinds(points: &[TimedPoint]) -> usize {
+    points.iter().map(|point| angles(point).count()).min().unwrap_or(1)
+}
+
+/// What a point has: accelerations only with velocities.
+fn angles(point: &TimedPoint) -> impl Iterator<Item = (Kind, [f64; 6])> {
+    let all = [Some(point.joints.0), point.velocity, point.velocity.and(point.acceleration)];
+    Kind::ALL.into_iter().zip(all).filter_map(|(kind, angles)| Some((kind, angles?)))
+}
+
+/// A finite number.
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
+}
