@@ -157,8 +157,8 @@ impl SimulatedClock {
         self.lock().signal(Reason::Signal(signal));
     }
 
-    /// End, by the clock's own time, of a wait that begins now and may last so long; none for a time that is too long to
-    /// be a limit. The thread takes part from now on.
+    /// End, by the clock's own time, of a wait that begins now and may last so long; none for a time that is too long
+    /// to be a limit. The thread takes part from now on.
     fn deadline(&self, time: Option<Duration>) -> Option<Duration> {
         self.take_part();
         let until = self.elapsed().checked_add(time?)?;

@@ -10,23 +10,28 @@ use crate::checker::Checker;
 use crate::limits::Limits;
 use crate::trajectory::Trajectory;
 
-/// Makes one set-point a period along a [`Trajectory`], and can pause, slow down, go on and stop on its curve at any time.
+/// Makes one set-point a period along a [`Trajectory`], and can pause, slow down, go on and stop on its curve at any
+/// time.
 ///
-/// It has a trajectory time, which advances in each period by the *rate* times the period. The rate goes smoothly to the scale that is asked for: 1 for the
-/// trajectory's own pace, 0 for a standstill.
+/// It has a trajectory time, which advances in each period by the *rate* times the period. The rate goes smoothly to
+/// the scale that is asked for: 1 for the trajectory's own pace, 0 for a standstill.
 ///
 /// # What is promised
 /// Whenever the scale changes, and however often:
-/// - Each set-point is where the trajectory is at the trajectory time: also while it is paused or stops, the arm is led along the curve and nowhere else.
+/// - Each set-point is where the trajectory is at the trajectory time: also while it is paused or stops, the arm is led
+///   along the curve and nowhere else.
 /// - The rate is from 0 to 1, so that the joints are nowhere faster than in the trajectory.
-/// - The second differences of the set-points, divided by the square of the period, are within the joint accelerations of the limits if those of the trajectory are.
-///   Which change of the rate leaves room for that, [`Trajectory::rate_change`] says, and each set-point is compared before it is returned.
-/// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves less room, and by [`brake`](Self::brake).
+/// - The second differences of the set-points, divided by the square of the period, are within the joint accelerations
+///   of the limits if those of the trajectory are. Which change of the rate leaves room for that,
+///   [`Trajectory::rate_change`] says, and each set-point is compared before it is returned.
+/// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves
+///   less room, and by [`brake`](Self::brake).
 ///
-/// Where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room: [`periods_to_rest`](Self::periods_to_rest) says how long
-/// a stop takes.
+/// Where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room:
+/// [`periods_to_rest`](Self::periods_to_rest) says how long a stop takes.
 ///
-/// Nothing is allocated but in `new`. It shares the trajectory's pieces with it, and holds some hundred bytes in addition.
+/// Nothing is allocated but in `new`. It shares the trajectory's pieces with it, and holds some hundred bytes in
+/// addition.
 #[derive(Debug, Clone)]
 pub struct Follower {
     trajectory: Trajectory,
@@ -62,8 +67,9 @@ enum Haste {
 
 /// A stop along the curve, looked at before it is made. Made by [`Follower::stopping`].
 ///
-/// Each period of it is found as the set-point of that period is, in some microseconds. How many there are depends on what the trajectory leaves of
-/// the joints' accelerations, and can be all that are left of it: so who has to be done in a servo period looks so far ahead in one as there is time for.
+/// Each period of it is found as the set-point of that period is, in some microseconds. How many there are depends on
+/// what the trajectory leaves of the joints' accelerations, and can be all that are left of it: so who has to be done
+/// in a servo period looks so far ahead in one as there is time for.
 #[derive(Debug, Clone)]
 #[must_use = "it looks ahead as far as it is asked to"]
 pub struct Stopping {
@@ -88,7 +94,8 @@ impl Follower {
         Self { trajectory, duration_s, accelerations, period_s, scale: 1.0, haste: Haste::Smooth, state, before: state }
     }
 
-    /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and what is not a number as 0.
+    /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and
+    /// what is not a number as 0.
     ///
     /// Before the first set-point the rate is this at once.
     pub fn set_scale(&mut self, scale: f64) {
@@ -99,8 +106,8 @@ impl Follower {
         }
     }
 
-    /// Asks for a standstill as soon as the joints' accelerations allow, until another scale is asked for: the change of the rate does not take 0.1 s to reach what the
-    /// curve allows.
+    /// Asks for a standstill as soon as the joints' accelerations allow, until another scale is asked for: the change
+    /// of the rate does not take 0.1 s to reach what the curve allows.
     pub fn brake(&mut self) {
         self.set_scale(0.0);
         self.haste = Haste::AtOnce;
@@ -118,7 +125,8 @@ impl Follower {
         (self.state.rate, self.state.change, self.state.step) = (0.0, 0.0, [0.0; 6]);
     }
 
-    /// The last set-point was not sent: what comes next follows the one before. Once after each [`advance`](Self::advance).
+    /// The last set-point was not sent: what comes next follows the one before. Once after each
+    /// [`advance`](Self::advance).
     pub fn take_back(&mut self) {
         self.state = self.before;
     }
@@ -156,7 +164,8 @@ impl Follower {
         Stopping { follower, periods: 0 }
     }
 
-    /// In how many periods it would be at rest if the scale were 0 from now on, or it [brakes](Self::brake) already; none if that takes more than `most`.
+    /// In how many periods it would be at rest if the scale were 0 from now on, or it [brakes](Self::brake) already;
+    /// none if that takes more than `most`.
     ///
     /// It finds each of these set-points; [`stopping`](Self::stopping) does that bit by bit.
     pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
@@ -242,7 +251,8 @@ impl Follower {
 }
 
 impl Stopping {
-    /// Looks ahead by at most so many periods more; in how many periods from the start of the stop it is at rest, if that was found.
+    /// Looks ahead by at most so many periods more; in how many periods from the start of the stop it is at rest, if
+    /// that was found.
     pub fn look_ahead(&mut self, periods: u32) -> Option<u32> {
         let last = self.periods.saturating_add(periods);
         while !self.follower.is_at_rest() {
@@ -261,8 +271,8 @@ impl Stopping {
     }
 }
 
-/// By how much the rate changes in a period to be off by nothing as soon as it can, where the change itself changes by `jerk` a period at most: changes of
-/// `k` periods that become smaller by that end at nothing.
+/// By how much the rate changes in a period to be off by nothing as soon as it can, where the change itself changes by
+/// `jerk` a period at most: changes of `k` periods that become smaller by that end at nothing.
 fn change_towards(off: f64, jerk: f64) -> f64 {
     if jerk <= 0.0 {
         return 0.0;

@@ -40,11 +40,12 @@ use crate::pace::TcpVelocity;
 ///
 /// # What is promised
 /// Whatever the goals are, and however often they change:
-/// - The first differences of the set-points, divided by the period, are within the speeds of the [`Dynamics`], the second ones, divided by its square,
-///   within the accelerations, and the third ones, divided by its cube, within the jerks, but for rounding: a billionth of the limit, and what some 1e-13
-///   degrees make of a difference. After [`paused`](Self::paused) they start again, as if the arm had been at the last set-point for long.
-/// - From each set-point the arm can be brought to rest within speeds, accelerations, jerks, joint ranges, regions, and the speed of the tool centre point:
-///   each joint as soon as it can. [`landing`](Self::landing) says where and when.
+/// - The first differences of the set-points, divided by the period, are within the speeds of the [`Dynamics`], the
+///   second ones, divided by its square, within the accelerations, and the third ones, divided by its cube, within the
+///   jerks, but for rounding: a billionth of the limit, and what some 1e-13 degrees make of a difference. After
+///   [`paused`](Self::paused) they start again, as if the arm had been at the last set-point for long.
+/// - From each set-point the arm can be brought to rest within speeds, accelerations, jerks, joint ranges, regions, and
+///   the speed of the tool centre point: each joint as soon as it can. [`landing`](Self::landing) says where and when.
 ///
 /// # Why it holds
 /// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third
@@ -57,14 +58,16 @@ use crate::pace::TcpVelocity;
 /// rest.
 ///
 /// # What remains
-/// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front of one.
-/// - A velocity of the tool is a velocity: what is off its way is not corrected. The arm slows to a stop in front of a limit, a region or a
-///   singularity, all axes together, so that the direction is kept but for what joints still have of an earlier motion. A singularity is not passed; to lead the arm away from one
-///   whose distance is nearly zero takes a goal in joints.
+/// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front
+///   of one.
+/// - A velocity of the tool is a velocity: what is off its way is not corrected. The arm slows to a stop in front of a
+///   limit, a region or a singularity, all axes together, so that the direction is kept but for what joints still have
+///   of an earlier motion. A singularity is not passed; to lead the arm away from one whose distance is nearly zero
+///   takes a goal in joints.
 /// - Distances from singularities count for velocities of the tool alone.
-/// - On its way between two places that are computed, a point may be beyond a region by 0.1 mm, and by 0.6 mm at an edge of a box to be kept outside of: within
-///   [`Checker::AMOUNT_MM`]. It does not come to rest there, unless that is where the session paused; it then leads on as a motion that starts beyond a
-///   limit.
+/// - On its way between two places that are computed, a point may be beyond a region by 0.1 mm, and by 0.6 mm at an
+///   edge of a box to be kept outside of: within [`Checker::AMOUNT_MM`]. It does not come to rest there, unless that is
+///   where the session paused; it then leads on as a motion that starts beyond a limit.
 ///
 /// Nothing is allocated but in `new`, and where rsruckig finds no way, which then says so in a text that is dropped. No
 /// input makes it panic.
@@ -83,9 +86,11 @@ pub struct Generator {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Goal {
-    /// Joint positions, which all joints reach at the same time. From rest the way is straight in joint space; it is not straight for the tool.
+    /// Joint positions, which all joints reach at the same time. From rest the way is straight in joint space; it is
+    /// not straight for the tool.
     Joints(JointPosition),
-    /// A speed of each joint in deg/s, which each reaches as soon as it can. A joint stops at the end of its range, the others go on.
+    /// A speed of each joint in deg/s, which each reaches as soon as it can. A joint stops at the end of its range, the
+    /// others go on.
     Velocity([f64; 6]),
     /// A velocity of the tool.
     TcpVelocity(TcpVelocity),

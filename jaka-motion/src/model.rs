@@ -161,22 +161,22 @@ impl Model {
 
     /// The flange in the arm's base for these joint positions; the joints' ranges are not checked.
     ///
-    /// Joint positions that are not finite give a transform that is not finite either. For the pose of a tool in a user frame
-    /// see [`Frames::pose`](crate::Frames::pose).
+    /// Joint positions that are not finite give a transform that is not finite either. For the pose of a tool in a user
+    /// frame see [`Frames::pose`](crate::Frames::pose).
     pub fn forward(&self, joints: impl Into<JointPosition>) -> Transform {
         Transform(self.links.flange(&joints.into().0))
     }
 
     /// The frames of the six joints in the arm's base; the last one is the flange.
     ///
-    /// The axis of each joint is the z axis of its frame. The third lies at the elbow, the fifth at the wrist, where the axes
-    /// of joints 5 and 6 meet.
+    /// The axis of each joint is the z axis of its frame. The third lies at the elbow, the fifth at the wrist, where
+    /// the axes of joints 5 and 6 meet.
     pub fn joint_frames(&self, joints: impl Into<JointPosition>) -> [Transform; 6] {
         self.links.frames(&joints.into().0).map(Transform)
     }
 
-    /// How the tool moves with each joint: the rows are its velocity along x, y, z of the arm's base in mm/s and its turning
-    /// about these directions in deg/s, the columns the joints, each for 1 deg/s.
+    /// How the tool moves with each joint: the rows are its velocity along x, y, z of the arm's base in mm/s and its
+    /// turning about these directions in deg/s, the columns the joints, each for 1 deg/s.
     ///
     /// `tool` is seen from the flange; only its position counts.
     pub fn jacobian(&self, joints: impl Into<JointPosition>, tool: &Transform) -> [[f64; 6]; 6] {
@@ -194,14 +194,15 @@ impl Model {
 
     /// This arm with the parameters that its controller's `get_dh_param` (section 4.82) answers.
     ///
-    /// Joint ranges and speeds stay the published ones. No source says how a controller means its parameters, and whether its
-    /// own kinematics follow them: [`fit`](Self::fit) compares. Where the controller's are calibrated, so that axes are no longer quite parallel or at
-    /// right angles, there is no closed form: the inverse starts from that of the nearest arm that has one and goes on step by step. It
-    /// takes longer, and near a singularity it can miss a branch, or find nothing.
+    /// Joint ranges and speeds stay the published ones. No source says how a controller means its parameters, and
+    /// whether its own kinematics follow them: [`fit`](Self::fit) compares. Where the controller's are calibrated, so
+    /// that axes are no longer quite parallel or at right angles, there is no closed form: the inverse starts from that
+    /// of the nearest arm that has one and goes on step by step. It takes longer, and near a singularity it can miss a
+    /// branch, or find nothing.
     ///
     /// # Errors
-    /// A length differs from the published one by more than 5 mm, or an angle by more than 1 degree: it is another arm, or the
-    /// parameters are meant in another way.
+    /// A length differs from the published one by more than 5 mm, or an angle by more than 1 degree: it is another arm,
+    /// or the parameters are meant in another way.
     pub fn with_dh(&self, reply: &GetDhParamReply) -> Result<Self, DhMismatch> {
         let (published, GetDhParamReply { alpha, a, d, joint_home_offset, .. }) = (&self.links, reply);
         self.compare("alpha", alpha, &published.alpha, ANGLE)?;
@@ -239,8 +240,8 @@ impl Model {
     ///
     /// Nearest is the least sum of squares over the six joints. A joint that may turn more than once takes the turn
     /// nearest to the reference. Where the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the
-    /// reference's position. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a user
-    /// frame see [`Frames::flange`](crate::Frames::flange).
+    /// reference's position. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
+    /// user frame see [`Frames::flange`](crate::Frames::flange).
     pub fn inverse(
         &self,
         flange: impl Into<Transform>,
@@ -252,8 +253,8 @@ impl Model {
         confirmed.next().ok_or(NoSolution::NotConfirmed)
     }
 
-    /// The joint positions of every branch that bring the flange to a pose in the arm's base, as [`inverse`](Self::inverse)
-    /// finds them, the nearest to `reference` first.
+    /// The joint positions of every branch that bring the flange to a pose in the arm's base, as
+    /// [`inverse`](Self::inverse) finds them, the nearest to `reference` first.
     ///
     /// Where the wrist is singular any position of one joint would do, and there is a branch for the reference's alone.
     pub fn inverse_all(
@@ -277,9 +278,10 @@ impl Model {
 
     /// Compares the model with poses that the controller's `kine_forward` (section 4.46) answers for joint positions.
     ///
-    /// The controller's poses are of its tool in its user frame, and follow its mounting, which no known query gives. So the two
-    /// constant transforms before and after the arm are found first, as those that fit all poses best. What these can
-    /// take up is not compared: the height of the base, the length of the flange, and the zeros of joints 1 and 6.
+    /// The controller's poses are of its tool in its user frame, and follow its mounting, which no known query gives.
+    /// So the two constant transforms before and after the arm are found first, as those that fit all poses best. What
+    /// these can take up is not compared: the height of the base, the length of the flange, and the zeros of joints 1
+    /// and 6.
     ///
     /// ```
     /// use jaka_motion::{Frames, Model, Tolerance};
@@ -390,8 +392,8 @@ impl Model {
         Ok(candidates)
     }
 
-    /// Each joint by as many full turns as bring it nearest to the reference, or by how much the joint that is furthest beyond its range is
-    /// beyond it, in degrees.
+    /// Each joint by as many full turns as bring it nearest to the reference, or by how much the joint that is furthest
+    /// beyond its range is beyond it, in degrees.
     fn nearest_turns(&self, joints: &[f64; 6], reference: &[f64; 6]) -> Result<[f64; 6], (f64, NoSolution)> {
         let (mut turned, mut furthest) = ([0.0; 6], None::<(f64, NoSolution)>);
         for index in 0..6 {

@@ -80,9 +80,11 @@ pub enum Passing {
 impl Trajectory {
     /// Through points at their times, compared with an arm's limits.
     ///
-    /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both ends.
+    /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both
+    ///   ends.
     /// - With velocities alone it is of the third degree. Accelerations then step at the points.
-    /// - With neither, pieces of the third degree have the velocities for which accelerations do not step, and rest at both ends.
+    /// - With neither, pieces of the third degree have the velocities for which accelerations do not step, and rest at
+    ///   both ends.
     ///
     /// It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
     /// [`rate_change`](Self::rate_change).
@@ -180,21 +182,22 @@ impl Trajectory {
         if *checker == self.0.checker { Ok(()) } else { self.0.check(checker) }
     }
 
-    /// How fast the rate may change at a time, in 1/s: the most by which it may rise or fall in a second with all joints within their
-    /// accelerations.
+    /// How fast the rate may change at a time, in 1/s: the most by which it may rise or fall in a second with all
+    /// joints within their accelerations.
     ///
-    /// The rate is how much of the trajectory's time passes in a second: 1 as planned, 0 at a pause. At rate r that changes by r' the joints'
-    /// accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So this is the least of `(limit - |a| r²) / |v|`, which is
-    /// 0 where nothing is left, and infinite where no joint moves. Where an acceleration steps, the larger one counts.
+    /// The rate is how much of the trajectory's time passes in a second: 1 as planned, 0 at a pause. At rate r that
+    /// changes by r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of
+    /// [`at`](Self::at). So this is the least of `(limit - |a| r²) / |v|`, which is 0 where nothing is left, and
+    /// infinite where no joint moves. Where an acceleration steps, the larger one counts.
     ///
-    /// A trajectory that was made of points with times can leave nothing at rate 1. Who follows it then goes on at this rate until something is left:
-    /// a pause or a stop along the way begins so much later.
+    /// A trajectory that was made of points with times can leave nothing at rate 1. Who follows it then goes on at this
+    /// rate until something is left: a pause or a stop along the way begins so much later.
     pub fn rate_change(&self, time_s: f64, rate: f64) -> f64 {
         self.rate_change_between(time_s, time_s, rate)
     }
 
-    /// How fast the rate may change all the while between two times, as [`rate_change`](Self::rate_change): at most the least of those in between, and
-    /// rarely less.
+    /// How fast the rate may change all the while between two times, as [`rate_change`](Self::rate_change): at most the
+    /// least of those in between, and rarely less.
     pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> f64 {
         // What is not a number counts as the start.
         let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));

@@ -1,13 +1,14 @@
 //! The exchange on one command connection, without I/O and without a clock.
 //!
-//! Replies carry no sequence number, only (usually) the name of their command, in the order of the requests. An [`Exchange`] is
-//! told what is sent, what comes and whose time is up. It knows which requests are outstanding, whose a reply is, and what became
-//! of each request; and it finds out when replies can no longer be attributed: then the connection is [out of sync](OutOfSync), and
-//! must be closed.
+//! Replies carry no sequence number, only (usually) the name of their command, in the order of the requests. An
+//! [`Exchange`] is told what is sent, what comes and whose time is up. It knows which requests are outstanding, whose a
+//! reply is, and what became of each request; and it finds out when replies can no longer be attributed: then the
+//! connection is [out of sync](OutOfSync), and must be closed.
 //!
-//! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted* ([`Exchange::post`]):
-//! no thread waits for its reply in particular, and the outcome is counted. A reply is read once, by the thread that reads the socket,
-//! as the type that this thread waits for. If it belongs to another thread, it is pending until that thread asks for it.
+//! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted*
+//! ([`Exchange::post`]): no thread waits for its reply in particular, and the outcome is counted. A reply is read once,
+//! by the thread that reads the socket, as the type that this thread waits for. If it belongs to another thread, it is
+//! pending until that thread asks for it.
 //!
 //! ```
 //! use jaka_proto::exchange::{Delivery, Exchange, TextOnly, Waiter};
@@ -118,13 +119,15 @@ pub struct PostedOutcomes {
 /// The posted requests.
 #[derive(Debug, Default)]
 struct Posted {
-    /// In the order of their ids. Requests are completed, lost and given up from the front, and withdrawn from the back.
+    /// In the order of their ids. Requests are completed, lost and given up from the front, and withdrawn from the
+    /// back.
     outstanding: VecDeque<PostedRequest>,
     outcomes: PostedOutcomes,
 }
 
 impl Exchange {
-    /// No request is outstanding. `bare_reply` names the command that may be answered by a bare Python tuple, which names none.
+    /// No request is outstanding. `bare_reply` names the command that may be answered by a bare Python tuple, which
+    /// names none.
     pub fn new(bare_reply: Option<&'static str>) -> Self {
         Self { sent: SentRequests::new(bare_reply), ..Self::default() }
     }
@@ -167,8 +170,8 @@ impl Exchange {
         Ok(())
     }
 
-    /// Attributes a reply, and gives it to whom it belongs. `waiter` is the thread that has read it, by [`Waiter::read`], which
-    /// told its envelope.
+    /// Attributes a reply, and gives it to whom it belongs. `waiter` is the thread that has read it, by
+    /// [`Waiter::read`], which told its envelope.
     ///
     /// Requests before the one that is answered have lost their replies, and fail with [`Failure::Lost`].
     ///
@@ -218,12 +221,12 @@ impl Exchange {
         self.pending_for(request);
     }
 
-    /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. What is pending for it must
-    /// have been taken before.
+    /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. What is pending
+    /// for it must have been taken before.
     ///
     /// # Errors
-    /// The reply may have come already, and been taken for that to an older request of the same name: whatever comes now may be
-    /// one behind.
+    /// The reply may have come already, and been taken for that to an older request of the same name: whatever comes
+    /// now may be one behind.
     pub fn give_up(&mut self, request: RequestId) -> Result<(), OutOfSync> {
         self.sent.give_up(request)
     }
@@ -239,9 +242,11 @@ impl Exchange {
         Ok(())
     }
 
-    /// The reply to a request is no longer wanted, though there was time for it: it will be discarded, or is if it is pending.
+    /// The reply to a request is no longer wanted, though there was time for it: it will be discarded, or is if it is
+    /// pending.
     ///
-    /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those whose deadline passes.
+    /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those
+    /// whose deadline passes.
     pub fn abandon(&mut self, request: RequestId) {
         if self.pending_for(request).is_none() {
             self.sent.abandon(request);

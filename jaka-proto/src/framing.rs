@@ -74,11 +74,11 @@ impl Framer {
 
     /// Makes a framer for status packets, which finds the next one after a packet that was cut.
     ///
-    /// A cut packet does not end: whatever follows would stand inside it. So `{"len"`, with which each packet begins, is a
-    /// [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or after something that no object can follow.
-    /// [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace; a packet after
-    /// one that was cut where an object may stand is lost with it. Text in a packet is not taken for it, since quotes
-    /// are escaped there.
+    /// A cut packet does not end: whatever follows would stand inside it. So `{"len"`, with which each packet begins,
+    /// is a [`Cut`](FrameError::Cut) where no JSON has it: inside a string, or after something that no object can
+    /// follow. [`resync`](Self::resync) then goes on there. An object inside a packet that begins so is left in peace;
+    /// a packet after one that was cut where an object may stand is lost with it. Text in a packet is not taken for it,
+    /// since quotes are escaped there.
     ///
     /// ```
     /// use jaka_proto::framing::{FrameError, Framer};
@@ -154,10 +154,10 @@ impl Framer {
     /// Leaves the error state for the next `{` after the error, and returns how many bytes it dropped at once.
     ///
     /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
-    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to come,
-    /// what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
-    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object inside
-    /// a broken one: its reader must expect any keys. Without an error, nothing is dropped.
+    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to
+    /// come, what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
+    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object
+    /// inside a broken one: its reader must expect any keys. Without an error, nothing is dropped.
     pub fn resync(&mut self) -> usize {
         let Some(error) = self.error.take() else { return 0 };
         let dropped = self.start;
@@ -177,7 +177,8 @@ impl Framer {
         self.start - dropped
     }
 
-    /// The bytes received that the next call of [`next_frame`](Self::next_frame) drops, while the next packet is searched for.
+    /// The bytes received that the next call of [`next_frame`](Self::next_frame) drops, while the next packet is
+    /// searched for.
     pub fn lost(&self) -> &[u8] {
         let len = if matches!(self.state, State::Lost) { self.lost_len() } else { 0 };
         &self.partial()[..len]
@@ -188,7 +189,8 @@ impl Framer {
         Self { stream, buffer: Vec::new(), start: 0, scan: 0, end: 0, state, error: None, max_frame, visited: 0 }
     }
 
-    /// Visits the one byte that has come, if it is one and changes nothing: so it is for most where bytes come one by one.
+    /// Visits the one byte that has come, if it is one and changes nothing: so it is for most where bytes come one by
+    /// one.
     #[inline]
     fn is_inside_after_one_byte(&mut self) -> bool {
         let State::Frame(nesting) = &self.state else { return false };

@@ -92,7 +92,8 @@ fn read_accepted<R: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Op
 }
 
 /// Whether a reply that was read to its end accepts the command.
-// Not generic, or each type of a reply would compile a copy. The envelope is made by the caller, since its move is slow.
+// Not generic, or each type of a reply would compile a copy. The envelope is made by the caller, since its move is
+// slow.
 fn is_accepted(reader: &mut Reader<'_>) -> bool {
     let [code, ..] = reader.captured();
     reader.end().is_ok() && code.is_some_and(|raw| raw == SUCCESS || self::code(raw).is_ok_and(ErrorCode::is_success))

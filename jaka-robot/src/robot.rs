@@ -198,11 +198,11 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// - [`ErrorKind::NotReady`], at once: the emergency stop is pressed.
-    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A packet
-    ///   without this field passes: then only the controller refuses.
-    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has reported it. No further
-    ///   step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been accepted, and the arm is
-    ///   enabled all the same.
+    /// - [`ErrorKind::StatusUnknown`], at once: a packet shows the emergency stop in a form that cannot be read. A
+    ///   packet without this field passes: then only the controller refuses.
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun, also before the call if nothing has
+    ///   reported it. No further step is sent then, until [`acknowledge`](Self::acknowledge). Also where all had been
+    ///   accepted, and the arm is enabled all the same.
     /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
     ///   packet says.
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
@@ -228,7 +228,8 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
-    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent then.
+    /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent
+    ///   then.
     /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
     ///   packet says.
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
@@ -241,7 +242,8 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
-    /// motion was accepted is reported by the [`End`]. Under a guard also as [`MotionExt::guard`](crate::MotionExt::guard) says.
+    /// motion was accepted is reported by the [`End`]. Under a guard also as
+    /// [`MotionExt::guard`](crate::MotionExt::guard) says.
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]

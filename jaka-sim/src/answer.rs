@@ -1,7 +1,7 @@
 //! What the controller answers to a request.
 //!
-//! `topics` has what each command changes and answers. Commands without a handler get the spec's example, so a new command in the
-//! spec is answered without code.
+//! `topics` has what each command changes and answers. Commands without a handler get the spec's example, so a new
+//! command in the spec is answered without code.
 
 mod motion;
 mod pack;

@@ -37,8 +37,8 @@ impl ControllerClock {
         self.now().map_or(Duration::MAX, |now| self.until(now + Duration::from_nanos(1)))
     }
 
-    /// Time to the first cycle that is not before this time, in the time that passes; [`Duration::MAX`] where it does not
-    /// come by itself.
+    /// Time to the first cycle that is not before this time, in the time that passes; [`Duration::MAX`] where it does
+    /// not come by itself.
     pub(crate) fn until(&self, due: Duration) -> Duration {
         let (Self::Running { scale, .. }, Some(now)) = (self, self.now()) else { return Duration::MAX };
         let cycles = u32::try_from(due.as_nanos().div_ceil(CYCLE.as_nanos())).unwrap_or(u32::MAX);

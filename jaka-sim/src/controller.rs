@@ -78,8 +78,9 @@ impl Controller {
         world.make_consistent();
     }
 
-    /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and status
-    /// packets go out on the way. Time goes on in controller cycles of 8 ms; what is less is kept for the next call.
+    /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and
+    /// status packets go out on the way. Time goes on in controller cycles of 8 ms; what is less is kept for the next
+    /// call.
     ///
     /// On a controller with a real clock this does nothing, nor within an action of [`when`](Self::when).
     pub fn advance(&self, time: Duration) {
@@ -100,8 +101,9 @@ impl Controller {
         self.shared.world().now()
     }
 
-    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, which is that of
-    /// [`elapsed`](Self::elapsed): in the first controller cycle that is not before it, or at once where it has passed.
+    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, which is
+    /// that of [`elapsed`](Self::elapsed): in the first controller cycle that is not before it, or at once where it has
+    /// passed.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the controller does not have the input; or a thread cannot be started.
@@ -114,14 +116,16 @@ impl Controller {
     /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if it is not a plane: a normal of zero, a number that is not finite, a negative stiffness.
+    /// [`ErrorKind::InvalidInput`] if it is not a plane: a normal of zero, a number that is not finite, a negative
+    /// stiffness.
     pub fn set_contact(&self, contact: Option<Contact>) -> io::Result<()> {
         contact.as_ref().map_or(Ok(()), Contact::check)?;
         self.shared.world().set_contact(contact);
         Ok(())
     }
 
-    /// How deep the tool centre point has been below the plane of [`Builder::contact`] or [`set_contact`](Self::set_contact), in mm; 0 without one.
+    /// How deep the tool centre point has been below the plane of [`Builder::contact`] or
+    /// [`set_contact`](Self::set_contact), in mm; 0 without one.
     ///
     /// It is computed in each controller cycle, and counts until the plane is set again.
     pub fn deepest_penetration(&self) -> f64 {
@@ -148,8 +152,8 @@ impl Controller {
         self.shared.world().happen(&Happening::CutPower);
     }
 
-    /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack adds, and
-    /// of any other. Fields that are not set here are answered as usual.
+    /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack
+    /// adds, and of any other. Fields that are not set here are answered as usual.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -162,8 +166,8 @@ impl Controller {
         self.shared.replies().insert(command.into(), fields.into_iter().collect());
     }
 
-    /// Sets keys of status packets from now on: those that a pack adds, and any other but that of the packet's length. A key
-    /// that the firmware does not send is sent by none of this. Keys that are not set here show the state.
+    /// Sets keys of status packets from now on: those that a pack adds, and any other but that of the packet's length.
+    /// A key that the firmware does not send is sent by none of this. Keys that are not set here show the state.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -192,13 +196,14 @@ impl Controller {
 
     /// Where clients deviated from the recording, in a [replay](Builder::replay); empty if there was nothing.
     ///
-    /// The connection of a client that has left may not have ended yet: [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
+    /// The connection of a client that has left may not have ended yet:
+    /// [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
     pub fn deviations(&self) -> Vec<Deviation> {
         self.shared.replay.as_ref().map(ReplaySession::deviations).unwrap_or_default()
     }
 
-    /// Waits until there are `count` [`deviations`](Self::deviations) in all; false if there are not after `timeout`, or nothing
-    /// is replayed.
+    /// Waits until there are `count` [`deviations`](Self::deviations) in all; false if there are not after `timeout`,
+    /// or nothing is replayed.
     pub fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         self.shared.replay.as_ref().is_some_and(|session| session.wait_for_deviations(count, timeout))
     }
@@ -215,8 +220,8 @@ impl Controller {
 
     /// Sends a status packet to all readers now.
     ///
-    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay, which has its
-    /// own packets, this does nothing.
+    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay,
+    /// which has its own packets, this does nothing.
     pub fn publish(&self) {
         self.shared.status_listener.wait_until_accepted();
         self.shared.publish();
@@ -228,8 +233,8 @@ impl Controller {
         self.shared.readers.send(bytes);
     }
 
-    /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New ones are
-    /// accepted.
+    /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New
+    /// ones are accepted.
     pub fn disconnect(&self) {
         self.wait_until_accepted();
         self.shared.active_client.close();

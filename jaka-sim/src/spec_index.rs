@@ -148,8 +148,8 @@ impl SpecIndex {
         translated.lost.is_empty() && translated.unknown.is_empty()
     }
 
-    /// A value of the state at a key of status packets, which a pack may have changed, in JSON; `member` gives it by the
-    /// built-in spec's key. None where the state has none; null where its value has no form there.
+    /// A value of the state at a key of status packets, which a pack may have changed, in JSON; `member` gives it by
+    /// the built-in spec's key. None where the state has none; null where its value has no form there.
     pub(crate) fn status_value<'j>(&self, field: &Field, member: impl Fn(&str) -> Option<&'j str>) -> Option<String> {
         let Some(base) = &self.base else { return member(&field.wire).map(str::to_owned) };
         let (own, others) = (self.spec.status_fields(), base.spec.status_fields());

@@ -212,15 +212,16 @@ impl Config {
 
 /// When a [`Monitor`](crate::Monitor) reconnects after its connection has ended.
 ///
-/// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections to the command
-/// port never are.
+/// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections
+/// to the command port never are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Reconnect {
     /// Never: the monitor reports that the connection has ended.
     #[default]
     Never,
-    /// It tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long each time, up to `longest`.
+    /// It tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long each
+    /// time, up to `longest`.
     Attempts {
         /// How many attempts in a row may fail.
         limit: u32,

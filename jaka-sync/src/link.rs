@@ -42,10 +42,10 @@ use crate::{Config, Disconnect, Error, ErrorKind};
 /// # Order of locks
 /// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread
 ///    waiting. The [`Gate`] runs under it: it may take 2, and must not use the connection.
-/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's state
-///    of an arm, never two at once. A thread that holds one of these must not take 1.
-/// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's, which
-///    are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the queue
+/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's
+///    state of an arm, never two at once. A thread that holds one of these must not take 1.
+/// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's,
+///    which are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the queue
 ///    (`recorder/queue.rs`); and `firmware`.
 ///
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
@@ -287,9 +287,10 @@ impl Link {
 
     /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
     ///
-    /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a `shutdown` delivers
-    /// it, and so does a close while another thread blocks in a read. So each thread that reads or writes is woken, the last to leave closes the socket,
-    /// and this waits for that. What the network or the controller holds cannot be recalled.
+    /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a
+    /// `shutdown` delivers it, and so does a close while another thread blocks in a read. So each thread that reads or
+    /// writes is woken, the last to leave closes the socket, and this waits for that. What the network or the
+    /// controller holds cannot be recalled.
     pub fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.state.lock();
         let broken = state.broken.get_or_insert_with(|| {
@@ -301,8 +302,8 @@ impl Link {
         let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
         let _ = SockRef::from(stream.system()).set_linger(Some(Duration::ZERO));
-        // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone; what that delivers
-        // until this thread has left is what would be delivered without a reset.
+        // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone;
+        // what that delivers until this thread has left is what would be delivered without a reset.
         let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });
         let others = Arc::downgrade(&stream);
         drop(stream);

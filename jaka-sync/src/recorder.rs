@@ -30,12 +30,12 @@ const BLOCK: usize = 64 << 10;
 
 /// Records all that goes over connections: requests, replies, status packets, and how connections began and ended.
 ///
-/// Given to a [`Config`](crate::Config), it records each client, status stream and monitor that the config connects. The
-/// clones of a recorder write the same recording, in the format of [`recording`](crate::recording).
+/// Given to a [`Config`](crate::Config), it records each client, status stream and monitor that the config connects.
+/// The clones of a recorder write the same recording, in the format of [`recording`](crate::recording).
 ///
-/// A thread of its own writes the file, some milliseconds later. Calls never wait for it: where it falls behind by 8 MiB, entries are dropped, and a
-/// `dropped` entry in their place says how many. While recording is on, errors carry the last messages of their
-/// connection: see [`Error::exchanges`](crate::Error::exchanges).
+/// A thread of its own writes the file, some milliseconds later. Calls never wait for it: where it falls behind by 8
+/// MiB, entries are dropped, and a `dropped` entry in their place says how many. While recording is on, errors carry
+/// the last messages of their connection: see [`Error::exchanges`](crate::Error::exchanges).
 ///
 /// A session that failed can be replayed by the simulator, and so becomes a unit test:
 ///
@@ -118,7 +118,8 @@ impl Recorder {
 
     /// Ends the recording, also of the clones, and waits until all is written. What happens later is not recorded.
     ///
-    /// Without this call, the recording ends when the last clone is dropped, and with it the connections that it records.
+    /// Without this call, the recording ends when the last clone is dropped, and with it the connections that it
+    /// records.
     ///
     /// # Errors
     /// The first error of the file or writer; nothing was written after it.
@@ -127,8 +128,8 @@ impl Recorder {
         self.0.queue.wait_until_done()
     }
 
-    /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams add
-    /// themselves.
+    /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams
+    /// add themselves.
     pub fn track(&self, port: Port, sampling: StatusSampling) -> Track {
         self.track_by(&Clock::default(), port, sampling)
     }

@@ -11,8 +11,8 @@ fn spec() -> Spec {
     builtin().expect("the built-in spec is correct")
 }
 
-/// The figures were taken from the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February 2024. The
-/// sums tell codes apart that counts do not.
+/// The figures were taken from the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February
+/// 2024. The sums tell codes apart that counts do not.
 #[test]
 fn the_table_has_the_codes_and_severities_of_the_vendors() {
     let spec = spec();

@@ -36,7 +36,8 @@ pub(crate) struct Sim {
     /// The arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer, document, or odd
+    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer,
+    /// document, or odd
     #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
     /// Milliseconds between two status packets [default: that of the firmware]
@@ -51,13 +52,15 @@ pub(crate) struct Sim {
     /// file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
-    /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
+    /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the
+    /// firmware's]
     #[arg(long, value_name = "LIST")]
     habits: Option<Habits>,
     /// Milliseconds by which the arm lags behind its commanded positions
     #[arg(long, value_name = "MS", default_value_t)]
     lag: u64,
-    /// Thresholds at which the drives stop the arm with an error, such as `deviation 1.5, command-acceleration 2000`, in deg, deg/s and deg/s²
+    /// Thresholds at which the drives stop the arm with an error, such as `deviation 1.5, command-acceleration 2000`,
+    /// in deg, deg/s and deg/s²
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     trips: Vec<Trip>,
     /// What the arm does when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
@@ -82,7 +85,8 @@ pub(crate) struct Sim {
     /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
     #[arg(long)]
     stdin: bool,
-    /// Have keys of the terminal say what happens, without Enter: a line lists them at the beginning, and when `?` is pressed
+    /// Have keys of the terminal say what happens, without Enter: a line lists them at the beginning, and when `?` is
+    /// pressed
     #[arg(long, conflicts_with = "stdin")]
     keys: bool,
     /// Print each message received and sent

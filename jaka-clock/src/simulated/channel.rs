@@ -15,8 +15,8 @@ use super::{SimulatedClock, Work};
 /// End of a connection that takes part in the time of a clock. It knows which bytes are on their way if the other end
 /// takes part, too.
 ///
-/// Up to 1 MiB is on its way to an end that takes part and does not read; then a write waits. The stream blocks. All its
-/// reads, writes and ends go through here. It is dropped before the channel.
+/// Up to 1 MiB is on its way to an end that takes part and does not read; then a write waits. The stream blocks. All
+/// its reads, writes and ends go through here. It is dropped before the channel.
 #[derive(Debug)]
 pub(crate) struct Channel {
     clock: SimulatedClock,

@@ -23,8 +23,8 @@ impl HoldUps {
         self.lock().push(HoldUp { thread: thread.to_owned(), act: Box::new(act) });
     }
 
-    /// Records that this thread has read the clock. The first time after a sleep, the first hold-up that is meant for it takes
-    /// place.
+    /// Records that this thread has read the clock. The first time after a sleep, the first hold-up that is meant for
+    /// it takes place.
     pub(super) fn has_read(&self) {
         if !HAS_SLEPT.replace(false) {
             return;

@@ -236,8 +236,8 @@ impl ClockState {
         }
     }
 
-    /// Records that an end of a connection that was made takes part. Where a participant accepts it, its other end takes
-    /// part, too, and time stands still until it is accepted.
+    /// Records that an end of a connection that was made takes part. Where a participant accepts it, its other end
+    /// takes part, too, and time stands still until it is accepted.
     pub(super) fn connected(&mut self, local: SocketAddr, peer: SocketAddr) {
         self.open(local, peer);
         // Its other end may be gone again by now.

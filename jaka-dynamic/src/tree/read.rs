@@ -240,8 +240,8 @@ pub(crate) fn is_success(reply: &Map<String, Value>) -> bool {
 
 /// Type that a value looks like, in the spec's notation.
 ///
-/// Numbers in arrays are floats: where all of them are whole, others of their kind need not be. A number that is too large for an `int`
-/// is `json`, which keeps all its digits.
+/// Numbers in arrays are floats: where all of them are whole, others of their kind need not be. A number that is too
+/// large for an `int` is `json`, which keeps all its digits.
 pub fn notation(value: &Value) -> String {
     match value {
         Value::Bool(_) => "bool".to_owned(),

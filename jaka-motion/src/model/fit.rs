@@ -18,8 +18,8 @@ pub struct Tolerance {
     pub angle_deg: f64,
 }
 
-/// 0.5 mm and 0.01 degrees. Four poses of a real Zu 5 (captured on firmware 1.5.14) are within 0.42 mm and 0.00001 degrees of the
-/// published model.
+/// 0.5 mm and 0.01 degrees. Four poses of a real Zu 5 (captured on firmware 1.5.14) are within 0.42 mm and 0.00001
+/// degrees of the published model.
 impl Default for Tolerance {
     fn default() -> Self {
         Self { position_mm: 0.5, angle_deg: 0.01 }
@@ -30,7 +30,8 @@ impl Default for Tolerance {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
-    /// What the controller's poses have before and after the arm: mounting and user frame together as the mounting, and the tool.
+    /// What the controller's poses have before and after the arm: mounting and user frame together as the mounting, and
+    /// the tool.
     pub frames: Frames,
     /// The largest difference of a position, in mm.
     pub position_mm: f64,
@@ -153,8 +154,8 @@ fn check(pairs: &[(JointPosition, Pose)]) -> Result<(), FitError> {
 
 /// Transforms before and after the arm that fit pairs of flange and pose best; none if more than one solution fits.
 ///
-/// With `P = L F R` for each pair, where L and R are wanted: for the rotations `P R^-1 = L F` is linear in the entries of
-/// `R^-1` and of L, and their best values are the first singular vectors of the sum of the Kronecker products of the
+/// With `P = L F R` for each pair, where L and R are wanted: for the rotations `P R^-1 = L F` is linear in the entries
+/// of `R^-1` and of L, and their best values are the first singular vectors of the sum of the Kronecker products of the
 /// transposes of F and P. The positions are then linear in those of L and R. Nothing is iterated, so nothing depends on
 /// a first guess.
 fn best_frames(model: &Model, pairs: &[(JointPosition, Pose)]) -> Option<Frames> {

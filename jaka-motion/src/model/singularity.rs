@@ -10,8 +10,8 @@ use nalgebra::Matrix6;
 #[non_exhaustive]
 pub struct SingularityDistance {
     /// How far the wrist, where the axes of joints 5 and 6 meet, is from the plane through the axis of joint 1 that is
-    /// parallel to the axis of joint 2, divided by [`Model::reach_mm`](super::Model::reach_mm). It is zero where the wrist is above the
-    /// shoulder.
+    /// parallel to the axis of joint 2, divided by [`Model::reach_mm`](super::Model::reach_mm). It is zero where the
+    /// wrist is above the shoulder.
     pub shoulder: f64,
     /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
     pub elbow: f64,

@@ -68,7 +68,8 @@ fn slow_enough(points: &[TimedPoint], checker: &Checker) -> (Vec<TimedPoint>, Tr
     panic!("no time is enough")
 }
 
-/// As a change of the rate says, within a period of it, the joints stay within their accelerations; and with a little more they do not.
+/// As a change of the rate says, within a period of it, the joints stay within their accelerations; and with a little
+/// more they do not.
 #[test]
 fn a_rate_that_changes_so_stays_within_the_accelerations() {
     let (mut random, checker) = (Random::new(4), checker());

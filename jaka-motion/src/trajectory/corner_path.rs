@@ -12,7 +12,8 @@ pub(super) struct Direction {
     pub(super) turned: Vector3<f64>,
 }
 
-/// A stretch of the tool's path, from two directions at a frame: what is left of the one, and what is done of the other.
+/// A stretch of the tool's path, from two directions at a frame: what is left of the one, and what is done of the
+/// other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CornerPath {
     pub(super) frame: Isometry3<f64>,

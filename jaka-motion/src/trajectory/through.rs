@@ -31,8 +31,8 @@ pub enum Via {
 /// # Timing
 /// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds
 /// change with a continuous acceleration and a limited jerk. Of each joint's acceleration 70 % is planned, and as much
-/// of its jerk; the rest is for those who follow the trajectory at a rate that changes. Of the highest speed of the tool
-/// centre point it is 98 %.
+/// of its jerk; the rest is for those who follow the trajectory at a rate that changes. Of the highest speed of the
+/// tool centre point it is 98 %.
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of

@@ -205,8 +205,8 @@ fn check_rest(samples: &[Sample]) -> Result<(), TrajectoryError> {
 
 /// Points with these velocities, and rest at both ends.
 ///
-/// At each inner point the acceleration before is to be that after, which gives an equation for its velocity and those of its neighbours. All
-/// together are solved by elimination forwards and insertion backwards.
+/// At each inner point the acceleration before is to be that after, which gives an equation for its velocity and those
+/// of its neighbours. All together are solved by elimination forwards and insertion backwards.
 fn with_spline_velocities(points: &[TimedPoint]) -> Vec<Sample> {
     let at_rest = |point: &TimedPoint| Sample { joints: point.joints, velocity: [0.0; 6], acceleration: [0.0; 6] };
     let mut samples: Vec<Sample> = points.iter().map(at_rest).collect();

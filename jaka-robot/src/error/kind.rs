@@ -400,7 +400,8 @@ impl ErrorKind {
         }
     }
 
-    /// Meaning to the methods of an error. Each kind is named: a new one does not compile before its meaning is decided.
+    /// Meaning to the methods of an error. Each kind is named: a new one does not compile before its meaning is
+    /// decided.
     pub(super) fn meaning(&self) -> Meaning<'_> {
         let other = Meaning::not_run(Group::Other);
         match self {

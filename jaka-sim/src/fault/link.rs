@@ -22,10 +22,10 @@ pub(crate) enum Passage {
 kinds! {
     /// Something wrong with a link: what passes between a port and its clients in one direction, and when.
     ///
-    /// [`Controller::link`](crate::Controller::link) sets it at once, and [`Happening::Link`](crate::Happening::Link) at a time. It
-    /// applies to the connections that are open and to later ones, until another fault is set. Its own times are real
-    /// times, also with a stepped clock. A link has no message boundaries: it passes bytes, and the end of a connection
-    /// after them.
+    /// [`Controller::link`](crate::Controller::link) sets it at once, and [`Happening::Link`](crate::Happening::Link)
+    /// at a time. It applies to the connections that are open and to later ones, until another fault is set. Its own
+    /// times are real times, also with a stepped clock. A link has no message boundaries: it passes bytes, and the end
+    /// of a connection after them.
     ///
     /// The system makes the connection itself, which succeeds on a link on which nothing passes.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

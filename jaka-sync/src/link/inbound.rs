@@ -25,7 +25,8 @@ impl Link {
         }
     }
 
-    /// Attributes what has been read and not attributed. Where another thread reads, it attributes all that it has read.
+    /// Attributes what has been read and not attributed. Where another thread reads, it attributes all that it has
+    /// read.
     pub(super) fn attribute_read(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| self.attribute_all(inbound, state))
     }
@@ -42,7 +43,8 @@ impl Link {
     /// Reads what has come, without waiting, and attributes it.
     pub(super) fn attribute_arrived(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
-            // No other thread reads. A thread that sends may be waiting in the socket, which must block then: what was read has to do.
+            // No other thread reads. A thread that sends may be waiting in the socket, which must block then: what was
+            // read has to do.
             if state.mode == Mode::Blocking && state.outbound.is_none() {
                 return self.attribute_all(inbound, state);
             }
@@ -58,8 +60,9 @@ impl Link {
         })
     }
 
-    /// Finds out whether the controller has ended the connection, without waiting, where no thread sends or reads. A reply that nobody waits for is not read
-    /// where nothing is outstanding: it breaks the connection, and a stop may have to go out first. An end behind it is not seen then.
+    /// Finds out whether the controller has ended the connection, without waiting, where no thread sends or reads. A
+    /// reply that nobody waits for is not read where nothing is outstanding: it breaks the connection, and a stop may
+    /// have to go out first. An end behind it is not seen then.
     pub(super) fn notice_end(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         if state.outbound.is_none() {
             return Ok(());
@@ -98,8 +101,8 @@ impl Link {
         done
     }
 
-    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `reader` read it. A refusal is an
-    /// error.
+    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `reader` read it. A refusal
+    /// is an error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, reader: &mut dyn ReadReply) -> Result<(), Error> {
         let mut waiter = Waiter::new(sent.request, text, reader);
         let (mut state, outcome) = self.outcome(self.state.lock(), sent.command, &mut waiter, sent.since, sent.timeout);

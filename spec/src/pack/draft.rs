@@ -200,7 +200,8 @@ impl<'s> Draft<'s, '_> {
         (!is_known).then_some(new)
     }
 
-    /// The event without the codes of which the spec says as much. Codes of which it says less, the spec then leaves to the pack.
+    /// The event without the codes of which the spec says as much. Codes of which it says less, the spec then leaves to
+    /// the pack.
     fn new_event(&mut self, item: &Item<'_, 's>) -> Option<Event> {
         let mut event = read::event(item, &mut self.index);
         for code in event.codes() {
