@@ -112,7 +112,7 @@ impl Socket {
     /// Sets the time that a read may take; none for one that waits without end. No effect in a simulated time.
     ///
     /// # Errors
-    /// Those of the system, and for a time of zero.
+    /// The system's errors, and an error for a time of zero.
     pub fn set_read_timeout(&self, patience: Option<Duration>) -> io::Result<()> {
         if self.is_simulated() { Ok(()) } else { self.stream.set_read_timeout(patience) }
     }
@@ -120,7 +120,7 @@ impl Socket {
     /// Sets the time that a write may take; none for one that waits without end. No effect in a simulated time.
     ///
     /// # Errors
-    /// Those of the system, and for a time of zero.
+    /// The system's errors, and an error for a time of zero.
     pub fn set_write_timeout(&self, patience: Option<Duration>) -> io::Result<()> {
         if self.is_simulated() { Ok(()) } else { self.stream.set_write_timeout(patience) }
     }
@@ -128,7 +128,7 @@ impl Socket {
     /// Sets whether reads and writes return at once in place of waiting.
     ///
     /// # Errors
-    /// Those of the system.
+    /// The system's errors.
     pub fn set_nonblocking(&self, is_nonblocking: bool) -> io::Result<()> {
         #[cfg(feature = "simulated")]
         if let Some(channel) = &self.channel {
@@ -141,7 +141,7 @@ impl Socket {
     /// Ends the connection in a direction or both, and wakes the threads that wait for it.
     ///
     /// # Errors
-    /// Those of the system: it has ended already.
+    /// The system's errors: it has ended already.
     pub fn shutdown(&self, how: Shutdown) -> io::Result<()> {
         #[cfg(feature = "simulated")]
         if let Some(channel) = &self.channel {

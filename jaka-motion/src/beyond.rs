@@ -167,7 +167,7 @@ pub enum Way {
 /// What is exceeded, and at which share of the way.
 pub(crate) type Found = (Exceeded, f64);
 
-/// Where on the way, which goes without saying at its end.
+/// Place on the way; empty at its end.
 struct At<'a>(&'a Beyond, &'static str);
 
 /// A number with one decimal, or as many as tell it from another.

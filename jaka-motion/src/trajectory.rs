@@ -146,12 +146,12 @@ impl Trajectory {
         self.0.pieces.last().map_or(0.0, Piece::end_s)
     }
 
-    /// Where the arm is at the start.
+    /// Joint position at the start.
     pub fn start(&self) -> JointPosition {
         self.at(0.0).joints
     }
 
-    /// Where the arm is at the end.
+    /// Joint position at the end.
     pub fn end(&self) -> JointPosition {
         self.at(f64::INFINITY).joints
     }

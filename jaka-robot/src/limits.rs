@@ -15,7 +15,7 @@ pub(crate) use self::motion::Beginning;
 use crate::arm::Arm;
 use crate::{Error, ErrorKind, Explanation, Unchecked};
 
-/// What happens to a motion or a set-point that is beyond a limit, or that cannot be checked.
+/// Rule for a motion or a set-point that is beyond a limit, or that cannot be checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum LimitPolicy {

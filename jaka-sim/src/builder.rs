@@ -315,7 +315,7 @@ impl Builder {
     }
 }
 
-/// What happens when a client connects to the command port while another one is connected.
+/// Rule for a client that connects to the command port while another one is connected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Takeover {

@@ -54,7 +54,7 @@ impl CommandConnection {
     }
 }
 
-/// What happens to a connection after a request.
+/// Fate of a connection after a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NextStep {
     /// The next request is read.

@@ -1,16 +1,18 @@
 //! A running controller.
 
+mod program_thread;
+
+use std::fmt;
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
-use std::{fmt, panic};
 
 use jaka_clock::SimulatedClock;
 use serde_json::Value;
 
+use self::program_thread::ProgramThread;
 use crate::link_selector::LinkSelector;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
@@ -374,14 +376,9 @@ impl Controller {
         let time = self.shared.time();
         // This thread takes part in a simulated time before the program's does.
         let run = time.participating(|| {
-            let (running, ended) = mpsc::channel::<()>();
-            let thread = thread::Builder::new().name("program under test".to_owned());
-            let thread = thread.spawn(time.participating(move || {
-                let _running = running;
-                program()
-            }))?;
+            let thread = ProgramThread::spawn(time, program)?;
             meanwhile(self);
-            time.outside(|| end(thread, &ended, limit))
+            time.outside(|| thread.join(limit))
         });
         run()
     }
@@ -561,14 +558,6 @@ impl Link<'_> {
     pub fn release(self) {
         self.set(LinkFault::None);
     }
-}
-
-/// What a thread returns, which drops the other end of the channel when it ends.
-fn end<T>(thread: JoinHandle<T>, ended: &Receiver<()>, limit: Duration) -> io::Result<T> {
-    if ended.recv_timeout(limit) == Err(RecvTimeoutError::Timeout) {
-        return Err(io::Error::new(ErrorKind::TimedOut, "the program under test has not ended in time"));
-    }
-    thread.join().or_else(|payload| panic::resume_unwind(payload))
 }
 
 /// Waits until the condition holds, and then acts.

@@ -168,12 +168,11 @@ impl TokenReader<'_, '_> {
     }
 
     fn level(&mut self) -> Result<Level, ScriptError> {
-        const WANTED: &str = "`high` or `low`";
-        match self.word(WANTED)?.text {
-            "high" => Ok(Level::High),
-            "low" => Ok(Level::Low),
-            _ => Err(self.unfit(format!("expected {WANTED}"))),
-        }
+        let levels = [Level::High, Level::Low];
+        let wanted = levels.map(|level| format!("`{level}`")).join(" or ");
+        let word = self.word(&wanted)?.text;
+        let level = levels.into_iter().find(|level| level.to_string() == word);
+        level.ok_or_else(|| self.unfit(format!("expected {wanted}")))
     }
 
     fn value(&mut self) -> Result<f64, ScriptError> {
@@ -217,7 +216,7 @@ impl TokenReader<'_, '_> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scheduled {
-    /// What happens.
+    /// The happening.
     pub happening: Happening,
     /// Time since the start, by the controller's clock.
     pub at: Duration,

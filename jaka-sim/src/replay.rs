@@ -97,7 +97,7 @@ impl ReplaySession {
         }
     }
 
-    /// What happens on the next command connection; `None` if the recording has no further one, which is a deviation.
+    /// Events on the next command connection; `None` if the recording has no further one, which is a deviation.
     pub(crate) fn next_commands(&self) -> Option<Arc<Script>> {
         let mut progress = lock(&self.progress);
         let script = self.commands.get(progress.commands).cloned();
@@ -105,7 +105,7 @@ impl ReplaySession {
         self.known(script, Port::Command, &mut progress)
     }
 
-    /// What happens on the next status connection.
+    /// Events on the next status connection.
     pub(crate) fn next_reader(&self) -> Option<Arc<Script>> {
         let mut progress = lock(&self.progress);
         let again = self.readers.last().filter(|_| self.mode == Replay::Matching);

@@ -4,6 +4,8 @@ mod extio;
 mod keys;
 mod values;
 
+use std::collections::BTreeMap;
+
 use jaka_dynamic::{Forms, Message, counterpart};
 use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
@@ -43,7 +45,7 @@ pub(crate) fn packet(
     let shape = firmware.shape();
     let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
     let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
-    let own = members(&own).unwrap_or_default();
+    let own = members(&own).unwrap_or_default().into_iter().collect();
     let fields = fields(spec_index, &own);
     let Some((length, fields)) = fields.split_first() else { return String::new() };
     parts.resize_with(fields.len(), Part::default);
@@ -68,8 +70,8 @@ pub(crate) fn packet(
 
 /// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given
 /// them other names.
-fn fields<'s>(spec_index: &'s SpecIndex, own: &[(String, &str)]) -> Vec<&'s Field> {
-    let is_sent = |field: &&Field| own.iter().any(|(key, _)| *key == field.wire);
+fn fields<'s>(spec_index: &'s SpecIndex, own: &BTreeMap<String, &str>) -> Vec<&'s Field> {
+    let is_sent = |field: &&Field| own.contains_key(&field.wire);
     let fields = spec_index.spec.status_fields();
     let Some(built_in) = spec_index.without_packs() else {
         return keys::in_order(&spec_index.spec).filter(is_sent).collect();
@@ -100,9 +102,8 @@ fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)
 }
 
 /// What a packet shows of the state at a key, in JSON; `own` is all of it by the built-in spec.
-fn shown(field: &Field, own: &[(String, &str)], spec_index: &SpecIndex) -> String {
-    let member = |wire: &str| own.iter().find(|(key, _)| key == wire).map(|(_, json)| *json);
-    let value = spec_index.status_value(field, member);
+fn shown(field: &Field, own: &BTreeMap<String, &str>, spec_index: &SpecIndex) -> String {
+    let value = spec_index.status_value(field, |wire| own.get(wire).copied());
     value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field).to_string())
 }
 

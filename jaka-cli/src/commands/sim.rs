@@ -48,7 +48,7 @@ pub(crate) struct Sim {
     programs: Vec<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
-    /// What goes wrong with replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a
+    /// Faults of replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a
     /// file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
@@ -78,7 +78,7 @@ pub(crate) struct Sim {
     /// The arm has power and is enabled from the start
     #[arg(long)]
     powered: bool,
-    /// What happens to the arm, to inputs and to links, and when, such as `collide at 2s, link both to-client hold at
+    /// Events at the arm, at inputs and on links, with their times, such as `collide at 2s, link both to-client hold at
     /// 5s`, in the controller's time since its start
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     schedule: Vec<Scheduled>,

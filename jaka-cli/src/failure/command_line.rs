@@ -8,6 +8,7 @@ use clap::{CommandFactory, Error};
 use itertools::Itertools as _;
 
 use crate::Cli;
+use crate::words::Words;
 
 /// True for a help or a version that is to be printed, also where a command is missing.
 pub(crate) fn is_help(error: &Error) -> bool {
@@ -77,19 +78,16 @@ fn hint(error: &Error) -> String {
 
 /// The command whose line it is, as far as there is one.
 fn command() -> String {
-    let mut known = Cli::command();
-    let mut path = String::from("jaka");
-    for word in env::args_os().skip(1).filter_map(|word| word.into_string().ok()) {
-        if let Some(found) = known.find_subcommand(&word) {
-            path = format!("{path} {word}");
-            known = found.clone();
-        } else if known.get_name() == "call"
-            && jaka_spec::builtin().is_ok_and(|spec| spec.command_called(&word).is_some())
-        {
-            return format!("{path} {word}");
-        }
+    let mut jaka = Cli::command();
+    jaka.build();
+    let words: Vec<_> = env::args_os().skip(1).collect();
+    let line = Words::of(&jaka, &words);
+    let path = line.command.get_bin_name().unwrap_or("jaka");
+    let called = line.positionals.first().filter(|_| line.command.get_name() == "call").map(|called| &called.word);
+    match called.filter(|word| jaka_spec::builtin().is_ok_and(|spec| spec.command_called(word).is_some())) {
+        Some(word) => format!("{path} {word}"),
+        None => path.to_owned(),
     }
-    path
 }
 
 /// What the error says of this kind, in backticks.

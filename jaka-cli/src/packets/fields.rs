@@ -26,7 +26,7 @@ pub(crate) struct Field {
     path: Vec<Label<'static>>,
 }
 
-/// What a condition can do with a field's value.
+/// Use of a field's value in a condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     Truth,
@@ -80,7 +80,7 @@ impl Field {
         self.value(packet).map(Node::named)
     }
 
-    /// What a condition can do with its value.
+    /// Use of its value in a condition.
     pub(crate) fn kind(&self) -> Kind {
         match self.place.shape() {
             Some(Shape::Scalar(Scalar::Bool { .. })) => Kind::Truth,

@@ -27,7 +27,7 @@ pub(super) struct RoomToStop<'a> {
     pub(super) points: LimitedPoints<'a>,
 }
 
-/// How often room to stop is looked for on a piece, in seconds.
+/// Period of the search for room to stop on a piece, in seconds.
 const PERIOD_S: f64 = 0.008;
 
 impl LimitedPoints<'_> {

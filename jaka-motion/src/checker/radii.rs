@@ -23,7 +23,7 @@ pub(super) struct PointMotion {
     pub(super) bend_mm: f64,
 }
 
-/// Where the arm is at the end of a piece.
+/// Points of the arm at the end of a piece, and the levers of its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct PieceEnd {
     /// In the order of [`Point::ALL`], in the arm's base.

@@ -17,7 +17,7 @@ pub(crate) enum SetPoint {
 pub(crate) enum SetPointStep {
     /// Of the joints, in degrees.
     Joints([f64; 6]),
-    /// Of the tool centre point: a position in millimetres, and a [turn](super::turn) in degrees.
+    /// Of the tool centre point: a position in millimetres, and a rotation vector in degrees.
     Pose([f64; 6]),
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_proto::Envelope;
 use jaka_proto::recording::{Ending, Entry, Event, Message, Port, Recording};
 
-/// What happens on one connection of a recording, in order.
+/// Events on one connection of a recording, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Script {
     /// When the connection began in the recording.
