@@ -3,7 +3,7 @@
 //! All that this crate knows of one kind of scalar stands here.
 
 use jaka_proto::ErrorCode;
-use jaka_proto::check::{AdvisoryRanges, Limits};
+use jaka_proto::check::{AdvisoryRanges, FieldLimits};
 use jaka_proto::wire::{Decode, Reader, Writer};
 use jaka_spec::Scalar;
 use serde_json::{Map, Value};
@@ -28,7 +28,7 @@ impl Fit {
 }
 
 /// How a value fits a scalar within limits.
-pub(crate) fn fit(scalar: &Scalar, limits: &Limits<'_>, value: &Value) -> Fit {
+pub(crate) fn fit(scalar: &Scalar, limits: &FieldLimits<'_>, value: &Value) -> Fit {
     let fit = match scalar {
         Scalar::Bool { off, on } => truth(value, off, on).map(|(_, fit)| fit),
         #[expect(clippy::cast_precision_loss, reason = "limits are small; rounding moves none across them")]
@@ -43,7 +43,7 @@ pub(crate) fn fit(scalar: &Scalar, limits: &Limits<'_>, value: &Value) -> Fit {
     fit.unwrap_or(Fit::Unreadable(DepartureKind::Form))
 }
 
-fn within(limits: &Limits<'_>, number: f64, fit: Fit) -> Fit {
+fn within(limits: &FieldLimits<'_>, number: f64, fit: Fit) -> Fit {
     if limits.allow(number) && limits.advise(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
 }
 
@@ -71,7 +71,7 @@ pub(crate) enum Forbidden {
 /// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
 pub(crate) fn write(
     scalar: &Scalar,
-    limits: &Limits<'_>,
+    limits: &FieldLimits<'_>,
     ranges: AdvisoryRanges,
     value: &Value,
     out: &mut Writer,
@@ -126,7 +126,7 @@ pub(crate) fn hint(scalar: &Scalar) -> &'static str {
 }
 
 /// What a value may be, such as `a number, at least 0 deg/s`.
-pub(crate) fn words(scalar: &Scalar, limits: &Limits<'_>) -> String {
+pub(crate) fn words(scalar: &Scalar, limits: &FieldLimits<'_>) -> String {
     match scalar {
         Scalar::Bool { off, on } => format!("{off} or {on}"),
         Scalar::Int => number_words("a whole number", limits),
@@ -137,7 +137,7 @@ pub(crate) fn words(scalar: &Scalar, limits: &Limits<'_>) -> String {
     }
 }
 
-fn number_words(noun: &str, limits: &Limits<'_>) -> String {
+fn number_words(noun: &str, limits: &FieldLimits<'_>) -> String {
     match limits.unit {
         _ if limits.are_bounded() => format!("{noun}, {limits}"),
         "" => noun.to_owned(),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use jaka_proto::check::{Advised, Limits};
+use jaka_proto::check::{Advised, FieldLimits};
 use jaka_spec::{EnumValue, Field, Shape, Spec, Type, Variant, words};
 
 use super::scalar;
@@ -14,18 +14,18 @@ pub(crate) struct Slot<'a> {
     /// None of a message as a whole.
     ty: Option<&'a Type>,
     pub(crate) shape: Shape<'a>,
-    pub(crate) limits: Limits<'a>,
+    pub(crate) limits: FieldLimits<'a>,
 }
 
 impl<'a> Slot<'a> {
     /// A value of the type that stands nowhere.
     pub(crate) fn of_type(spec: &'a Spec, ty: &'a Type) -> Self {
-        Self { spec, ty: Some(ty), shape: spec.shape(ty), limits: Limits::NONE }.with_unit(ty)
+        Self { spec, ty: Some(ty), shape: spec.shape(ty), limits: FieldLimits::NONE }.with_unit(ty)
     }
 
     /// A message with these fields.
     pub(crate) fn of_object(spec: &'a Spec, fields: &'a [Field]) -> Self {
-        Self { spec, ty: None, shape: Shape::Object(fields), limits: Limits::NONE }
+        Self { spec, ty: None, shape: Shape::Object(fields), limits: FieldLimits::NONE }
     }
 
     /// The place of a field.
@@ -84,10 +84,10 @@ impl fmt::Debug for Slot<'_> {
 }
 
 /// What the numbers and texts of a field may be.
-fn limits(field: &Field) -> Limits<'_> {
+fn limits(field: &Field) -> FieldLimits<'_> {
     let jaka_spec::Range { min, max, advisory } = field.range;
     let unit = field.unit.as_deref().unwrap_or_default();
-    Limits { min, max, advisory, ascii: field.ascii, unit, ..Limits::NONE }
+    FieldLimits { min, max, advisory, ascii: field.ascii, unit, ..FieldLimits::NONE }
 }
 
 fn listed<T>(values: &[EnumValue<T>]) -> impl Iterator<Item = &EnumValue<T>> {

@@ -62,16 +62,16 @@ pub(crate) enum Wrist {
 /// Sets of six numbers: the arms here have no more than eight branches.
 pub(crate) type UpToEight = ArrayVec<[f64; 6], 8>;
 
-/// What was found.
+/// Solutions for a target.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct Solutions {
     /// Angles of the links in radians.
     pub(crate) angles: UpToEight,
     /// How far the nearest branch without angles falls short, in mm.
     pub(crate) short_mm: f64,
 }
 
-impl Found {
+impl Solutions {
     fn add(&mut self, angles: [f64; 6]) {
         // A ninth is dropped.
         let _ = self.angles.try_push(angles);
@@ -85,8 +85,8 @@ impl Found {
 impl ClosedForm {
     /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free keeps
     /// its angle from `reference`.
-    pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Found {
-        let mut found = Found { angles: UpToEight::new(), short_mm: f64::INFINITY };
+    pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Solutions {
+        let mut found = Solutions { angles: UpToEight::new(), short_mm: f64::INFINITY };
         match self.base_angles(target) {
             Ok(firsts) => {
                 for first in firsts {
@@ -131,7 +131,7 @@ impl ClosedForm {
     }
 
     /// Joint 4 parallel to 2 and 3: joints 5 and 6 follow from where the plane's normal points in the flange's frame.
-    fn parallel_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Found) {
+    fn parallel_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Solutions) {
         let normal = target.rotation.inverse() * Vector3::new(first.sin(), -first.cos(), 0.0);
         for fifth in wrist_turns(normal.x.hypot(normal.y), normal.z).into_iter().flatten() {
             let sixth = if fifth.sin().abs() < SINGULAR {
@@ -144,7 +144,7 @@ impl ClosedForm {
     }
 
     /// Joints 2, 3 and 4 move in one plane: two bars reach the wrist, and joint 4 makes the rest of the rotation.
-    fn planar(&self, target: &Isometry3<f64>, known: [f64; 6], found: &mut Found) {
+    fn planar(&self, target: &Isometry3<f64>, known: [f64; 6], found: &mut Solutions) {
         let (before, after) = (self.links.product(0..1, &known), self.links.product(4..6, &known));
         let plane = flatten(&(before.inverse() * target * after.inverse()));
         let turn = plane.rotation.to_rotation_matrix();
@@ -162,7 +162,7 @@ impl ClosedForm {
     }
 
     /// The wrist's axes meet: two bars reach that point, and the three wrist joints make the rest of the rotation.
-    fn spherical_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Found) {
+    fn spherical_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Solutions) {
         let (a, d) = (&self.links.a, &self.links.d);
         let plane = flatten(&(self.links.product(0..1, &[first; 6]).inverse() * target));
         let wrist = plane * Point3::new(0.0, 0.0, -d[5]);
@@ -179,7 +179,7 @@ impl ClosedForm {
     }
 
     /// Joints 4, 5 and 6 from `Rz(fourth) Ry(-fifth) Rz(sixth)`.
-    fn turns(&self, target: &Isometry3<f64>, arm: [f64; 3], reference: &[f64; 6], found: &mut Found) {
+    fn turns(&self, target: &Isometry3<f64>, arm: [f64; 3], reference: &[f64; 6], found: &mut Solutions) {
         let [first, second, third] = arm;
         let forearm = self.links.product(0..3, &[first, second, third, 0.0, 0.0, 0.0]).rotation;
         let left = quarter_turn() * (forearm.inverse() * target.rotation).to_rotation_matrix();

@@ -42,7 +42,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             Ok(())
         }
@@ -214,14 +214,14 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
-            place.check("mode", &self.mode, &check::Limits::NONE)?;
+            place.check("mode", &self.mode, &check::FieldLimits::NONE)?;
             place
                 .check(
                     "position",
                     &self.position,
-                    &check::Limits {
+                    &check::FieldLimits {
                         advised: match &self.mode {
                             Mode::Absolute => {
                                 check::Advised::to(
@@ -248,14 +248,14 @@ pub mod shapes {
                             }
                             _ => check::Advised::NONE,
                         },
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
             place
                 .check(
                     "via",
                     &self.via,
-                    &check::Limits {
+                    &check::FieldLimits {
                         advised: check::Advised::to(
                             &[
                                 check::Advice {
@@ -265,29 +265,29 @@ pub mod shapes {
                                 },
                             ],
                         ),
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
-            place.check("count", &self.count, &check::Limits::NONE)?;
+            place.check("count", &self.count, &check::FieldLimits::NONE)?;
             place
                 .check(
                     "speed",
                     &self.speed,
-                    &check::Limits {
+                    &check::FieldLimits {
                         min: Some(0f64),
                         max: Some(180f64),
                         advisory: true,
                         unit: "deg/s",
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
             place
                 .check(
                     "tolerance",
                     &self.tolerance,
-                    &check::Limits {
+                    &check::FieldLimits {
                         firmware: proto::FirmwareRange::ALL.until([1, 6]),
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
             Ok(())
@@ -350,15 +350,15 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "name",
                     &self.name,
-                    &check::Limits {
+                    &check::FieldLimits {
                         ascii: true,
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
             Ok(())
@@ -461,7 +461,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             match self {
                 Self::Off {} => {}
@@ -470,9 +470,9 @@ pub mod shapes {
                         .check(
                             "cutoff",
                             cutoff,
-                            &check::Limits {
+                            &check::FieldLimits {
                                 unit: "Hz",
-                                ..check::Limits::NONE
+                                ..check::FieldLimits::NONE
                             },
                         )?;
                 }
@@ -524,7 +524,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             Ok(())
         }
@@ -649,7 +649,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             Ok(())
         }
@@ -698,7 +698,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             Ok(())
         }
@@ -791,7 +791,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Absolute => check::Standing::Listed,
@@ -844,7 +844,7 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             let standing = match self {
                 Self::Idle | Self::Running => check::Standing::Listed,
@@ -884,9 +884,9 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
-            let limits = check::Limits {
+            let limits = check::FieldLimits {
                 unit: "deg",
                 ..*limits
             };
@@ -939,18 +939,18 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             place
                 .check(
                     "x",
                     &self.x,
-                    &check::Limits {
+                    &check::FieldLimits {
                         unit: "mm",
-                        ..check::Limits::NONE
+                        ..check::FieldLimits::NONE
                     },
                 )?;
-            place.check("y", &self.y, &check::Limits::NONE)?;
+            place.check("y", &self.y, &check::FieldLimits::NONE)?;
             Ok(())
         }
     }
@@ -1002,10 +1002,10 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
-            place.check("setup", &self.setup, &check::Limits::NONE)?;
-            place.check("label", &self.label, &check::Limits::NONE)?;
+            place.check("setup", &self.setup, &check::FieldLimits::NONE)?;
+            place.check("label", &self.label, &check::FieldLimits::NONE)?;
             Ok(())
         }
     }
@@ -1099,14 +1099,14 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
             match self {
                 Self::Serial { baud_rate } => {
-                    place.check("baud_rate", baud_rate, &check::Limits::NONE)?;
+                    place.check("baud_rate", baud_rate, &check::FieldLimits::NONE)?;
                 }
                 Self::Tcp { address } => {
-                    place.check("address", address, &check::Limits::NONE)?;
+                    place.check("address", address, &check::FieldLimits::NONE)?;
                 }
                 Self::Other(_) => {}
             }
@@ -1166,10 +1166,10 @@ pub mod shapes {
         fn validate(
             &self,
             place: &check::Place<'_>,
-            limits: &check::Limits,
+            limits: &check::FieldLimits,
         ) -> Result<(), check::NotSent> {
-            place.check("point", &self.point, &check::Limits::NONE)?;
-            place.check("event", &self.event, &check::Limits::NONE)?;
+            place.check("point", &self.point, &check::FieldLimits::NONE)?;
+            place.check("event", &self.event, &check::FieldLimits::NONE)?;
             Ok(())
         }
     }

@@ -89,18 +89,18 @@ doc = "Whether it is quiet."
             fn validate(
                 &self,
                 place: &check::Place<'_>,
-                limits: &check::Limits,
+                limits: &check::FieldLimits,
             ) -> Result<(), check::NotSent> {
-                place.check("curve", &self.curve, &check::Limits::NONE)?;
+                place.check("curve", &self.curve, &check::FieldLimits::NONE)?;
                 place
                     .check(
                         "delay",
                         &self.delay,
-                        &check::Limits {
+                        &check::FieldLimits {
                             min: Some(0f64),
                             unit: "s",
                             firmware: proto::FirmwareRange::ALL.until([1, 6]),
-                            ..check::Limits::NONE
+                            ..check::FieldLimits::NONE
                         },
                     )?;
                 Ok(())
@@ -119,15 +119,15 @@ doc = "Whether it is quiet."
             fn validate(
                 &self,
                 place: &check::Place<'_>,
-                limits: &check::Limits,
+                limits: &check::FieldLimits,
             ) -> Result<(), check::NotSent> {
                 place
                     .check(
                         "quiet",
                         &self.quiet,
-                        &check::Limits {
+                        &check::FieldLimits {
                             firmware: proto::FirmwareRange::ALL.since([1, 7]),
-                            ..check::Limits::NONE
+                            ..check::FieldLimits::NONE
                         },
                     )?;
                 Ok(())

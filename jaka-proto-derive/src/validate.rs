@@ -41,7 +41,7 @@ pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
         TypeKind::Wrapper(_, unit) => {
             let unit = unit.as_deref().unwrap_or_default();
             quote! {
-                let limits = check::Limits { unit: #unit, ..*limits };
+                let limits = check::FieldLimits { unit: #unit, ..*limits };
                 check::Validate::validate(&self.0, place, &limits)
             }
         }
@@ -58,7 +58,7 @@ fn implement(name: &Ident, body: &TokenStream) -> TokenStream {
             fn validate(
                 &self,
                 place: &check::Place<'_>,
-                limits: &check::Limits,
+                limits: &check::FieldLimits,
             ) -> Result<(), check::NotSent> {
                 #body
             }
@@ -145,10 +145,10 @@ fn limits(field: &Field, advised: Option<TokenStream>) -> TokenStream {
     let advised = advised.map(|advised| quote!(advised: #advised,));
     let set = [min, max, advisory, advised, ascii, unit, firmware];
     if set.iter().all(Option::is_none) {
-        return quote!(check::Limits::NONE);
+        return quote!(check::FieldLimits::NONE);
     }
     let set = set.iter().flatten();
-    quote!(check::Limits { #(#set)* ..check::Limits::NONE })
+    quote!(check::FieldLimits { #(#set)* ..check::FieldLimits::NONE })
 }
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {

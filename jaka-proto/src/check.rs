@@ -7,7 +7,7 @@ use crate::wire::Typed;
 
 /// What a field may hold, and which firmware has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits<'u> {
+pub struct FieldLimits<'u> {
     /// Least value allowed.
     pub min: Option<f64>,
     /// Greatest value allowed.
@@ -42,7 +42,7 @@ pub struct Advised<'u> {
     times: f64,
 }
 
-impl Limits<'_> {
+impl FieldLimits<'_> {
     /// Any finite number, any text, in any firmware.
     pub const NONE: Self = Self {
         min: None,
@@ -91,7 +91,7 @@ impl Limits<'_> {
 }
 
 /// In words, such as `0 to 1`, `at least 0 deg/s` or `more than 0, at most 265 deg/s`.
-impl fmt::Display for Limits<'_> {
+impl fmt::Display for FieldLimits<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (min, max, nonzero) = self.ends();
         match (min, max) {
@@ -238,7 +238,7 @@ impl<'p> Place<'p> {
     /// # Errors
     /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
     // Not generic, or each type of a field would compile a copy.
-    pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &Limits<'_>) -> Result<(), NotSent> {
+    pub fn check(&'p self, name: &'static str, value: &dyn Validate, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         let mut place = self.inner(PlaceName::Field(name));
         if !limits.advised.is_none() && self.rules.ranges == AdvisoryRanges::Enforced {
             place.advised = limits.advised;
@@ -287,7 +287,7 @@ impl<'p> Place<'p> {
         InvalidArgument::new(self.command, self.path(), value, allowed)
     }
 
-    fn number(&self, value: f64, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn number(&self, value: f64, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         if !value.is_finite() {
             return Err(self.invalid(value.to_string(), limits.to_string()).into());
         }
@@ -295,7 +295,7 @@ impl<'p> Place<'p> {
         if is_permitted && self.advised.allow(value, limits.unit) {
             return Ok(());
         }
-        let limits = Limits { advised: self.advised, ..*limits };
+        let limits = FieldLimits { advised: self.advised, ..*limits };
         let invalid = self.invalid(value.to_string(), limits.to_string());
         Err(if limits.advisory || is_permitted { invalid.in_advisory_range() } else { invalid }.into())
     }
@@ -342,7 +342,7 @@ pub trait Validate {
     ///
     /// # Errors
     /// The spec forbids the value, or the controller's firmware does not have a field of it.
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent>;
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent>;
 
     /// False for an optional value that is left out.
     fn is_present(&self) -> bool {
@@ -351,26 +351,26 @@ pub trait Validate {
 }
 
 impl Validate for f64 {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         place.number(*self, limits)
     }
 }
 
 impl Validate for i64 {
     #[expect(clippy::cast_precision_loss, reason = "limits are small whole numbers; rounding moves none across them")]
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         place.number(*self as f64, limits)
     }
 }
 
 impl Validate for bool {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
 impl Validate for String {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         if !limits.allow_text(self) {
             let invalid = place.invalid(format!("`{self}`"), "printable ASCII");
             return Err(if limits.advisory { invalid.in_advisory_range() } else { invalid }.into());
@@ -380,20 +380,20 @@ impl Validate for String {
 }
 
 impl Validate for serde_json::Value {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         Ok(())
     }
 }
 
 /// What is given as raw JSON is not checked.
 impl<T: Validate> Validate for Typed<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.known().map_or(Ok(()), |value| value.validate(place, limits))
     }
 }
 
 impl<T: Validate> Validate for Option<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.as_ref().map_or(Ok(()), |value| value.validate(place, limits))
     }
 
@@ -403,20 +403,20 @@ impl<T: Validate> Validate for Option<T> {
 }
 
 impl<T: Validate> Validate for [T] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         let each = |(index, item): (usize, &T)| item.validate(&place.inner(PlaceName::Element(index)), limits);
         self.iter().enumerate().try_for_each(each)
     }
 }
 
 impl<T: Validate> Validate for Vec<T> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }
 
 impl<T: Validate, const N: usize> Validate for [T; N] {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.as_slice().validate(place, limits)
     }
 }

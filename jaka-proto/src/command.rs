@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::check::{Limits, NotSent, Place, Rules, Validate};
+use crate::check::{FieldLimits, NotSent, Place, Rules, Validate};
 use crate::firmware::FirmwareRange;
 use crate::wire::{Fields, Writer};
 
@@ -40,7 +40,7 @@ fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Re
     if info.needs_firmware && rules.firmware.is_none() {
         return Err(NotSent::FirmwareUnknown { command: info.name });
     }
-    request.validate(&place, &Limits::NONE)
+    request.validate(&place, &FieldLimits::NONE)
 }
 
 /// Something to do with a request, whatever its type: see [`Request::visit`](crate::Request::visit).

@@ -1,18 +1,18 @@
 //! What a field may hold: the ends of a range, text, arrays, what is raw or absent, and the words of a refusal.
 
 use jaka_proto::FirmwareRange;
-use jaka_proto::check::{AdvisoryRanges, InvalidArgument, Limits, NotSent, Place, Rules, Standing, Validate};
+use jaka_proto::check::{AdvisoryRanges, FieldLimits, InvalidArgument, NotSent, Place, Rules, Standing, Validate};
 use jaka_proto::wire::{Typed, Value};
 
-const UP_TO_TEN: Limits = Limits { max: Some(10.0), unit: "mm", ..Limits::NONE };
-const ASCII: Limits = Limits { ascii: true, ..Limits::NONE };
+const UP_TO_TEN: FieldLimits = FieldLimits { max: Some(10.0), unit: "mm", ..FieldLimits::NONE };
+const ASCII: FieldLimits = FieldLimits { ascii: true, ..FieldLimits::NONE };
 
 fn request(ranges: AdvisoryRanges) -> Place<'static> {
     Place::request("set_fan", ranges.into())
 }
 
 /// What is wrong with a field of this value; nothing, if it may be sent.
-fn invalid(value: &dyn Validate, limits: &Limits, ranges: AdvisoryRanges) -> Option<InvalidArgument> {
+fn invalid(value: &dyn Validate, limits: &FieldLimits, ranges: AdvisoryRanges) -> Option<InvalidArgument> {
     match request(ranges).check("fan", value, limits) {
         Ok(()) => None,
         Err(NotSent::InvalidArgument(invalid)) => Some(invalid),
@@ -20,32 +20,32 @@ fn invalid(value: &dyn Validate, limits: &Limits, ranges: AdvisoryRanges) -> Opt
     }
 }
 
-fn is_valid(value: &dyn Validate, limits: &Limits) -> bool {
+fn is_valid(value: &dyn Validate, limits: &FieldLimits) -> bool {
     invalid(value, limits, AdvisoryRanges::Enforced).is_none()
 }
 
 #[test]
 fn the_ends_of_a_range_are_in_it() {
-    let limits = Limits { min: Some(-1.0), max: Some(1.0), ..Limits::NONE };
+    let limits = FieldLimits { min: Some(-1.0), max: Some(1.0), ..FieldLimits::NONE };
     assert!(is_valid(&-1.0, &limits) && is_valid(&1.0, &limits) && is_valid(&1_i64, &limits));
     assert!(!is_valid(&-1.001, &limits) && !is_valid(&1.001, &limits) && !is_valid(&2_i64, &limits));
     assert!(is_valid(&-1e300, &UP_TO_TEN) && !is_valid(&10.5, &UP_TO_TEN));
-    assert!(is_valid(&f64::MAX, &Limits::NONE) && !is_valid(&f64::NAN, &Limits::NONE));
+    assert!(is_valid(&f64::MAX, &FieldLimits::NONE) && !is_valid(&f64::NAN, &FieldLimits::NONE));
 }
 
 #[test]
 fn limits_in_words() {
-    let range = Limits { min: Some(0.0), max: Some(1.5), ..Limits::NONE };
+    let range = FieldLimits { min: Some(0.0), max: Some(1.5), ..FieldLimits::NONE };
     assert_eq!(range.to_string(), "0 to 1.5");
-    assert_eq!(Limits { min: Some(2.0), ..Limits::NONE }.to_string(), "at least 2");
+    assert_eq!(FieldLimits { min: Some(2.0), ..FieldLimits::NONE }.to_string(), "at least 2");
     assert_eq!(UP_TO_TEN.to_string(), "at most 10 mm");
-    assert_eq!(Limits::NONE.to_string(), "a finite number");
-    assert_eq!(Limits { unit: "deg", ..Limits::NONE }.to_string(), "a finite number (in deg)");
+    assert_eq!(FieldLimits::NONE.to_string(), "a finite number");
+    assert_eq!(FieldLimits { unit: "deg", ..FieldLimits::NONE }.to_string(), "a finite number (in deg)");
 }
 
 #[test]
 fn an_advisory_range_can_be_ignored_but_takes_no_number_that_is_not_finite() {
-    let limits = Limits { advisory: true, ..UP_TO_TEN };
+    let limits = FieldLimits { advisory: true, ..UP_TO_TEN };
     let enforced = invalid(&11.0, &limits, AdvisoryRanges::Enforced).expect("it is above");
     assert_eq!((enforced.value.as_str(), enforced.allowed.as_str(), enforced.advisory), ("11", "at most 10 mm", true));
     assert_eq!(invalid(&11.0, &limits, AdvisoryRanges::Ignored), None);
@@ -61,7 +61,7 @@ fn text_is_limited_only_where_the_spec_says_so() {
     }
     for text in ["über", "a\tb", "a\u{7f}", "a\0"] {
         assert!(!is_valid(&text.to_owned(), &ASCII), "{text:?}");
-        assert!(is_valid(&text.to_owned(), &Limits::NONE), "{text:?}");
+        assert!(is_valid(&text.to_owned(), &FieldLimits::NONE), "{text:?}");
     }
 }
 
@@ -85,7 +85,7 @@ fn what_is_absent_or_raw_is_not_checked() {
 fn an_absent_field_may_be_one_that_the_firmware_does_not_have() {
     let firmware = Some("1.5".parse().expect("it is a version"));
     let place = Place::request("set_fan", Rules { firmware, ..Rules::default() });
-    let limits = Limits { firmware: FirmwareRange::ALL.since([1, 6]), ..Limits::NONE };
+    let limits = FieldLimits { firmware: FirmwareRange::ALL.since([1, 6]), ..FieldLimits::NONE };
     assert_eq!(place.check("fan", &None::<f64>, &limits), Ok(()));
     for value in [&Some(1.0) as &dyn Validate, &1.0, &Typed::Known(1.0), &vec![1.0]] {
         assert!(matches!(place.check("fan", value, &limits), Err(NotSent::NotInFirmware(_))));
@@ -136,7 +136,7 @@ fn why_a_request_was_not_sent() {
     assert_eq!(NotSent::from(invalid.in_advisory_range()).to_string(), format!("{text}{hint}"));
     let firmware = Some("1.5".parse().expect("it is a version"));
     let place = Place::request("set_fan", Rules { firmware, ..Rules::default() });
-    let limits = Limits { firmware: FirmwareRange::ALL.since([1, 6]), ..Limits::NONE };
+    let limits = FieldLimits { firmware: FirmwareRange::ALL.since([1, 6]), ..FieldLimits::NONE };
     let missing = place.check("speed", &1.0, &limits).expect_err("the firmware is older");
     let NotSent::NotInFirmware(inner) = &missing else { panic!("the firmware is older, yet {missing:?}") };
     assert_eq!(missing.to_string(), inner.to_string());

@@ -1,6 +1,6 @@
 //! Firmware versions: how they are read and ordered, and what is refused because a controller's firmware does not have it.
 
-use jaka_proto::check::{AdvisoryRanges, Limits, NotSent, Place, Rules, Validate};
+use jaka_proto::check::{AdvisoryRanges, FieldLimits, NotSent, Place, Rules, Validate};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::wire::{DecodeError, Encode, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, FirmwareRange, FirmwareVersion, NotInFirmware, Request};
@@ -85,20 +85,24 @@ impl Fields for SetFan {
     }
 }
 
-fn in_firmware(firmware: FirmwareRange) -> Limits<'static> {
-    Limits { firmware, ..Limits::NONE }
+fn in_firmware(firmware: FirmwareRange) -> FieldLimits<'static> {
+    FieldLimits { firmware, ..FieldLimits::NONE }
 }
 
 impl Validate for SetFan {
-    fn validate(&self, place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, _limits: &FieldLimits) -> Result<(), NotSent> {
         place.check("curve", &self.curve, &in_firmware(FirmwareRange::ALL.since([1, 6])))?;
-        place.check("points", &self.points, &Limits::NONE)?;
-        place.check("delay", &self.delay, &Limits { min: Some(0.0), ..in_firmware(FirmwareRange::ALL.until([1, 6])) })
+        place.check("points", &self.points, &FieldLimits::NONE)?;
+        place.check(
+            "delay",
+            &self.delay,
+            &FieldLimits { min: Some(0.0), ..in_firmware(FirmwareRange::ALL.until([1, 6])) },
+        )
     }
 }
 
 impl Validate for FanCurve {
-    fn validate(&self, place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, _limits: &FieldLimits) -> Result<(), NotSent> {
         place.check("quiet", &self.quiet, &in_firmware(FirmwareRange::ALL.since([1, 7])))
     }
 }

@@ -20,7 +20,7 @@ use jaka_motion::Model;
 use self::blend::Leaving;
 pub(crate) use self::drives::Drives;
 pub(crate) use self::jog::{Jogging, Reference, small};
-pub(crate) use self::path::{Joints, Path};
+pub(crate) use self::path::{ArmPath, Joints};
 pub(crate) use self::profile::Profile;
 use self::running::Running;
 pub(crate) use self::running::{Planned, Zone};

@@ -17,7 +17,7 @@ use self::canonical::canonical;
 pub(crate) use self::canonical::is_same;
 use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
-pub(crate) use self::script::{Script, Step};
+pub(crate) use self::script::{Script, ScriptStep};
 
 /// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

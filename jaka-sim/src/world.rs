@@ -18,7 +18,7 @@ use self::schedule::Schedule;
 use crate::clock::CYCLE;
 use crate::firmware::Writing;
 use crate::link::Links;
-use crate::motion::{Drives, Engine, Joints, Path, Planned, Profile, Reference, Servo, ServoOptions, Zone};
+use crate::motion::{ArmPath, Drives, Engine, Joints, Planned, Profile, Reference, Servo, ServoOptions, Zone};
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
 use crate::trips::{self, Observed, Trip};
@@ -462,10 +462,10 @@ impl World {
     pub(crate) fn plan_joints(&self, to: Joints, speed: f64, acceleration: f64) -> Option<Planned> {
         let from = self.tail();
         self.model.is_within_range(to).then_some(())?;
-        self.plan(Path::Joints { from, to }, speed, acceleration)
+        self.plan(ArmPath::Joints { from, to }, speed, acceleration)
     }
 
-    pub(crate) fn plan(&self, path: Path, speed: f64, acceleration: f64) -> Option<Planned> {
+    pub(crate) fn plan(&self, path: ArmPath, speed: f64, acceleration: f64) -> Option<Planned> {
         if speed <= 0.0 || acceleration <= 0.0 {
             return None;
         }
@@ -569,7 +569,7 @@ fn move_l(command: &MoveL, world: &World) -> Option<Planned> {
         _ => tool_at(world, MoveMode::Absolute, command.pose),
     };
     let acceleration = command.acceleration.unwrap_or(USUAL_ACCELERATION);
-    let planned = world.plan(Path::Line { from, to, tool }, command.speed, acceleration)?;
+    let planned = world.plan(ArmPath::Line { from, to, tool }, command.speed, acceleration)?;
     Some(world.rounded(planned, command.tolerance))
 }
 
@@ -578,7 +578,7 @@ fn move_c(command: &MoveC, world: &World) -> Option<Planned> {
     let from = world.model.forward(world.tail()) * tool;
     let middle = tool_at(world, command.mode, command.mid_pose);
     let to = tool_at(world, command.mode, command.end_pose);
-    let arc = Path::arc(from, middle, to, tool)?;
+    let arc = ArmPath::arc(from, middle, to, tool)?;
     let planned = world.plan(arc, command.speed, command.acceleration)?;
     Some(world.rounded(planned, Some(command.tolerance)))
 }

@@ -8,7 +8,7 @@ use jaka_robot::motion::JointMove;
 use jaka_robot::{MotionExt as _, Numbering};
 use jaka_sim::{Controller, Fault};
 use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::proto::check::{Limits, NotSent, Place, Validate};
+use jaka_sync::proto::check::{FieldLimits, NotSent, Place, Validate};
 use jaka_sync::proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_sync::{Client, Command, CommandInfo};
 use jaka_tests::simulated::beside;
@@ -53,7 +53,7 @@ impl Fields for Ask {
 }
 
 impl Validate for Ask {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits) -> Result<(), NotSent> {
         Ok(())
     }
 }

@@ -9,7 +9,7 @@ use jaka_robot::types::JointPosition;
 use crate::arm::acting::{ActArgs, QueueArgs, intent};
 use crate::arm::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::arm::motion::Form;
-use crate::arm::planned::{Goal, Planned, only_at};
+use crate::arm::planned::{MoveTarget, Planned, only_at};
 use crate::failure::Failure;
 use crate::packets::packed_status::PackedStatus;
 use crate::target::Target;
@@ -43,7 +43,7 @@ pub(crate) struct GoArgs {
 
 impl GoArgs {
     /// Checks the motion, asks, sends it and waits for its end; or prints what would be sent.
-    pub(crate) fn go(&self, goal: Goal) -> Result<(), Failure> {
+    pub(crate) fn go(&self, goal: MoveTarget) -> Result<(), Failure> {
         let limits = self.limits.read()?;
         let mut acceleration = self.acceleration;
         if goal.is_of_joints() {
@@ -59,10 +59,10 @@ impl GoArgs {
             self.carry_out(&motion, &planned, limits.clone())
         };
         match goal {
-            Goal::Joints(to) => joints(JointMove::absolute(to, self.speed)),
-            Goal::Joint(at, by) => joints(JointMove::relative(only_at(at, by), self.speed)),
-            Goal::Pose(to) => line(MoveL::absolute(to, self.speed)),
-            Goal::Line(at, by) => line(MoveL::relative(only_at(at, by), self.speed)),
+            MoveTarget::Joints(to) => joints(JointMove::absolute(to, self.speed)),
+            MoveTarget::Joint(at, by) => joints(JointMove::relative(only_at(at, by), self.speed)),
+            MoveTarget::Pose(to) => line(MoveL::absolute(to, self.speed)),
+            MoveTarget::Line(at, by) => line(MoveL::relative(only_at(at, by), self.speed)),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 
 /// Where a motion goes; joints and axes by their index.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Goal {
+pub(crate) enum MoveTarget {
     /// To these joint positions, in deg.
     Joints([f64; 6]),
     /// One joint by this, in deg.
@@ -24,7 +24,7 @@ pub(crate) enum Goal {
 /// A motion that is to be sent.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Planned {
-    pub(crate) goal: Goal,
+    pub(crate) goal: MoveTarget,
     /// In deg/s or mm/s.
     pub(crate) speed: f64,
     /// In deg/s² or mm/s²; none for the controller's own.
@@ -36,7 +36,7 @@ pub(crate) fn only_at(index: usize, by: f64) -> [f64; 6] {
     std::array::from_fn(|other| if other == index { by } else { 0.0 })
 }
 
-impl Goal {
+impl MoveTarget {
     pub(crate) fn is_of_joints(self) -> bool {
         matches!(self, Self::Joints(_) | Self::Joint(..))
     }
@@ -53,24 +53,24 @@ impl Planned {
         );
         let pace = format!("at {speed} {unit} scaled by the rapid rate, with {acceleration}");
         match (*goal, from) {
-            (Goal::Joints(to), from) => {
+            (MoveTarget::Joints(to), from) => {
                 let longest =
                     from.map_or_else(|| "the joint with the longest way".to_owned(), |from| longest(from.0, to));
                 format!("go to the joint positions {} deg: {longest} {pace}", list(&to))
             }
-            (Goal::Joint(at, by), Some(from)) => {
+            (MoveTarget::Joint(at, by), Some(from)) => {
                 let (joint, from, to) = (at + 1, in_tenths(from.0[at]), in_tenths(from.0[at] + by));
                 format!("turn joint {joint} by {by} deg, from {from} to {to} deg, {pace}")
             }
-            (Goal::Joint(at, by), None) => format!("turn joint {} by {by} deg, {pace}", at + 1),
-            (Goal::Pose(to), _) => {
+            (MoveTarget::Joint(at, by), None) => format!("turn joint {} by {by} deg, {pace}", at + 1),
+            (MoveTarget::Pose(to), _) => {
                 let (position, rotation) = to.split_at(3);
                 let (position, rotation) = (list(position), list(rotation));
                 format!(
                     "lead its tool centre point on a straight line to {position} mm (x, y, z) and {rotation} deg (rx, ry, rz), {pace}"
                 )
             }
-            (Goal::Line(at, by), _) => {
+            (MoveTarget::Line(at, by), _) => {
                 let axis = ["x", "y", "z"][at];
                 format!("lead its tool centre point by {by} mm along {axis} of the selected user frame, {pace}")
             }
@@ -82,20 +82,20 @@ impl Planned {
     /// that asks the controller for them.
     pub(crate) fn check(&self, limits: &Limits, from: Option<JointPosition>) -> Result<(), Failure> {
         match (self.goal, from) {
-            (Goal::Joints(to), Some(from)) => self.check_way(limits, from.0, to),
-            (Goal::Joints(_), None) => Ok(()),
-            (Goal::Joint(at, by), Some(from)) => {
+            (MoveTarget::Joints(to), Some(from)) => self.check_way(limits, from.0, to),
+            (MoveTarget::Joints(_), None) => Ok(()),
+            (MoveTarget::Joint(at, by), Some(from)) => {
                 let turned = only_at(at, by);
                 self.check_way(limits, from.0, std::array::from_fn(|joint| from.0[joint] + turned[joint]))
             }
-            (Goal::Joint(at, by), None) => {
+            (MoveTarget::Joint(at, by), None) => {
                 // A way within the range, on which the pace alone can be beyond a limit.
                 let (least, most) = (*limits.joint_min(), *limits.joint_max());
                 let mut to = least;
                 to[at] += by.abs().min(most[at] - least[at]);
                 self.check_way(limits, least, to)
             }
-            (Goal::Pose(_) | Goal::Line(..), _) => match limits.tcp_speed() {
+            (MoveTarget::Pose(_) | MoveTarget::Line(..), _) => match limits.tcp_speed() {
                 Some(limit) if self.speed > limit => Err(Failure::NotSent(format!(
                     "`moveL` was not sent: the tool centre point would move at {} mm/s; limit {limit} ({})",
                     self.speed,
@@ -162,13 +162,13 @@ mod tests {
     const HERE: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 12.25];
 
     #[track_caller]
-    fn check(goal: Goal, from: Option<[f64; 6]>, expected: &Expect) {
+    fn check(goal: MoveTarget, from: Option<[f64; 6]>, expected: &Expect) {
         expected.assert_eq(&Planned { goal, speed: 20.0, acceleration: Some(50.0) }.told(from.map(JointPosition)));
     }
 
     #[test]
     fn a_motion_is_told_with_its_units() {
-        let to = Goal::Joints([0.0, 90.0, 85.5, 90.0, -90.0, 10.0]);
+        let to = MoveTarget::Joints([0.0, 90.0, 85.5, 90.0, -90.0, 10.0]);
         check(
             to,
             Some(HERE),
@@ -184,27 +184,27 @@ mod tests {
             ],
         );
         check(
-            Goal::Joint(5, -2.5),
+            MoveTarget::Joint(5, -2.5),
             Some(HERE),
             &expect![
                 "turn joint 6 by -2.5 deg, from 12.3 to 9.8 deg, at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
-            Goal::Joint(5, -2.5),
+            MoveTarget::Joint(5, -2.5),
             None,
             &expect![
                 "turn joint 6 by -2.5 deg, at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
-            Goal::Pose([-400.0, 100.0, 450.0, 180.0, 0.0, 90.0]),
+            MoveTarget::Pose([-400.0, 100.0, 450.0, 180.0, 0.0, 90.0]),
             None,
             &expect![
                 "lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 20 mm/s scaled by the rapid rate, with an acceleration of 50 mm/s²"
             ],
         );
-        let line = Planned { goal: Goal::Line(2, -10.0), speed: 20.0, acceleration: None };
+        let line = Planned { goal: MoveTarget::Line(2, -10.0), speed: 20.0, acceleration: None };
         expect!["lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration"].assert_eq(&line.told(None));
     }
 
@@ -219,15 +219,21 @@ mod tests {
             let planned = Planned { goal, speed, acceleration: Some(50.0) };
             planned.check(&limits, from.map(JointPosition)).is_ok()
         };
-        let to = |joint_3| Goal::Joints([0.0, 90.0, joint_3, 90.0, -90.0, 0.0]);
+        let to = |joint_3| MoveTarget::Joints([0.0, 90.0, joint_3, 90.0, -90.0, 0.0]);
         assert!(is_within(to(99.0), 20.0, Some(HERE)) && !is_within(to(101.0), 20.0, Some(HERE)));
         let outside = [0.0, 90.0, 120.0, 90.0, -90.0, 0.0];
         assert!(is_within(to(101.0), 20.0, Some(outside)), "it leads back");
         assert!(is_within(to(101.0), 20.0, None), "it may lead back");
-        assert!(is_within(Goal::Joint(2, 5.0), 20.0, Some(HERE)) && !is_within(Goal::Joint(2, 15.0), 20.0, Some(HERE)));
+        assert!(
+            is_within(MoveTarget::Joint(2, 5.0), 20.0, Some(HERE))
+                && !is_within(MoveTarget::Joint(2, 15.0), 20.0, Some(HERE))
+        );
         for by in [-5.0, 5.0, 900.0] {
-            assert!(is_within(Goal::Joint(2, by), 180.0, None) && !is_within(Goal::Joint(2, by), 190.0, None), "{by}");
+            assert!(
+                is_within(MoveTarget::Joint(2, by), 180.0, None) && !is_within(MoveTarget::Joint(2, by), 190.0, None),
+                "{by}"
+            );
         }
-        assert!(is_within(Goal::Line(0, 5.0), 250.0, None) && !is_within(Goal::Line(0, 5.0), 251.0, None));
+        assert!(is_within(MoveTarget::Line(0, 5.0), 250.0, None) && !is_within(MoveTarget::Line(0, 5.0), 251.0, None));
     }
 }

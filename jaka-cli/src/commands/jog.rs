@@ -5,7 +5,7 @@ use std::str::FromStr;
 use clap::Args;
 
 use crate::arm::going::GoArgs;
-use crate::arm::planned::Goal;
+use crate::arm::planned::MoveTarget;
 use crate::failure::Failure;
 
 const EXAMPLES: &str = "\
@@ -41,8 +41,8 @@ enum Axis {
 impl Jog {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.go.go(match self.axis {
-            Axis::Joint(at) => Goal::Joint(at, self.distance),
-            Axis::Line(at) => Goal::Line(at, self.distance),
+            Axis::Joint(at) => MoveTarget::Joint(at, self.distance),
+            Axis::Line(at) => MoveTarget::Line(at, self.distance),
         })
     }
 }

@@ -3,7 +3,7 @@
 use clap::{ArgGroup, Args};
 
 use crate::arm::going::GoArgs;
-use crate::arm::planned::Goal;
+use crate::arm::planned::MoveTarget;
 use crate::failure::Failure;
 
 const EXAMPLES: &str = "\
@@ -34,8 +34,8 @@ pub(crate) struct Move {
 impl Move {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.go.go(match (self.joints, self.pose) {
-            (Some(joints), _) => Goal::Joints(joints),
-            (None, pose) => Goal::Pose(pose.unwrap_or_default()),
+            (Some(joints), _) => MoveTarget::Joints(joints),
+            (None, pose) => MoveTarget::Pose(pose.unwrap_or_default()),
         })
     }
 }

@@ -4,7 +4,7 @@ use jaka_motion::Transform;
 use jaka_proto::messages::motion::{Jog, JogFrame};
 use jaka_proto::messages::types::Pose;
 
-use crate::motion::{Jogging, Path, Planned, Reference, small};
+use crate::motion::{ArmPath, Jogging, Planned, Reference, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
@@ -79,5 +79,5 @@ fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl F
         _ => <[f64; 6]>::from(Pose::from(flange * tool))[index],
     };
     let end = reference.moved(flange, small(index, to(now) - now));
-    world.plan(Path::Line { from: flange * tool, to: end * tool, tool }, speed, JOG_ACCELERATION)
+    world.plan(ArmPath::Line { from: flange * tool, to: end * tool, tool }, speed, JOG_ACCELERATION)
 }

@@ -12,7 +12,7 @@ use super::request_reader::{Incoming, NextRequest, RequestReader};
 use crate::Fault;
 use crate::answer::Sequel;
 use crate::connection::{CommandConnection, NextStep};
-use crate::replay::{Deviation, ReplaySession, Script, Step, is_same};
+use crate::replay::{Deviation, ReplaySession, Script, ScriptStep, is_same};
 use crate::request_log::RequestLog;
 use crate::shared::Shared;
 
@@ -56,24 +56,24 @@ impl Player<'_> {
     fn play(&mut self, script: &Script) -> Result<NextStep, Deviation> {
         for step in &script.steps {
             match step {
-                Step::Expect { request, at } => {
+                ScriptStep::Expect { request, at } => {
                     self.expect(request, *at)?;
                     self.came += 1;
                     self.session.request_came(script, *at);
                     self.shared.readers.reschedule();
                 }
-                Step::Send { bytes, at } => {
+                ScriptStep::Send { bytes, at } => {
                     if self.wait_until(*at) {
                         return Ok(NextStep::Close);
                     }
                     // A client that has disconnected is noticed when its next request is missing.
                     self.connection.writer().write(bytes).ok();
                 }
-                Step::End { by, at } => {
+                ScriptStep::End { by, at } => {
                     self.wait_until(*at);
                     return Ok(next(*by));
                 }
-                Step::Gap { count } => return Err(Deviation::Gap { count: *count }),
+                ScriptStep::Gap { count } => return Err(Deviation::Gap { count: *count }),
             }
         }
         match self.next_request() {

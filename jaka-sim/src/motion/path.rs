@@ -7,7 +7,7 @@ pub(crate) type Joints = [f64; 6];
 
 /// The way from one position to another, by the distance from its beginning.
 #[derive(Debug, Clone)]
-pub(crate) enum Path {
+pub(crate) enum ArmPath {
     /// All joints at once, each at an even share of the way.
     Joints { from: Joints, to: Joints },
     /// The flange along a straight line.
@@ -16,7 +16,7 @@ pub(crate) enum Path {
     Arc { arc: Box<Arc>, tool: Transform },
 }
 
-impl Path {
+impl ArmPath {
     /// The arc of the tool centre point through three poses; `None` where they lie on a line.
     pub(crate) fn arc(from: Transform, middle: Transform, to: Transform, tool: Transform) -> Option<Self> {
         Arc::through(from, middle, to).map(|arc| Self::Arc { arc: Box::new(arc), tool })

@@ -2,14 +2,14 @@
 
 use jaka_motion::{Model, Transform};
 
-use super::path::{Joints, Path};
+use super::path::{ArmPath, Joints};
 use super::profile::{Along, Brake, Profile};
 use crate::clock::CYCLE;
 
 /// A motion that has been accepted.
 #[derive(Debug, Clone)]
 pub(crate) struct Planned {
-    pub(crate) path: Path,
+    pub(crate) path: ArmPath,
     pub(crate) profile: Profile,
     pub(crate) deceleration: f64,
     pub(crate) end: Joints,

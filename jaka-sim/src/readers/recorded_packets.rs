@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_clock::Clock;
 
 use super::packet_writer::LEAST_PERIOD;
-use crate::replay::{ReplaySession, Script, Step};
+use crate::replay::{ReplaySession, Script, ScriptStep};
 
 /// The packets of one connection of a recording, each with its time.
 #[derive(Debug)]
@@ -45,10 +45,10 @@ impl RecordedPackets {
             None => self.began,
         };
         match self.script.steps.get(self.position) {
-            Some(Step::Send { at, .. } | Step::End { at, .. }) => {
+            Some(ScriptStep::Send { at, .. } | ScriptStep::End { at, .. }) => {
                 session.packet_due(&self.script, *at, self.began, next)
             }
-            Some(Step::Expect { .. } | Step::Gap { .. }) => Some(self.began),
+            Some(ScriptStep::Expect { .. } | ScriptStep::Gap { .. }) => Some(self.began),
             // After the last packet, it is repeated each period.
             None => self.script.last.as_ref().map(|_| next),
         }
@@ -59,9 +59,9 @@ impl RecordedPackets {
         let step = self.script.steps.get(self.position);
         self.position += 1;
         let packet = match step {
-            Some(Step::Send { bytes, .. }) => bytes.clone(),
-            Some(Step::End { .. }) => return Some(RecordedStep::End),
-            Some(Step::Expect { .. } | Step::Gap { .. }) => return None,
+            Some(ScriptStep::Send { bytes, .. }) => bytes.clone(),
+            Some(ScriptStep::End { .. }) => return Some(RecordedStep::End),
+            Some(ScriptStep::Expect { .. } | ScriptStep::Gap { .. }) => return None,
             None => self.script.last.as_ref()?.bytes().to_vec(),
         };
         self.last = Some(self.time.now());

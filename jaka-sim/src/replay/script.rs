@@ -11,14 +11,14 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port, Recording};
 pub(crate) struct Script {
     /// When the connection began in the recording.
     pub(crate) start: Duration,
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Vec<ScriptStep>,
     /// The last of the messages that are JSON objects: the status that stays.
     pub(crate) last: Option<Message>,
 }
 
 /// One step; times count from the beginning of the connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Step {
+pub(crate) enum ScriptStep {
     /// The client sends a request.
     Expect { request: String, at: Duration },
     /// The controller sends bytes.
@@ -55,14 +55,14 @@ impl Script {
     /// The times of the requests.
     pub(crate) fn requests(&self) -> impl Iterator<Item = Duration> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Expect { at, .. } => Some(*at),
+            ScriptStep::Expect { at, .. } => Some(*at),
             _ => None,
         })
     }
 
     fn add(&mut self, event: &Event, at: Duration) {
         match event {
-            Event::Sent(request) => self.steps.push(Step::Expect { request: request.to_string(), at }),
+            Event::Sent(request) => self.steps.push(ScriptStep::Expect { request: request.to_string(), at }),
             Event::Received(message) => {
                 self.send(message.bytes(), at);
                 if message.text().is_some_and(|text| Envelope::read(text).is_ok()) {
@@ -70,9 +70,9 @@ impl Script {
                 }
             }
             Event::Closed { by: by @ (Ending::Controller | Ending::Failure), .. } => {
-                self.steps.push(Step::End { by: *by, at });
+                self.steps.push(ScriptStep::End { by: *by, at });
             }
-            Event::Dropped { count } => self.steps.push(Step::Gap { count: *count }),
+            Event::Dropped { count } => self.steps.push(ScriptStep::Gap { count: *count }),
             _ => {}
         }
     }
@@ -80,8 +80,8 @@ impl Script {
     /// What came in one piece is sent in one piece.
     fn send(&mut self, more: &[u8], time: Duration) {
         match self.steps.last_mut() {
-            Some(Step::Send { bytes, at }) if *at == time => bytes.extend_from_slice(more),
-            _ => self.steps.push(Step::Send { bytes: more.to_vec(), at: time }),
+            Some(ScriptStep::Send { bytes, at }) if *at == time => bytes.extend_from_slice(more),
+            _ => self.steps.push(ScriptStep::Send { bytes: more.to_vec(), at: time }),
         }
     }
 }
@@ -112,14 +112,14 @@ mod tests {
         ];
         let recording = Recording::new(Header::new(Duration::ZERO, ""), entries);
         let millis = Duration::from_millis;
-        let send = |text: &str, at| Step::Send { bytes: text.into(), at: millis(at) };
+        let send = |text: &str, at| ScriptStep::Send { bytes: text.into(), at: millis(at) };
         let commands = scripts(&recording, Port::Command);
         assert_eq!(commands.len(), 1);
-        let expect = Step::Expect { request: "a".to_owned(), at: millis(3) };
+        let expect = ScriptStep::Expect { request: "a".to_owned(), at: millis(3) };
         assert_eq!(commands[0].steps, [expect, send("bc", 5), send("d", 6)]);
         let readers = scripts(&recording, Port::Status);
         assert_eq!(readers.len(), 1);
-        let end = Step::End { by: Ending::Controller, at: millis(10) };
+        let end = ScriptStep::End { by: Ending::Controller, at: millis(10) };
         assert_eq!(readers[0].steps, [send("{}", 1), send("garbage", 9), end]);
         assert_eq!(readers[0].last, Some(message("{}")));
     }

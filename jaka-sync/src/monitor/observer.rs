@@ -41,13 +41,13 @@ impl<S> Copy for StatusNews<'_, S> {}
 /// Call of another layer for each piece of news.
 pub(super) type Listener<S> = Box<dyn FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send>;
 
-pub(super) type Call<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
+pub(super) type UserCallback<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send>;
 
 /// Listeners and observers.
 pub(super) struct Observers<S> {
     /// Those of another layer, which are short and keep the arm from moving: no user's observer may hold them up.
     pub(super) listeners: Vec<Listener<S>>,
-    pub(super) users: Vec<Call<S>>,
+    pub(super) users: Vec<UserCallback<S>>,
 }
 
 impl<S> Observers<S> {
@@ -64,7 +64,7 @@ impl<S> Observers<S> {
     /// Calls the users' observers, and forgets those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
         // What a panic leaves half done is the observer's own.
-        let flow = |call: &mut Call<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
+        let flow = |call: &mut UserCallback<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
         self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
     }
 

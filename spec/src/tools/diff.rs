@@ -138,13 +138,13 @@ fn plural(count: usize) -> &'static str {
 }
 
 /// Something of a topic, and the topic.
-type Placed<'s, T> = (&'s Topic, &'s T);
+type InTopic<'s, T> = (&'s Topic, &'s T);
 
-fn placed<'s, T>(spec: &'s Spec, items: impl Fn(&'s Topic) -> &'s [T]) -> Vec<Placed<'s, T>> {
+fn placed<'s, T>(spec: &'s Spec, items: impl Fn(&'s Topic) -> &'s [T]) -> Vec<InTopic<'s, T>> {
     spec.topics.iter().flat_map(|topic| items(topic).iter().map(move |item| (topic, item))).collect()
 }
 
-fn types(spec: &Spec) -> Vec<Placed<'_, TypeDef>> {
+fn types(spec: &Spec) -> Vec<InTopic<'_, TypeDef>> {
     spec.topics.iter().flat_map(|topic| spec.types_of(topic).map(move |(_, def)| (topic, def))).collect()
 }
 
@@ -161,7 +161,7 @@ fn topics(d: &mut Differ<'_>) {
     }
 }
 
-fn commands(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, Command>>) {
+fn commands(d: &mut Differ<'_>, pair: &Pair<'_, InTopic<'_, Command>>) {
     let place = format!("command `{}`", pair.any().1.wire);
     if let Some(((old_topic, old), (new_topic, new))) = d.both(&place, pair, Impact::Minor) {
         d.value(&place, "topic", &old_topic.name, &new_topic.name, Impact::Major);
@@ -169,7 +169,7 @@ fn commands(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, Command>>) {
     }
 }
 
-fn named_types(d: &mut Differ<'_>, pair: &Pair<'_, Placed<'_, TypeDef>>) {
+fn named_types(d: &mut Differ<'_>, pair: &Pair<'_, InTopic<'_, TypeDef>>) {
     let place = format!("type `{}`", pair.any().1.name);
     if let Some(((old_topic, old), (new_topic, new))) = d.both(&place, pair, Impact::Minor) {
         d.value(&place, "topic", &old_topic.name, &new_topic.name, Impact::Major);

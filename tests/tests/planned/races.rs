@@ -10,7 +10,7 @@ mod waits;
 use std::borrow::Cow;
 use std::time::Duration;
 
-use jaka_proto::check::{Limits, NotSent, Place, Validate};
+use jaka_proto::check::{FieldLimits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope};
 use jaka_robot::motion::JointMove;
@@ -89,7 +89,7 @@ impl Motion for Hooked<'_> {
 }
 
 impl Validate for Hooked<'_> {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         (self.before_sending)();
         Ok(())
     }

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::time::Duration;
 
-use jaka_proto::check::{Limits, NotSent, Place, Validate};
+use jaka_proto::check::{FieldLimits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Change, Command, CommandInfo, Effect};
 use jaka_robot::force::StartTorqSensorPayloadIdentify;
@@ -164,7 +164,7 @@ impl Motion for StoppedOnTheWay {
 }
 
 impl Validate for StoppedOnTheWay {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits) -> Result<(), NotSent> {
         self.0.stop().expect("the controller takes the stop");
         Ok(())
     }
@@ -427,7 +427,7 @@ impl Command for SwapTool {
 }
 
 impl Validate for SwapTool {
-    fn validate(&self, _place: &Place<'_>, _limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, _place: &Place<'_>, _limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         Ok(())
     }
 }

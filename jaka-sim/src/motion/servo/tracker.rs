@@ -11,7 +11,7 @@ const MOST_CYCLES: u32 = 2000;
 
 /// Limits of change in a cycle: of place, of speed, of acceleration.
 #[derive(Debug, Clone, Copy)]
-struct Limits {
+struct ServoLimits {
     speed: f64,
     acceleration: f64,
     jerk: f64,
@@ -24,7 +24,7 @@ struct Limits {
 /// allow.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tracker<const N: usize> {
-    limits: Limits,
+    limits: ServoLimits,
     speed: [f64; N],
     acceleration: [f64; N],
 }
@@ -42,8 +42,11 @@ impl<const N: usize> Tracker<N> {
     /// A tracker at rest, with limits for each second, each second squared and cubed.
     pub(super) fn new(speed: f64, acceleration: f64, jerk: f64) -> Self {
         let cycle = CYCLE.as_secs_f64();
-        let limits =
-            Limits { speed: speed * cycle, acceleration: acceleration * cycle.powi(2), jerk: jerk * cycle.powi(3) };
+        let limits = ServoLimits {
+            speed: speed * cycle,
+            acceleration: acceleration * cycle.powi(2),
+            jerk: jerk * cycle.powi(3),
+        };
         Self { limits, speed: [0.0; N], acceleration: [0.0; N] }
     }
 
@@ -69,7 +72,7 @@ impl<const N: usize> Tracker<N> {
     fn allows(&self, speed: [f64; N]) -> bool {
         let acceleration = minus(speed, self.speed);
         let jerk = minus(acceleration, self.acceleration);
-        let Limits { speed: most_speed, acceleration: most_acceleration, jerk: most_jerk } = self.limits;
+        let ServoLimits { speed: most_speed, acceleration: most_acceleration, jerk: most_jerk } = self.limits;
         [(speed, most_speed), (acceleration, most_acceleration), (jerk, most_jerk)]
             .iter()
             .all(|(values, most)| length(values) <= most * (1.0 + 1e-9) + 1e-12)
@@ -79,13 +82,13 @@ impl<const N: usize> Tracker<N> {
         // Together, the coordinates are within the limits.
         #[expect(clippy::cast_precision_loss, reason = "there are one or three")]
         let share = 1.0 / (N as f64).sqrt();
-        let Limits { speed, acceleration, jerk } = self.limits;
-        let limits = Limits { speed: speed * share, acceleration: acceleration * share, jerk: jerk * share };
+        let ServoLimits { speed, acceleration, jerk } = self.limits;
+        let limits = ServoLimits { speed: speed * share, acceleration: acceleration * share, jerk: jerk * share };
         std::array::from_fn(|i| self.speed[i] + limits.toward(off[i], way[i], self.speed[i], self.acceleration[i]))
     }
 }
 
-impl Limits {
+impl ServoLimits {
     /// The acceleration of a coordinate that brings it to a place that goes on at its speed, and not beyond.
     fn toward(self, off: f64, way: f64, speed: f64, acceleration: f64) -> f64 {
         let stop = |acceleration: f64| {

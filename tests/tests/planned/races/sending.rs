@@ -1,6 +1,6 @@
 //! Many commands at once: they go out in pieces, so that a stop can go between.
 
-use jaka_proto::check::{Limits, NotSent, Place, Validate};
+use jaka_proto::check::{FieldLimits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo};
 use jaka_sync::io::SetDigitalOutput;
@@ -24,7 +24,7 @@ impl Command for Watched<'_> {
 }
 
 impl Validate for Watched<'_> {
-    fn validate(&self, place: &Place<'_>, limits: &Limits<'_>) -> Result<(), NotSent> {
+    fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.inner.validate(place, limits)
     }
 }

@@ -4,7 +4,7 @@ use jaka_robot::proto::framing::{FrameError, Framer};
 
 /// Splits a byte stream into messages and other bytes, and loses nothing but white space between messages.
 #[derive(Debug, Default)]
-pub(super) struct Frames {
+pub(super) struct MessageFrames {
     framer: Framer,
 }
 
@@ -17,7 +17,7 @@ pub(super) enum Piece<'b> {
     Stray(&'b [u8]),
 }
 
-impl Frames {
+impl MessageFrames {
     /// Takes bytes that were received, and reports each piece that they complete.
     pub(super) fn take(&mut self, bytes: &[u8], mut tell: impl FnMut(Piece<'_>)) {
         self.framer.push(bytes);
@@ -68,7 +68,7 @@ mod tests {
             Piece::Message(bytes) => out.extend(["<", &String::from_utf8_lossy(bytes), ">"]),
             Piece::Stray(bytes) => out += &String::from_utf8_lossy(bytes),
         };
-        let mut frames = Frames::default();
+        let mut frames = MessageFrames::default();
         let mut start = 0;
         for &cut in cuts {
             frames.take(&stream[start..cut], &mut note);
@@ -92,7 +92,7 @@ mod tests {
     fn garbage_between_braces_takes_linear_time() {
         let stream = b"x{}".repeat(2 << 20);
         let (mut messages, mut stray) = (0, 0);
-        let mut frames = Frames::default();
+        let mut frames = MessageFrames::default();
         frames.take(&stream, |piece| match piece {
             Piece::Message(_) => messages += 1,
             Piece::Stray(bytes) => stray += bytes.len(),

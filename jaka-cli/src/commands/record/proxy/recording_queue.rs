@@ -10,7 +10,7 @@ use std::thread;
 use jaka_robot::Track;
 use jaka_robot::recording::{Event, Message, Port};
 
-use super::frames::{Frames, Piece};
+use super::frames::{MessageFrames, Piece};
 
 /// How many bytes may wait. Beyond that, pieces are missing in the recording, which says so.
 const LIMIT: usize = 8 << 20;
@@ -48,7 +48,7 @@ pub(super) struct ProxiedConnection {
     track: Track,
     port: Port,
     /// What each direction has sent in part.
-    frames: [Mutex<Frames>; 2],
+    frames: [Mutex<MessageFrames>; 2],
     /// How many pieces of each direction did not fit since the last one that did.
     missing: [AtomicU64; 2],
 }
@@ -95,7 +95,7 @@ impl ProxiedConnection {
         mem::take(&mut *self.frames(direction)).finish(|piece| self.piece(direction, piece));
     }
 
-    fn frames(&self, direction: Direction) -> MutexGuard<'_, Frames> {
+    fn frames(&self, direction: Direction) -> MutexGuard<'_, MessageFrames> {
         self.frames[direction as usize].lock().unwrap_or_else(PoisonError::into_inner)
     }
 
