@@ -106,3 +106,23 @@ fn named(wire: i64, name: &str) -> String {
 fn either(items: impl Iterator<Item = String>) -> String {
     words::list(&items.collect::<Vec<_>>(), "or")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// jaka-proto has its own words at run time: it does not depend on jaka-spec there.
+    #[test]
+    fn pages_and_errors_have_the_same_words_for_a_range() {
+        let spec = jaka_spec::builtin().expect("the spec is correct");
+        let requests = spec.commands().flat_map(|command| command.request.fields());
+        let ranges = requests.filter_map(|field| Some((words::range(field.range)?, limits(field))));
+        let mut compared = 0;
+        for (on_pages, limits) in ranges {
+            let in_errors = FieldLimits { unit: "", advised: Advised::NONE, ..limits }.to_string();
+            assert_eq!(in_errors, on_pages);
+            compared += 1;
+        }
+        assert!(compared > 20, "{compared}");
+    }
+}
