@@ -63,16 +63,15 @@ fn no_crate_depends_upward() {
     }
 }
 
-/// The source files of a crate, without its tests.
-fn sources(folder: &Path) -> Vec<PathBuf> {
+/// The source files below a folder, without what is built.
+fn all_sources(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).expect("the folder is there") {
+        for entry in fs::read_dir(folder).expect("the folder is there") {
             let path = entry.expect("it can be read").path();
-            let stem = path.file_stem().unwrap_or_default();
             match path.is_dir() {
-                _ if stem == "tests" => {}
+                true if path.ends_with("target") && path.with_file_name("Cargo.toml").exists() => {}
                 true => folders.push(path),
                 false if path.extension().is_some_and(|extension| extension == "rs") => files.push(path),
                 false => {}
@@ -80,6 +79,14 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         }
     }
     files
+}
+
+/// The source files of a crate, without its tests.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let is_test = |file: &PathBuf| {
+        file.strip_prefix(folder).expect("it is below").iter().any(|part| part == "tests" || part == "tests.rs")
+    };
+    all_sources(folder).into_iter().filter(|file| !is_test(file)).collect()
 }
 
 #[test]
@@ -360,4 +367,24 @@ fn the_text_of_a_variant_stands_next_to_it() {
         }
     }
     assert_eq!(found, TEXTS_ELSEWHERE.iter().map(ToString::to_string).collect());
+}
+
+/// Names of source files in backticks.
+fn named_files(page: &str) -> impl Iterator<Item = &str> {
+    page.split('`').skip(1).step_by(2).filter(|quoted| quoted.ends_with(".rs") && !quoted.contains([' ', '*', '…']))
+}
+
+#[test]
+fn source_files_that_the_pages_name_exist() {
+    let mut files = Vec::new();
+    for folder in CRATES.iter().map(|(folder, _)| *folder).chain(["tests", "benches", "fuzz"]) {
+        files.extend(all_sources(&workspace().join(folder)));
+    }
+    for page in ["ARCHITECTURE.md", "CONTRIBUTING.md"] {
+        let text = text(&workspace().join(page));
+        assert!(named_files(&text).count() > 20, "{page} names files");
+        let missing: Vec<_> =
+            named_files(&text).filter(|name| !files.iter().any(|file| file.ends_with(name))).collect();
+        assert_eq!(missing, [""; 0], "{page}");
+    }
 }
