@@ -371,7 +371,8 @@ fn the_text_of_a_variant_stands_next_to_it() {
 
 /// Names of source files in backticks.
 fn named_files(page: &str) -> impl Iterator<Item = &str> {
-    page.split('`').skip(1).step_by(2).filter(|quoted| quoted.ends_with(".rs") && !quoted.contains([' ', '*', '…']))
+    let is_source = |name: &&str| Path::new(name).extension().is_some_and(|extension| extension == "rs");
+    page.split('`').skip(1).step_by(2).filter(is_source).filter(|name| !name.contains([' ', '*', '…']))
 }
 
 #[test]
