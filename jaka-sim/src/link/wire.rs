@@ -4,6 +4,7 @@ use std::io::{self, ErrorKind};
 use std::net::Shutdown;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
+use std::thread;
 use std::time::Duration;
 
 use jaka_clock::{Socket, lock};
@@ -40,6 +41,9 @@ fn write_timeout(port: Port) -> Option<Duration> {
         Port::Status => Some(Duration::from_secs(1)),
     }
 }
+
+/// Milliseconds after which a write waits for its client.
+const WRITE_ENDS_MS: u32 = 1000;
 
 impl Wire {
     pub(crate) fn new(socket: Socket, port: Port, links: &Arc<Links>) -> io::Result<Arc<Self>> {
@@ -183,13 +187,14 @@ impl Wire {
         }
     }
 
-    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for. Also false while a
-    /// thread writes past the queue: it may wait for a client that does not read, and only the end of the socket wakes
-    /// it.
+    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for. Also false where a
+    /// thread goes on writing past the queue: it waits for a client that does not read, and only the end of the socket
+    /// wakes it.
     fn end_later(self: &Arc<Self>, end: End) -> bool {
         if !self.links.are_used() {
             return false;
         }
+        self.let_write_end();
         let state = self.links.state();
         let fault = self.fault(&state, Direction::ToClient);
         let mut queue = lock(&self.queue);
@@ -205,6 +210,18 @@ impl Wire {
         self.shut_down(Shutdown::Read);
         drop(state);
         self.have_sender(queue).is_ok()
+    }
+
+    /// Waits for the end of a write past the queue, unless it has a client that does not read. Its bytes can be with the
+    /// client long before its thread goes on.
+    fn let_write_end(&self) {
+        // Counted, so that a process that stands still as a whole does not count.
+        for _ in 0..WRITE_ENDS_MS {
+            if !self.is_writing.load(Ordering::SeqCst) {
+                return;
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
     }
 
     /// Ends the connection at once, whatever is wrong with its link.
@@ -225,5 +242,45 @@ impl Wire {
     fn shut_down(&self, how: Shutdown) {
         // An error says that it has ended already.
         self.socket.shutdown(how).ok();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+    use std::net::{TcpListener, TcpStream};
+
+    use jaka_clock::Clock;
+
+    use super::*;
+    use crate::link_selector::LinkSelector;
+
+    #[test]
+    fn an_end_is_held_where_a_write_is_through_and_its_thread_has_not_gone_on() {
+        let time = Clock::default();
+        let links = Arc::new(Links::new(&time));
+        let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has ports");
+        let mut client = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
+        let (stream, peer) = listener.accept().expect("a client has connected");
+        let (socket, _) = Socket::accepted(stream, peer, &time).expect("options can be set");
+        let wire = Wire::new(socket, Port::Command, &links).expect("options can be set");
+        wire.send(b"reply").expect("it is connected");
+        client.read_exact(&mut [0; 5]).expect("the reply");
+        links.set(LinkSelector::default(), LinkFault::Hold);
+
+        wire.is_writing.store(true, Ordering::SeqCst);
+        let writer = Arc::clone(&wire);
+        let writer = thread::spawn(move || {
+            thread::sleep(Duration::from_millis(20));
+            writer.is_writing.store(false, Ordering::SeqCst);
+        });
+        wire.close();
+        client.set_read_timeout(Some(Duration::from_millis(40))).expect("a timeout can be set");
+        let held = client.read(&mut [0]).expect_err("neither bytes nor an end");
+        assert!(matches!(held.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut), "{held}");
+        writer.join().expect("no panic");
+        links.set(LinkSelector::default(), LinkFault::None);
+        client.set_read_timeout(None).expect("a timeout can be set");
+        assert_eq!(client.read(&mut [0]).expect("the end"), 0);
     }
 }
