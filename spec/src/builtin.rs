@@ -40,3 +40,24 @@ pub const BUILTIN: &[Source<'static>] = files![
 pub fn builtin() -> Result<Spec, Errors> {
     crate::load(BUILTIN)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn each_file_of_the_spec_is_listed() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let files = std::fs::read_dir(folder).expect("the folder of the spec").map(|entry| {
+            let name = entry.expect("a file").file_name();
+            name.into_string().expect("a name in Unicode")
+        });
+        let mut toml: Vec<_> = files.filter(|name| name.contains(".toml") && name != "Cargo.toml").collect();
+        let mut listed: Vec<_> = BUILTIN.iter().map(|source| source.path.replace("spec/", "")).collect();
+        toml.sort_unstable();
+        listed.sort_unstable();
+        assert_eq!(listed, toml);
+    }
+}

@@ -153,15 +153,9 @@ fn exit_code(error: &Error) -> u8 {
             }
             ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
             ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
-            ErrorKind::NotReady { .. }
-            | ErrorKind::NotAcknowledged { .. }
-            | ErrorKind::StatusUnknown { .. }
-            | ErrorKind::BeyondLimit { .. }
-            | ErrorKind::NotChecked { .. }
-            | ErrorKind::ModelMismatch { .. }
-            | ErrorKind::Trajectory { .. }
-            | ErrorKind::NotAtStart { .. } => NOT_MOVED,
-            _ => LOST,
+            ErrorKind::Connection(_) => LOST,
+            // Nothing was sent, as `may_have_run` says.
+            _ => NOT_MOVED,
         }
     }
 }

@@ -49,9 +49,12 @@ const COVERED: &[&[&str]] = &[
 
 #[test]
 fn each_command_of_the_document_has_one_test() {
-    let mut covered = [COVERED.concat(), remembered::covered()].concat();
     let of_document = Request::COMMANDS.iter().filter(|info| !info.section.is_empty());
     let mut all: Vec<_> = of_document.map(|info| info.name).collect();
+    let mut covered = COVERED.concat();
+    // Those whose pair the spec names need no row, and may have one for more than that they are remembered.
+    let remembered: Vec<_> = remembered::covered().into_iter().filter(|name| !covered.contains(name)).collect();
+    covered.extend(remembered.into_iter().filter(|name| all.contains(name)));
     covered.sort_unstable();
     all.sort_unstable();
     assert_eq!(covered, all);
