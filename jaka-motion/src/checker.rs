@@ -14,7 +14,7 @@ use nalgebra::Isometry3;
 #[cfg(feature = "generator")]
 use nalgebra::{UnitQuaternion, Vector3, Vector6};
 
-pub(crate) use self::arm::{Arm, Led};
+pub(crate) use self::arm::Arm;
 use self::follow::Following;
 use self::limited_points::LimitedPoints;
 use self::limited_points::RoomToStop;

@@ -8,7 +8,7 @@ pub use self::overtravel::Overtravel;
 use self::overtravel::Travel;
 use crate::checker::Checker;
 use crate::limits::Limits;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{RateChange, Trajectory};
 
 /// Makes one set-point a period along a [`Trajectory`], and can pause, slow down, go on and stop on its curve at any
 /// time.
@@ -200,15 +200,16 @@ impl Follower {
     fn wanted_change(&self) -> f64 {
         let State { time_s, rate, change, .. } = self.state;
         let (from_s, to_s) = (time_s - rate * self.period_s, time_s + self.period_s);
-        let allowed = self.trajectory.rate_change_between(from_s, to_s, rate).max(0.0);
+        let RateChange { fall, rise, .. } = self.trajectory.rate_change_between(from_s, to_s, rate);
         // From 0 to 1 in one period is the most that there is.
-        let most = (allowed * self.period_s).min(1.0);
+        let [fall, rise] = [fall, rise].map(|allowed| (allowed * self.period_s).min(1.0));
         if self.haste == Haste::AtOnce {
-            return -rate.min(most);
+            return -rate.min(fall);
         }
+        let most = if self.scale < rate { fall } else { rise };
         let jerk = most * (self.period_s / CHANGE_REACHED_S).min(1.0);
         let wanted = change_towards(self.scale - rate, jerk);
-        wanted.clamp(change - jerk, change + jerk).clamp(-most, most).clamp(-rate, 1.0 - rate)
+        wanted.clamp(change - jerk, change + jerk).clamp(-fall, rise).clamp(-rate, 1.0 - rate)
     }
 
     /// The next state with as much of a change of the rate as leaves each joint within its acceleration.

@@ -4,7 +4,7 @@ pub(crate) mod bernstein;
 
 use jaka_proto::messages::types::JointPosition;
 
-use self::bernstein::{differences, largest, peak, sum, weights};
+use self::bernstein::{differences, largest, part, peak, sum, value, weights};
 
 /// Where the joints are at one moment, and how they move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,6 +113,22 @@ impl Piece {
     pub(crate) fn joints(&self, share: f64) -> [f64; 6] {
         let [_, weights @ ..] = weights::<6>(share);
         std::array::from_fn(|joint| self.from[joint] + sum(&weights, &self.way[joint]))
+    }
+
+    /// The part of it between two shares of its time.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Self {
+        let seconds = (to - from) * self.seconds;
+        let start = self.joints(from);
+        let way = std::array::from_fn(|joint| {
+            let [first, rest @ ..] = part(&self.way(joint), from, to);
+            rest.map(|way| way - first)
+        });
+        Self { start_s: self.start_s + from * self.seconds, seconds, from: start, way }
+    }
+
+    /// The third derivative of each joint at a share of its time.
+    pub(crate) fn jerk(&self, share: f64) -> [f64; 6] {
+        std::array::from_fn(|joint| value(&self.jerks(joint), share))
     }
 
     /// The joint positions at its start and its end.

@@ -1,10 +1,10 @@
 //! Motions that are known from start to end.
 
-mod corner_path;
 mod error;
 mod leg;
 mod line;
-mod plan;
+mod path;
+mod speed;
 pub(crate) mod through;
 mod timed;
 mod timing;
@@ -21,7 +21,7 @@ pub use self::through::{Through, Via};
 pub use self::timed::TimedPoint;
 use crate::beyond::Way;
 use crate::checker::Checker;
-use crate::piece::bernstein::{part, peak};
+use crate::piece::bernstein::{highest, part, peak};
 use crate::piece::{Piece, Sample};
 
 /// A motion of the joints that is known, and was compared with an arm's limits, from start to end.
@@ -75,6 +75,17 @@ pub enum Passing {
     Through,
     /// It rounds the corner, within the tolerance that was named.
     Rounded,
+}
+
+/// Most by which the rate of a trajectory may change in a second, with all joints within their accelerations; infinite
+/// where no joint moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct RateChange {
+    /// Most by which it may fall, in 1/s.
+    pub fall: f64,
+    /// Most by which it may rise, in 1/s.
+    pub rise: f64,
 }
 
 impl Trajectory {
@@ -182,23 +193,22 @@ impl Trajectory {
         if *checker == self.0.checker { Ok(()) } else { self.0.check(checker) }
     }
 
-    /// How fast the rate may change at a time, in 1/s: the most by which it may rise or fall in a second with all
-    /// joints within their accelerations.
+    /// Room for changes of the rate at a time.
     ///
-    /// The rate is how much of the trajectory's time passes in a second: 1 as planned, 0 at a pause. At rate r that
-    /// changes by r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of
-    /// [`at`](Self::at). So this is the least of `(limit - |a| r²) / |v|`, which is 0 where nothing is left, and
-    /// infinite where no joint moves. Where an acceleration steps, the larger one counts.
+    /// The rate is the trajectory's time that passes in a second: 1 as planned, 0 at a pause. At rate r that changes by
+    /// r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So a joint
+    /// that gains speed leaves more for a fall than for a rise, and one that loses speed less. Where an acceleration
+    /// steps, the worse one counts.
     ///
-    /// A trajectory that was made of points with times can leave nothing at rate 1. Who follows it then goes on at this
-    /// rate until something is left: a pause or a stop along the way begins so much later.
-    pub fn rate_change(&self, time_s: f64, rate: f64) -> f64 {
+    /// A trajectory can leave nothing for a fall at rate 1, where it loses speed as fast as a joint can. A follower then
+    /// goes on at this rate until something is left: a pause or a stop along the way begins so much later.
+    pub fn rate_change(&self, time_s: f64, rate: f64) -> RateChange {
         self.rate_change_between(time_s, time_s, rate)
     }
 
-    /// How fast the rate may change all the while between two times, as [`rate_change`](Self::rate_change): at most the
+    /// Room for changes of the rate all the while between two times, as [`rate_change`](Self::rate_change): at most the
     /// least of those in between, and rarely less.
-    pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> f64 {
+    pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> RateChange {
         // What is not a number counts as the start.
         let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));
         // A step of acceleration at the time itself counts with both sides.
@@ -206,7 +216,7 @@ impl Trajectory {
         let pieces = &self.0.pieces[..=last];
         let first = pieces.partition_point(|piece| piece.end_s() < from_s).min(last);
         let changes = pieces[first..].iter().map(|piece| self.rate_change_on(piece, from_s, to_s, rate));
-        changes.fold(f64::INFINITY, f64::min)
+        changes.fold(RateChange::ANY, RateChange::least)
     }
 
     /// By which accelerations, in deg/s², that is counted.
@@ -235,17 +245,36 @@ impl Trajectory {
         self.0.pieces.partition_point(|piece| piece.start_s <= time_s).saturating_sub(1)
     }
 
-    fn rate_change_on(&self, piece: &Piece, from_s: f64, to_s: f64, rate: f64) -> f64 {
+    fn rate_change_on(&self, piece: &Piece, from_s: f64, to_s: f64, rate: f64) -> RateChange {
         let share = |time_s: f64| ((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0);
         let (from, to) = (share(from_s), share(to_s.max(from_s)));
-        let accelerations = self.joint_accelerations();
-        let change = |joint: usize| {
-            let speed = peak(&part(&piece.speeds(joint), from, to));
-            let acceleration = peak(&part(&piece.accelerations(joint), from, to));
-            let left = (accelerations[joint] - acceleration * rate * rate).max(0.0);
-            if speed > 0.0 { left / speed } else { f64::INFINITY }
-        };
-        (0..6).map(change).fold(f64::INFINITY, f64::min)
+        let changes = self.joint_accelerations().iter().enumerate().map(|(joint, limit)| {
+            let (speeds, accelerations) =
+                (part(&piece.speeds(joint), from, to), part(&piece.accelerations(joint), from, to));
+            let speed = peak(&speeds);
+            if speed <= 0.0 {
+                return RateChange::ANY;
+            }
+            // Of a joint that turns round, each acceleration counts in both directions.
+            let [losing, gaining] = if speeds.iter().all(|speed| *speed >= 0.0) {
+                [highest(&accelerations.map(|each| -each)), highest(&accelerations)]
+            } else if speeds.iter().all(|speed| *speed <= 0.0) {
+                [highest(&accelerations), highest(&accelerations.map(|each| -each))]
+            } else {
+                [peak(&accelerations); 2]
+            };
+            let left = |used: f64| ((limit - used * rate * rate) / speed).max(0.0);
+            RateChange { fall: left(losing), rise: left(gaining) }
+        });
+        changes.fold(RateChange::ANY, RateChange::least)
+    }
+}
+
+impl RateChange {
+    const ANY: Self = Self { fall: f64::INFINITY, rise: f64::INFINITY };
+
+    fn least(self, other: Self) -> Self {
+        Self { fall: self.fall.min(other.fall), rise: self.rise.min(other.rise) }
     }
 }
 

@@ -8,7 +8,6 @@ use super::solved::Solved;
 use crate::beyond::Exceeded;
 use crate::model::inverse::off;
 use crate::model::{Model, Point};
-use crate::piece::Sample;
 use crate::transform::Transform;
 
 /// An arm with its tool. All places are in the arm's base.
@@ -19,14 +18,6 @@ pub(crate) struct Arm {
     /// The tool, seen from the flange.
     tool: Isometry3<f64>,
     radii: Radii,
-}
-
-/// How a tool moves: where it is in the arm's base, its velocity and the change of it, in mm and radians a second.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Led {
-    pub(crate) tool: Isometry3<f64>,
-    pub(crate) velocity: Vector6<f64>,
-    pub(crate) acceleration: Vector6<f64>,
 }
 
 /// An error not worth a step, as [`off`] counts it: where a motion starts beyond a limit, the end of the one before is
@@ -109,6 +100,13 @@ impl Arm {
         parts.sum::<Vector3<f64>>().norm()
     }
 
+    /// How far the tool centre point would move, in mm, and the tool turn, in radians, if the joints went on so.
+    pub(crate) fn tool_rates(&self, joints: &[f64; 6], moved: &[f64; 6]) -> [f64; 2] {
+        let axes = self.frames(joints).map(|frame| frame.rotation * Vector3::z());
+        let turns = axes.iter().zip(moved).map(|(axis, moved)| axis * moved.to_radians());
+        [self.tcp_rate(joints, moved), turns.sum::<Vector3<f64>>().norm()]
+    }
+
     /// How far apart the tool centre point is at two joint positions, in mm.
     pub(crate) fn tcp_distance(&self, one: &[f64; 6], other: &[f64; 6]) -> f64 {
         (self.point(Point::Tcp, one) - self.point(Point::Tcp, other)).norm()
@@ -162,11 +160,6 @@ impl Arm {
             before = off;
         }
         None
-    }
-
-    /// How the joints near others move for a tool that moves so; none where they are not found, or cannot.
-    pub(crate) fn led(&self, led: &Led, near: &[f64; 6]) -> Option<Sample> {
-        self.solved(&led.tool, near)?.moving(&led.velocity, &led.acceleration)
     }
 
     /// The joint positions nearest to others, within their ranges or not.

@@ -93,8 +93,9 @@ impl<'a> Travel<'a> {
         }
         AHEAD.into_iter().find_map(|ahead| {
             let (from_s, to_s) = (self.time_at(first.saturating_sub(1)), self.time_at(last + ahead + 1));
-            let change = self.follower.trajectory.rate_change_between(from_s, to_s, 1.0 + PEAK);
-            let fall = (change.max(0.0) * (1.0 - 2.0 * PEAK) * self.follower.period_s).min(1.0);
+            // A joint that gains speed leaves the least where the rate is low, others where it is high.
+            let at_rate = |rate: f64| self.follower.trajectory.rate_change_between(from_s, to_s, rate).fall;
+            let fall = (at_rate(1.0 + PEAK).min(at_rate(0.0)) * (1.0 - 2.0 * PEAK) * self.follower.period_s).min(1.0);
             let falls = (1.0 / fall).floor();
             let periods = falls - 0.5 * fall * falls * (falls + 1.0);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is compared before")]

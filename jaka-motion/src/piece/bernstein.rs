@@ -61,6 +61,12 @@ pub(crate) fn peak<const N: usize>(coefficients: &[f64; N]) -> f64 {
     above(coefficients, 0.0, HALVINGS)
 }
 
+/// The highest value, or up to twice [`PEAK`] of the largest amount more.
+pub(crate) fn highest<const N: usize>(coefficients: &[f64; N]) -> f64 {
+    let most = largest(coefficients);
+    peak(&coefficients.map(|coefficient| coefficient + most)) - most
+}
+
 /// Where a polynomial is furthest beyond two numbers, as a share, and its value there, looked at in 128 places; none where it stays between them.
 pub(crate) fn beyond<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> Option<(f64, f64)> {
     fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64, halvings: u32) -> bool {

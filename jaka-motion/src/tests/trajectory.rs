@@ -81,14 +81,19 @@ fn a_rate_that_changes_so_stays_within_the_accelerations() {
             let change = trajectory.rate_change(time_s, rate);
             let here = trajectory.at(time_s);
             let needed = |change: f64| {
-                let most =
-                    |joint: usize| here.acceleration[joint].abs() * rate * rate + here.velocity[joint].abs() * change;
-                (0..6).map(|joint| most(joint) / limits[joint]).fold(0.0, f64::max)
+                let used =
+                    |joint: usize| (here.acceleration[joint] * rate * rate + here.velocity[joint] * change).abs();
+                (0..6).map(|joint| used(joint) / limits[joint]).fold(0.0, f64::max)
             };
-            assert!(change >= 0.0 && (needed(change) - 1.0).abs() < 1e-3, "{}", needed(change));
+            for [most, sign] in [[change.fall, -1.0], [change.rise, 1.0]] {
+                assert!(most >= 0.0 && (needed(sign * most) - 1.0).abs() < 1e-3, "{}", needed(sign * most));
+                assert!((0..=10).all(|part| needed(sign * most * f64::from(part) / 10.0) < 1.0 + 1e-3));
+            }
             let while_passing = trajectory.rate_change_between(time_s - 0.01, time_s + 0.01, rate);
             for later in [-0.01, -0.003, 0.0, 0.006, 0.01] {
-                assert!(while_passing <= trajectory.rate_change(time_s + later, rate) * (1.0 + 1e-3));
+                let then = trajectory.rate_change(time_s + later, rate);
+                assert!(while_passing.fall <= then.fall * (1.0 + 1e-3));
+                assert!(while_passing.rise <= then.rise * (1.0 + 1e-3));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Why there is no trajectory.
 
-use crate::beyond::Beyond;
+use crate::beyond::{Beyond, Exceeded, Way};
+use crate::checker::Checker;
 
 /// Longest duration of a trajectory, in seconds: a week, which is ours. Times stay exact to a nanosecond.
 pub(super) const LONGEST_S: f64 = 604_800.0;
@@ -90,6 +91,19 @@ jaka_proto::worded! {
             /// What is exceeded.
             beyond: Box<Beyond>,
         } => (format!("{}: {beyond}", place(*after, *time_s))),
+    }
+}
+
+impl TrajectoryError {
+    /// Limit that is exceeded somewhere after a way-point, before there are times.
+    pub(super) fn between(after: usize, checker: &Checker, exceeded: Exceeded) -> Self {
+        let beyond = checker.beyond_of(Way::Trajectory, exceeded);
+        Self::Beyond { after, time_s: None, beyond: Box::new(beyond) }
+    }
+
+    /// Joints that are not found all along the path after a way-point.
+    pub(super) fn lost(after: usize, checker: &Checker) -> Self {
+        Self::between(after, checker, Exceeded::NotConfirmed)
     }
 }
 

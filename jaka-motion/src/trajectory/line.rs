@@ -1,10 +1,16 @@
 //! Where the joints are along a straight line of the tool.
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector6};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
-use super::corner_path::{Direction, OFF_WAY, SpeedRamp, in_steps, is_off_at_most, least_share, together};
 use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
+
+/// How a tool goes straight on, for each unit of the way: mm, and radians about its own axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Direction {
+    pub(super) moved: Vector3<f64>,
+    pub(super) turned: Vector3<f64>,
+}
 
 /// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it
 /// takes.
@@ -21,14 +27,31 @@ pub(super) struct Line {
     pub(super) is_clear: bool,
 }
 
+/// The length in mm that counts as much as a turn of the tool by one radian.
+pub(super) const TURN_MM: f64 = 200.0;
 /// The longest way between two places at which the joints are computed, in the unit of the way.
 pub(super) const LONGEST: f64 = 50.0;
 /// The least share of a line between two places.
 pub(super) const LEAST: f64 = 1e-6;
 /// The most parts of a line.
 const MOST_PARTS: usize = 50_000;
-/// How far the tool may be from its line between them, in mm and degrees: a fiftieth of [`OFF_WAY`].
+/// How far the tool may be from its line between them, in mm and degrees.
 const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
+
+impl Direction {
+    /// From one place to another, and how long the way is, in mm with [`TURN_MM`] for each radian.
+    pub(super) fn between(from: &Isometry3<f64>, to: &Isometry3<f64>) -> (Self, f64) {
+        let moved = to.translation.vector - from.translation.vector;
+        let turned = (from.rotation.inverse() * to.rotation).scaled_axis();
+        let length = moved.norm().hypot(turned.norm() * TURN_MM);
+        (Self { moved: moved / length, turned: turned / length }, length)
+    }
+
+    /// Cosine of the angle between two directions.
+    pub(super) fn cosine(&self, other: &Self) -> f64 {
+        self.moved.dot(&other.moved) + self.turned.dot(&other.turned) * TURN_MM * TURN_MM
+    }
+}
 
 impl Line {
     /// From where the arm is, in parts that are no shorter than the least where it can be, and where it is at the end;
@@ -70,57 +93,27 @@ impl Line {
         part.at(share)
     }
 
-    /// The joints where a course is, and how they move in time.
-    pub(super) fn moving(&self, course: &SpeedRamp, share: f64, seconds: f64) -> Sample {
-        let [way, speed, change] = course.at(share, seconds);
-        let there = self.at(way);
-        let acceleration = |joint: usize| there.acceleration[joint] * speed * speed + there.velocity[joint] * change;
-        Sample {
-            joints: there.joints,
-            velocity: there.velocity.map(|each| each * speed),
-            acceleration: std::array::from_fn(acceleration),
-        }
+    /// The parts between two ways.
+    pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = Piece> {
+        let parts = self.parts.iter().filter(move |part| part.start_s < to && part.end_s() > from);
+        parts.map(move |part| {
+            let share = |way: f64| ((way - part.start_s) / part.seconds).clamp(0.0, 1.0);
+            let (from, to) = (share(from), share(to));
+            if from <= 0.0 && to >= 1.0 { part.clone() } else { part.part(from, to) }
+        })
     }
 
-    /// Adds the pieces that lead the tool along a course in so many seconds, from where it is; where it then is. None
-    /// where they are too short.
-    pub(super) fn follow(
-        &self,
-        arm: &Arm,
-        course: &SpeedRamp,
-        seconds: f64,
-        start: Option<Sample>,
-        pieces: &mut Vec<Piece>,
-    ) -> Option<Sample> {
-        let way = 0.5 * (course.speeds[0] + course.speeds[1]) * seconds;
-        let mut here = start.unwrap_or_else(|| self.moving(course, 0.0, seconds));
-        in_steps(1.0, (LONGEST / way).min(1.0), least_share(seconds), |[from, to]| {
-            let next = self.moving(course, to, seconds);
-            let piece = Piece::between(0.0, (to - from) * seconds, &here, &next);
-            let is_on_way = |part: f64| {
-                let [way, ..] = course.at(from + part * (to - from), seconds);
-                self.is_at(arm, way, &piece.joints(part))
-            };
-            // At one speed it is the line's own polynomial.
-            let is_same = self.parts.len() == 1 && course.is_even();
-            let is_on_way = is_same || [0.5, 0.25, 0.75].into_iter().all(is_on_way);
-            is_on_way.then(|| {
-                here = next;
-                pieces.push(piece);
-            })
-        })?;
-        Some(here)
+    /// Distance of a place from the line, in mm.
+    pub(super) fn off_mm(&self, place: &Vector3<f64>) -> f64 {
+        let (off, moved) = (place - self.from.translation.vector, self.direction.moved);
+        let along = if moved.norm_squared() > 0.0 { off.dot(&moved) / moved.norm_squared() } else { 0.0 };
+        (off - moved * along).norm()
     }
 
-    /// Whether joints bring the tool to a way of the line, as near as a piece has to: those that are near to the line's
-    /// own surely do.
-    fn is_at(&self, arm: &Arm, way: f64, joints: &[f64; 6]) -> bool {
-        let (part, share) = self.place(way);
-        let own = part.joints(share);
-        let off = std::array::from_fn(|joint| joints[joint] - own[joint]);
-        let turned_deg: f64 = off.iter().map(|off: &f64| off.abs()).sum();
-        let is_near = arm.radii().tcp_rate_at_most(&off) <= 0.9 * OFF_WAY.0 && turned_deg <= 0.9 * OFF_WAY.1;
-        is_near || is_off_at_most(arm, joints, &self.tool(way), OFF_WAY)
+    /// Degrees by which the joints go for each unit of the way, where they go the furthest.
+    pub(super) fn degrees_a_unit(&self) -> f64 {
+        let rates = self.parts.iter().map(|part| part.at(0.0).velocity.iter().map(|rate| rate * rate).sum::<f64>());
+        rates.fold(1e-12, f64::max).sqrt()
     }
 
     fn place(&self, way: f64) -> (&Piece, f64) {
@@ -154,4 +147,30 @@ impl Line {
         *sample = next_sample;
         Some(next)
     }
+}
+
+/// Whether joints bring the tool to a place, within mm and degrees.
+fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
+    let found = arm.tcp(joints);
+    let moved = (tool.translation.vector - found.translation.vector).norm();
+    moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
+}
+
+/// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it
+/// takes not even the least.
+fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
+    let (mut at, mut step) = (0.0, longest);
+    while at < end {
+        let next = if at + 1.01 * step >= end { end } else { at + step };
+        match take([at, next]) {
+            Some(()) => (at, step) = (next, longest.min(2.0 * step)),
+            None if next - at <= least => return None,
+            None => step = 0.5 * (next - at),
+        }
+    }
+    Some(())
+}
+
+fn together(moved: Vector3<f64>, turned: Vector3<f64>) -> Vector6<f64> {
+    Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)
 }

@@ -2,10 +2,10 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::corner_path::Direction;
 use super::leg::{Budget, Leg, LegPath, Tolerances};
-use super::line::{LEAST, LONGEST, Line};
-use super::timing::{Timing, lost};
+use super::line::{Direction, LEAST, LONGEST, Line};
+use super::path::Path;
+use super::timing::timed;
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
 use crate::checker::{Checker, Solved};
@@ -24,15 +24,16 @@ pub enum Via {
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
 /// It starts at the first point, which is joint positions, and ends at the last one, at rest. At the points between it
-/// goes on, rounding each corner within the tolerance that is named for it, and stops where none is named, where a line
-/// meets a way in joints, and where the way turns back (by more than 177 degrees). Points nearer to each other than a
-/// millionth of a degree or millimetre count as one.
+/// goes on, rounding each corner within the tolerances that are named for it: that of joints between ways in joints, that
+/// of the tool between lines, and both where a line meets a way in joints. It stops where one of these is not named, and
+/// where the way turns back (by more than 177 degrees). Points nearer to each other than a millionth of a degree or
+/// millimetre count as one.
 ///
 /// # Timing
-/// It is within limits, not time-optimal. A leg has one highest speed, the one that all of its places allow; speeds
-/// change with a continuous acceleration and a limited jerk. Of each joint's acceleration 70 % is planned, and as much
-/// of its jerk; the rest is for those who follow the trajectory at a rate that changes. Of the highest speed of the
-/// tool centre point it is 98 %.
+/// One speed is planned over the whole way from stop to stop: the quickest, within some percent, with the speeds,
+/// accelerations and jerks of the joints and the speed of the tool. Where the way bends, 20 % of each joint's
+/// acceleration are left for those who follow it at a rate that changes; elsewhere nothing is, so that a pause that is
+/// asked for while the arm brakes begins after that. Of the highest speed of the tool centre point 98 % are planned.
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
@@ -59,8 +60,8 @@ const CREEPING: f64 = 1e-6;
 /// Joint positions that are further from others than this, in degrees, are of another branch.
 const ONE_BRANCH: f64 = 1e-2;
 
-/// The share of each joint's acceleration that is planned.
-pub(crate) const ACCELERATION_SHARE: f64 = 0.7;
+/// Share of each joint's acceleration that curves leave for pauses.
+const RESERVE: f64 = 0.2;
 /// The share of the highest speed of the tool centre point that is planned, where it is limited.
 const TCP_SHARE: f64 = 0.98;
 /// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
@@ -129,8 +130,8 @@ impl Through {
         if legs.is_empty() {
             return Err(TrajectoryError::NoWay);
         }
-        let timing = Timing::new(&legs, &self.tolerances, &budget, checker);
-        let (pieces, passages) = timing.pieces()?;
+        let path = Path::of_legs(&legs, &self.tolerances, checker)?;
+        let (pieces, passages) = timed(&path, &budget, checker)?;
         Trajectory::checked(pieces, places.into_iter().map(|place| passages[place]).collect(), checker)
     }
 
@@ -141,8 +142,9 @@ impl Through {
         let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
         Budget {
             speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
-            accelerations: accelerations.map(|acceleration| ACCELERATION_SHARE * acceleration),
-            jerks: jerks.map(|jerk| ACCELERATION_SHARE * jerk),
+            accelerations,
+            jerks,
+            curving: 1.0 - RESERVE,
             tcp_speed: self.tcp_speed.min(limited),
         }
     }
@@ -214,7 +216,7 @@ impl Here {
     /// The way on a line, if it is one.
     fn lead(&mut self, after: usize, pose: Pose, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
         let Some(start) = self.solved.take().or_else(|| checker.arm().at_joints(&self.joints)) else {
-            return self.checked_line(after, pose, checker).and_then(|_| Err(lost(after, checker)));
+            return self.checked_line(after, pose, checker).and_then(|_| Err(TrajectoryError::lost(after, checker)));
         };
         let (direction, length) = Direction::between(&start.tool, &checker.in_base(pose));
         let is_way = length > SAME;
@@ -230,7 +232,7 @@ impl Here {
             let in_parts = || Line::new(checker, &start, direction, length, LEAST * length);
             found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
-        let (line, there) = found.ok_or_else(|| lost(after, checker))?;
+        let (line, there) = found.ok_or_else(|| TrajectoryError::lost(after, checker))?;
         let leg = Leg { after, length, start: self.joints, path: LegPath::Tool(line) };
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))

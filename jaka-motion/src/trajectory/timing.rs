@@ -1,261 +1,380 @@
-//! When a trajectory is where.
+//! Times of a trajectory: one speed over the whole path from stop to stop.
 
-use std::ops::Range;
-
-use super::TrajectoryError;
-use super::corner_path::{CornerPath, SpeedRamp};
-use super::leg::{Budget, Leg, LegPath, Tolerances};
-use super::line::Line;
-use super::plan::{Bounds, Corner, Passage, plan};
-use super::{Passing, WayPoint};
-use crate::beyond::{Exceeded, Way};
+use super::leg::Budget;
+use super::path::{Path, PathPiece, PieceShape};
+use super::speed::{PathLimits, Place, Speed, quickest};
+use super::{Passing, TrajectoryError, WayPoint};
 use crate::checker::Checker;
 use crate::piece::{Piece, Sample};
 
-/// The legs, and how fast they and their corners may be.
-///
-/// What lines ask of the joints is known once the joints are: legs and corners that ask too much get slower, and all is
-/// planned again.
-#[derive(Debug)]
-pub(super) struct Timing<'a> {
-    legs: &'a [Leg],
-    lengths: Vec<f64>,
-    bounds: Vec<Bounds>,
-    corners: Vec<Corner>,
+/// Part of a path from rest to rest, and what slows it down.
+struct Stretch<'a> {
+    pieces: &'a [PathPiece],
+    /// Piece and share of each place.
+    shares: Vec<(usize, f64)>,
+    places: Vec<Place>,
     budget: &'a Budget,
     checker: &'a Checker,
 }
 
-/// Where the pieces are that were made of a leg, and those of the corner after it.
-#[derive(Debug)]
-struct LegPieces {
-    passage: Passage,
-    of_leg: Range<usize>,
-    of_corner: Range<usize>,
+/// Motion between two places.
+struct Interval {
+    from: f64,
+    /// Length by the parameter.
+    length: f64,
+    seconds: f64,
+    /// Squared speed at the start, its slope and half of its second derivative; none where it starts from rest or ends
+    /// there with a constant jerk.
+    squared: Option<[f64; 3]>,
+    /// True where it starts from rest.
+    is_start: bool,
 }
 
-/// How often it is planned.
-const ROUNDS: usize = 12;
-/// A stretch need not get slower by less than this share.
-const ENOUGH: f64 = 0.02;
-/// How much slower than needed it gets.
-const MARGIN: f64 = 0.005;
-/// At how many places on a piece in joint space the speed of the tool centre point is looked at.
-const TCP_PLACES: u32 = 4;
+/// Rounds in which places that are too fast get slower.
+const ROUNDS: usize = 6;
+/// Factor by which all is slowed down where little is too fast.
+const LITTLE: f64 = 1.03;
+/// Largest factor by which a place gets slower in a round.
+const MOST_SLOWER: f64 = 1.3;
+/// Seconds of the constant jerk at a start and an end.
+const LAUNCH_S: f64 = 0.03;
+/// Factor between the distances of places.
+const GROWTH: f64 = 1.6;
+/// Seconds between places elsewhere, where a piece does not take long.
+const PLACES_S: f64 = 0.02;
+/// Seconds of a piece of time that is not cut.
+const SHORT_S: f64 = 2e-4;
+/// Shares and weights of the quadrature of Gauss and Legendre with five points.
+const QUADRATURE: [(f64, f64); 5] = [
+    (0.046_910_077_030_668, 0.118_463_442_528_094_5),
+    (0.230_765_344_947_158_5, 0.239_314_335_249_683_2),
+    (0.5, 0.284_444_444_444_444_4),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_2),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_5),
+];
+/// How far a piece of time may be from the path, in degrees of a joint.
+const OFF_PATH_DEG: f64 = 1e-4;
+/// The same for each deg/s³ of its limit of jerk, times the cube of the piece's seconds.
+const OFF_JERK: f64 = 2.5e-5;
+/// Least share of an interval that one piece of time takes.
+const LEAST_SHARE: f64 = 1e-3;
 
-impl<'a> Timing<'a> {
-    pub(super) fn new(legs: &'a [Leg], tolerances: &Tolerances, budget: &'a Budget, checker: &'a Checker) -> Self {
-        let found: Vec<_> = legs.iter().map(|leg| leg.survey(budget, checker.arm())).collect();
-        let pairs = legs.windows(2).zip(found.windows(2));
-        let between = pairs.map(|(legs, found)| legs[0].corner(&legs[1], [&found[0], &found[1]], tolerances, budget));
-        let corners = std::iter::once(Corner::STOP).chain(between).chain([Corner::STOP]).collect();
-        let lengths = legs.iter().map(|leg| leg.length).collect();
-        let bounds = found.into_iter().map(|found| found.bounds).collect();
-        Self { legs, lengths, bounds, corners, budget, checker }
-    }
-
-    /// The pieces, and the way-points at both ends of all legs.
-    pub(super) fn pieces(mut self) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
-        let mut made: Vec<LegPieces> = Vec::with_capacity(self.legs.len());
-        let mut pieces = Vec::with_capacity(4 * self.legs.len());
-        for _ in 0..ROUNDS {
-            let mut is_slower = false;
-            for (index, passage) in plan(&self.lengths, &self.bounds, &self.corners).into_iter().enumerate() {
-                let is_as_before = made.get(index).is_some_and(|made| made.passage == passage);
-                if is_as_before {
-                    continue;
+/// Pieces of time along a path, and its way-points.
+pub(super) fn timed(
+    path: &Path,
+    budget: &Budget,
+    checker: &Checker,
+) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
+    let mut pieces: Vec<Piece> = Vec::with_capacity(6 * path.pieces.len());
+    let mut way_points = vec![WayPoint { time_s: 0.0, passing: Passing::Stops }];
+    let mut marks = path.marks.iter().peekable();
+    for stretch in path.pieces.split_inclusive(|piece| piece.stops) {
+        let start_s = pieces.last().map_or(0.0, Piece::end_s);
+        let end = stretch.last().map_or(0.0, |piece| piece.joints.end_s());
+        let (intervals, factor) = Stretch::new(stretch, budget, checker).planned(start_s, &mut pieces)?;
+        let end_s = pieces.last().map_or(start_s, Piece::end_s);
+        let last = |at: f64, passing: Passing| passing == Passing::Stops || at < end;
+        let (mut intervals, mut before_s) = (intervals.iter().peekable(), 0.0);
+        while let Some(mark) = marks.next_if(|mark| mark.at <= end && last(mark.at, mark.passing)) {
+            let time_s = match mark.passing {
+                Passing::Stops => end_s,
+                Passing::Through | Passing::Rounded => {
+                    while let Some(past) = intervals.next_if(|interval| interval.from + interval.length <= mark.at) {
+                        before_s += past.seconds;
+                    }
+                    let within = intervals.peek().map_or(0.0, |interval| {
+                        interval.seconds_to(((mark.at - interval.from) / interval.length).max(0.0))
+                    });
+                    start_s + factor * (before_s + within)
                 }
-                let leg = self.make(index, passage, &mut pieces)?;
-                is_slower |= self.slow_down(index, &leg, &pieces);
-                if index < made.len() { made[index] = leg } else { made.push(leg) }
-            }
-            if !is_slower {
-                break;
+            };
+            way_points.push(WayPoint { time_s, passing: mark.passing });
+        }
+    }
+    Ok((pieces, way_points))
+}
+
+impl<'a> Stretch<'a> {
+    fn new(pieces: &'a [PathPiece], budget: &'a Budget, checker: &'a Checker) -> Self {
+        let mut stretch = Self { pieces, shares: Vec::new(), places: Vec::new(), budget, checker };
+        stretch.shares = stretch.shares();
+        let shares = std::mem::take(&mut stretch.shares);
+        stretch.places = shares.iter().map(|place| stretch.place(*place)).collect();
+        for (index, (piece, share)) in shares.iter().enumerate() {
+            // The third derivative steps where one piece ends and another begins.
+            if *share == 0.0 && *piece > 0 {
+                stretch.places[index].third[0] = pieces[piece - 1].joints.jerk(1.0);
             }
         }
-        Ok(one_after_the_other(&made, pieces))
-    }
-
-    fn make(&self, index: usize, passage: Passage, pieces: &mut Vec<Piece>) -> Result<LegPieces, TrajectoryError> {
-        let first = pieces.len();
-        self.make_leg(index, &passage, pieces)?;
-        let of_leg = first..pieces.len();
-        if passage.corner_s > 0.0 {
-            self.make_corner(index, passage.speeds[2], passage.corner_s, pieces)?;
+        for (index, pair) in shares.windows(2).enumerate() {
+            let [(piece, from), (next, to)] = [pair[0], pair[1]];
+            if pieces[piece].shape != PieceShape::Straight {
+                let joints = &pieces[piece].joints;
+                let middle = f64::midpoint(from, if next == piece { to } else { 1.0 });
+                let there = joints.at(middle);
+                stretch.places[index].middle = Some([there.velocity, there.acceleration, joints.jerk(middle)]);
+            }
         }
-        Ok(LegPieces { passage, of_corner: of_leg.end..pieces.len(), of_leg })
+        stretch.shares = shares;
+        stretch
     }
 
-    fn make_leg(&self, index: usize, passage: &Passage, pieces: &mut Vec<Piece>) -> Result<(), TrajectoryError> {
-        let (leg, mut from) = (&self.legs[index], passage.from);
-        let ([first, top, last], mut here) = (passage.speeds, None);
-        for (speeds, seconds) in [[first, top], [top, top], [top, last]].into_iter().zip(passage.seconds) {
-            if seconds <= 0.0 {
+    fn place(&self, (piece, share): (usize, f64)) -> Place {
+        let piece = &self.pieces[piece].joints;
+        let there = piece.at(share);
+        let (first, second, third) = (there.velocity, there.acceleration, piece.jerk(share));
+        let Budget { speeds, accelerations, jerks, tcp_speed, curving } = self.budget;
+        let by_joints = (0..6).map(|joint| {
+            let by_speed = (speeds[joint] / first[joint]).powi(2);
+            let by_bend = curving * accelerations[joint] / second[joint].abs();
+            by_speed.min(by_bend).min((jerks[joint] / third[joint].abs()).powf(2.0 / 3.0))
+        });
+        let by_tool = if tcp_speed.is_finite() {
+            (tcp_speed / self.checker.arm().tcp_rate(&there.joints.0, &first)).powi(2)
+        } else {
+            f64::INFINITY
+        };
+        let at = piece.start_s + share * piece.seconds;
+        Place { at, first, second, third: [third; 2], most: by_joints.fold(by_tool, f64::min), middle: None }
+    }
+
+    /// Places at which the speed is planned: close to one another next to rest and corners.
+    fn shares(&self) -> Vec<(usize, f64)> {
+        let steps = self.steps();
+        let mut shares = Vec::with_capacity(8 * self.pieces.len());
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let length = piece.joints.seconds;
+            let mut places = graded(length, steps[index], self.longest(index));
+            let from_end = graded(length, steps[index + 1], self.longest(index));
+            places.extend(from_end[1..].iter().rev().map(|at| length - at));
+            shares.extend(places.iter().map(|at| (index, at / length)));
+        }
+        shares.push((self.pieces.len() - 1, 1.0));
+        shares
+    }
+
+    /// Longest distance of places on a piece: what passes in a moment has few.
+    fn longest(&self, index: usize) -> f64 {
+        let piece = &self.pieces[index];
+        let [least, most] = match piece.shape {
+            PieceShape::Corner => [2.0, 6.0],
+            PieceShape::Curve | PieceShape::Straight => [1.0, 4.0],
+        };
+        let seconds = piece.joints.seconds / self.place((index, 0.5)).most.sqrt();
+        piece.joints.seconds / (seconds / PLACES_S).ceil().clamp(least, most)
+    }
+
+    /// Distances of places at the ends of pieces.
+    fn steps(&self) -> Vec<f64> {
+        let count = self.pieces.len();
+        let mut steps = vec![f64::INFINITY; count + 1];
+        for index in 0..count {
+            let slowest =
+                [0.0, 0.5, 1.0].map(|share| self.place((index, share)).most).into_iter().fold(f64::INFINITY, f64::min);
+            let step = PLACES_S * slowest.sqrt();
+            steps[index] = steps[index].min(step);
+            steps[index + 1] = steps[index + 1].min(step);
+        }
+        (steps[0], steps[count]) = (self.launch(0, 0.0), self.launch(count - 1, 1.0));
+        let lengths: Vec<_> = self.pieces.iter().map(|piece| (GROWTH - 1.0) * piece.joints.seconds).collect();
+        for (index, length) in lengths.iter().enumerate() {
+            steps[index + 1] = steps[index + 1].min(steps[index] + length);
+        }
+        for (index, length) in lengths.iter().enumerate().rev() {
+            steps[index] = steps[index].min(steps[index + 1] + length);
+        }
+        steps
+    }
+
+    /// Length of the start or the end with a constant jerk.
+    fn launch(&self, piece: usize, share: f64) -> f64 {
+        let first = self.pieces[piece].joints.at(share).velocity;
+        let jerk = (0..6).map(|joint| self.budget.jerks[joint] / first[joint].abs()).fold(f64::INFINITY, f64::min);
+        let whole: f64 = self.pieces.iter().map(|piece| piece.joints.seconds).sum();
+        (jerk * LAUNCH_S.powi(3) / 6.0).min(whole / 24.0).min(self.pieces[piece].joints.seconds / 6.0)
+    }
+
+    /// Adds its pieces; the motion between places, and the factor by which it is slower.
+    fn planned(mut self, start_s: f64, pieces: &mut Vec<Piece>) -> Result<(Vec<Interval>, f64), TrajectoryError> {
+        let limits = PathLimits { accelerations: self.budget.accelerations, jerks: self.budget.jerks };
+        let before = pieces.len();
+        let mut round = 1;
+        loop {
+            let speeds = quickest(&self.places, &limits).ok_or_else(|| {
+                TrajectoryError::between(self.pieces[0].after, self.checker, crate::beyond::Exceeded::NotConfirmed)
+            })?;
+            let intervals = self.intervals(&speeds);
+            let mut worst = 1.0_f64;
+            let mut slower = Vec::new();
+            for (index, interval) in intervals.iter().enumerate() {
+                let from = pieces.len();
+                self.follow(index, interval, pieces);
+                let factor = pieces[from..].iter().map(|piece| self.factor(piece)).fold(1.0, f64::max);
+                worst = worst.max(factor);
+                if factor > LITTLE {
+                    slower.push((index, factor));
+                }
+            }
+            if slower.is_empty() || round == ROUNDS {
+                one_after_the_other(&mut pieces[before..], start_s, worst);
+                return Ok((intervals, worst));
+            }
+            pieces.truncate(before);
+            for (index, factor) in slower {
+                let factor = factor.min(MOST_SLOWER);
+                for place in index..=index + 1 {
+                    let squared =
+                        intervals[place.min(intervals.len() - 1)].squared.map_or(f64::INFINITY, |squared| squared[0]);
+                    self.places[place].most = self.places[place].most.min(squared) / factor / factor;
+                }
+            }
+            round += 1;
+        }
+    }
+
+    fn intervals(&self, speeds: &[Speed]) -> Vec<Interval> {
+        let last = self.places.len() - 2;
+        let pairs = self.places.windows(2).enumerate();
+        pairs
+            .map(|(index, pair)| {
+                let (from, length) = (pair[0].at, pair[1].at - pair[0].at);
+                if index == 0 || index == last {
+                    let speed = speeds[if index == 0 { 0 } else { speeds.len() - 1 }].squared.sqrt();
+                    return Interval {
+                        from,
+                        length,
+                        seconds: 3.0 * length / speed,
+                        squared: None,
+                        is_start: index == 0,
+                    };
+                }
+                let [one, other] = [speeds[index - 1], speeds[index]];
+                let squared = [one.squared, one.slope, 0.5 * (other.slope - one.slope) / length];
+                let mut interval = Interval { from, length, seconds: 0.0, squared: Some(squared), is_start: false };
+                interval.seconds = interval.seconds_to(1.0);
+                interval
+            })
+            .collect()
+    }
+
+    /// Adds the pieces of time of an interval, each as long as it can be near the path.
+    fn follow(&self, index: usize, interval: &Interval, pieces: &mut Vec<Piece>) {
+        let (piece, first) = self.shares[index];
+        let joints = &self.pieces[piece].joints;
+        let start = first;
+        let end = match self.shares.get(index + 1) {
+            Some((next, share)) if *next == piece => *share,
+            _ => 1.0,
+        };
+        let at = |share: f64| {
+            let there = joints.at(start + share * (end - start));
+            let [speed, change] = interval.speed(share);
+            Sample {
+                joints: there.joints,
+                velocity: there.velocity.map(|each| each * speed),
+                acceleration: std::array::from_fn(|joint| {
+                    there.acceleration[joint] * speed * speed + there.velocity[joint] * change
+                }),
+            }
+        };
+        let (mut from, mut step) = (0.0, 1.0_f64);
+        let mut here = at(0.0);
+        let mut done_s = 0.0;
+        while from < 1.0 {
+            let to = (from + step).min(1.0);
+            let next = at(to);
+            let seconds = interval.seconds_to(to) - done_s;
+            let made = Piece::between(0.0, seconds, &here, &next);
+            let middle = f64::midpoint(from, to);
+            let share_s = (interval.seconds_to(middle) - done_s) / seconds;
+            let (on_path, found) = (at(middle).joints.0, made.joints(share_s));
+            // The jerk of a piece is off by some 400 times as much, divided by the cube of its time.
+            let near = |joint: usize| OFF_PATH_DEG.min(OFF_JERK * self.budget.jerks[joint] * seconds.powi(3));
+            let is_near = (0..6).all(|joint| (on_path[joint] - found[joint]).abs() <= near(joint));
+            if !is_near && to - from > LEAST_SHARE && seconds > SHORT_S {
+                step = 0.5 * (to - from);
                 continue;
             }
-            let way = 0.5 * (speeds[0] + speeds[1]) * seconds;
-            match &leg.path {
-                LegPath::Joints(direction) => {
-                    let ends = speeds.map(|speed| (direction, speed));
-                    pieces.push(straight(seconds, leg.joints_at(direction, from), ends, [way, 0.0]));
-                }
-                LegPath::Tool(line) => {
-                    here = line.follow(self.checker.arm(), &SpeedRamp { from, speeds }, seconds, here, pieces);
-                    here.ok_or_else(|| lost(leg.after, self.checker))?;
-                }
-            }
-            from += way;
-        }
-        Ok(())
-    }
-
-    /// The corner after a leg; legs of two kinds have none between them.
-    fn make_corner(
-        &self,
-        index: usize,
-        speed: f64,
-        seconds: f64,
-        pieces: &mut Vec<Piece>,
-    ) -> Result<(), TrajectoryError> {
-        let (leg, way) = (&self.legs[index], 0.5 * speed * seconds);
-        match (&leg.path, self.legs.get(index + 1).map(|next| &next.path)) {
-            (LegPath::Joints(direction), Some(LegPath::Joints(next))) => {
-                let start = leg.joints_at(direction, leg.length - way);
-                pieces.push(straight(seconds, start, [(direction, speed), (next, speed)], [way; 2]));
-                Ok(())
-            }
-            (LegPath::Tool(line), Some(LegPath::Tool(next))) => {
-                let before = SpeedRamp { from: -way, speeds: [speed, 0.0] };
-                let after = SpeedRamp { from: 0.0, speeds: [0.0, speed] };
-                let along = [(line.direction, before), (next.direction, after)];
-                let there = |way: f64| SpeedRamp { from: way, speeds: [speed; 2] };
-                let ends =
-                    [line.moving(&there(leg.length - way), 0.0, seconds), next.moving(&there(way), 0.0, seconds)];
-                let first = pieces.len();
-                let followed = CornerPath { frame: next.from, along, seconds }.follow(self.checker.arm(), ends, pieces);
-                followed.ok_or_else(|| lost(leg.after, self.checker))?;
-                self.keep_apart_from_singularities(leg, next, &pieces[first..])
-            }
-            _ => Ok(()),
+            pieces.push(made);
+            (here, from, done_s) = (next, to, done_s + seconds);
         }
     }
 
-    /// The lines were checked; around a corner the arm is elsewhere.
-    fn keep_apart_from_singularities(&self, leg: &Leg, next: &Line, pieces: &[Piece]) -> Result<(), TrajectoryError> {
-        let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return Ok(()) };
-        if next.is_apart_all_along(self.checker, pieces) {
-            return Ok(());
-        }
-        let ends = [&first.joints(0.0), &last.joints(1.0)];
-        pieces.iter().try_for_each(|piece| {
-            let kept = self.checker.no_nearer_to_singularities(ends, &piece.joints(0.5));
-            kept.map_err(|exceeded| beyond_on(leg.after, self.checker, exceeded))
-        })
-    }
-
-    /// Whether a leg or a corner asked too much and gets slower.
-    fn slow_down(&mut self, index: usize, made: &LegPieces, pieces: &[Piece]) -> bool {
-        let [leg, corner] = [&made.of_leg, &made.of_corner].map(|range| {
-            let factors = pieces[range.clone()].iter().map(|piece| self.factor(&self.legs[index], piece));
-            factors.fold(1.0, f64::min)
-        });
-        let [leg_is_slower, corner_is_slower] = [leg, corner].map(|factor| factor < 1.0 - ENOUGH);
-        if leg_is_slower {
-            let speed = made.passage.speeds[1];
-            self.bounds[index] = Bounds { speed, ..self.bounds[index] }.slowed(leg - MARGIN);
-        }
-        if corner_is_slower {
-            let speed = made.passage.speeds[2];
-            self.corners[index + 1] = Corner { speed, ..self.corners[index + 1] }.slowed(corner - MARGIN);
-        }
-        leg_is_slower || corner_is_slower
-    }
-
-    /// How much slower a piece has to be; above 1 if it need not.
-    fn factor(&self, leg: &Leg, piece: &Piece) -> f64 {
-        match leg.path {
-            LegPath::Joints(_) => self.factor_by_tcp(piece),
-            // No point of it is faster than its speed: around a corner both speeds together are that.
-            LegPath::Tool(_) => self.factor_by_joints(piece),
-        }
-    }
-
-    fn factor_by_tcp(&self, piece: &Piece) -> f64 {
-        let most = self.budget.tcp_speed;
-        if most.is_infinite() || self.checker.arm().radii().tcp_rate_at_most(&piece.hull().speeds) <= most {
-            return 1.0;
-        }
-        let shares = (0..=TCP_PLACES).map(|place| f64::from(place) / f64::from(TCP_PLACES));
-        let rates =
-            shares.map(|share| piece.at(share)).map(|at| self.checker.arm().tcp_rate(&at.joints.0, &at.velocity));
-        most / rates.fold(0.0, f64::max)
-    }
-
-    fn factor_by_joints(&self, piece: &Piece) -> f64 {
-        let Budget { speeds, accelerations, jerks, .. } = self.budget;
-        let least = |limits: &[f64; 6], found: [f64; 6]| {
-            limits.iter().zip(found).map(|(limit, found)| limit / found).fold(f64::INFINITY, f64::min)
+    /// How much slower a piece has to be; 1 if it need not.
+    fn factor(&self, piece: &Piece) -> f64 {
+        let Budget { speeds, accelerations, jerks, tcp_speed, .. } = self.budget;
+        let most = |found: [f64; 6], limits: &[f64; 6]| {
+            found.iter().zip(limits).map(|(found, limit)| found / limit).fold(0.0, f64::max)
         };
         let hull = piece.hull();
-        let least_at_once = least(speeds, hull.speeds).min(least(accelerations, hull.accelerations));
-        if least_at_once.min(least(jerks, piece.jerks_at_most())) >= 1.0 {
-            return 1.0;
-        }
-        let by_acceleration = least(accelerations, piece.top_accelerations()).sqrt();
-        least(speeds, piece.top_speeds()).min(by_acceleration).min(least(jerks, piece.top_jerks()).cbrt())
-    }
-}
-
-/// A piece in joint space, at both ends of which the joints move along a direction with a speed, over these ways along
-/// each.
-fn straight(seconds: f64, start: [f64; 6], ends: [(&[f64; 6], f64); 2], ways: [f64; 2]) -> Piece {
-    let [(one, _), (other, _)] = ends;
-    let moved = std::array::from_fn(|joint| ways[0] * one[joint] + ways[1] * other[joint]);
-    let [from, to] = ends.map(|(direction, speed)| Sample {
-        joints: start.into(),
-        velocity: direction.map(|each| each * speed),
-        acceleration: [0.0; 6],
-    });
-    Piece::moving(0.0, seconds, moved, &from, &to)
-}
-
-/// All pieces in their order and time, and the way-points at both ends of all legs.
-fn one_after_the_other(made: &[LegPieces], mut pieces: Vec<Piece>) -> (Vec<Piece>, Vec<WayPoint>) {
-    let count: usize = made.iter().map(|made| made.of_leg.len() + made.of_corner.len()).sum();
-    if count < pieces.len() {
-        // Some were made again, at the end.
-        let ordered = made.iter().flat_map(|made| &pieces[made.of_leg.start..made.of_corner.end]).cloned();
-        let mut all = Vec::with_capacity(count);
-        all.extend(ordered);
-        pieces = all;
-    }
-    let mut way_points = Vec::with_capacity(made.len() + 1);
-    way_points.push(WayPoint { time_s: 0.0, passing: Passing::Stops });
-    let (mut time_s, mut left) = (0.0, pieces.as_mut_slice());
-    for LegPieces { passage, of_leg, of_corner } in made {
-        let (of_both, later) = std::mem::take(&mut left).split_at_mut(of_leg.len() + of_corner.len());
-        left = later;
-        let leg_s: f64 = of_both[..of_leg.len()].iter().map(|piece| piece.seconds).sum();
-        let (later_s, passing) = match () {
-            () if passage.corner_s > 0.0 => (0.5 * passage.corner_s, Passing::Rounded),
-            () if passage.speeds[2] > 0.0 => (0.0, Passing::Through),
-            () => (0.0, Passing::Stops),
+        let by_speed = if most(hull.speeds, speeds) <= 1.0 { 0.0 } else { most(piece.top_speeds(), speeds) };
+        let by_acceleration = if most(hull.accelerations, accelerations) <= 1.0 {
+            0.0
+        } else {
+            most(piece.top_accelerations(), accelerations)
         };
-        way_points.push(WayPoint { time_s: time_s + leg_s + later_s, passing });
-        for piece in of_both {
-            piece.start_s = time_s;
-            time_s += piece.seconds;
+        let by_jerk = if most(piece.jerks_at_most(), jerks) <= 1.0 { 0.0 } else { most(piece.top_jerks(), jerks) };
+        let mut factor = by_speed.max(by_acceleration.sqrt()).max(by_jerk.cbrt()).max(1.0);
+        let arm = self.checker.arm();
+        if tcp_speed.is_finite() && arm.radii().tcp_rate_at_most(&hull.speeds) > *tcp_speed {
+            for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                let there = piece.at(share);
+                factor = factor.max(arm.tcp_rate(&there.joints.0, &there.velocity) / tcp_speed);
+            }
+        }
+        factor
+    }
+}
+
+impl Interval {
+    /// Speed of the parameter and its change in time at a share of the length.
+    fn speed(&self, share: f64) -> [f64; 2] {
+        if let Some([squared, slope, bend]) = self.squared {
+            let along = share * self.length;
+            let squared = squared + along * (slope + along * bend);
+            return [squared.max(0.0).sqrt(), 0.5 * slope + along * bend];
+        }
+        let left = if self.is_start { share } else { 1.0 - share };
+        let seconds = self.seconds * left.cbrt();
+        let jerk = 6.0 * self.length / self.seconds.powi(3);
+        let change = jerk * seconds;
+        [0.5 * change * seconds, if self.is_start { change } else { -change }]
+    }
+
+    /// Seconds from its start to a share of its length.
+    fn seconds_to(&self, share: f64) -> f64 {
+        match self.squared {
+            Some(_) => {
+                let length = share * self.length;
+                let sum = QUADRATURE.into_iter().map(|(at, weight)| weight / self.speed(at * share)[0]).sum::<f64>();
+                length * sum
+            }
+            None if self.is_start => self.seconds * share.cbrt(),
+            None => self.seconds * (1.0 - (1.0 - share).cbrt()),
         }
     }
-    (pieces, way_points)
 }
 
-/// The joints were not found all along a leg.
-pub(super) fn lost(after: usize, checker: &Checker) -> TrajectoryError {
-    beyond_on(after, checker, Exceeded::NotConfirmed)
+/// Distances from an end, which grow from the first one to the longest, up to the middle.
+fn graded(length: f64, first: f64, longest: f64) -> Vec<f64> {
+    let (mut places, mut step) = (vec![0.0], first.min(longest));
+    let middle = 0.5 * length;
+    loop {
+        let next = places[places.len() - 1] + step;
+        if next > middle - 0.25 * step {
+            return places;
+        }
+        places.push(next);
+        step = (step * GROWTH).min(longest);
+    }
 }
 
-fn beyond_on(after: usize, checker: &Checker, exceeded: Exceeded) -> TrajectoryError {
-    let beyond = checker.beyond_of(Way::Trajectory, exceeded);
-    TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) }
+/// Gives pieces their times, slower by a factor.
+fn one_after_the_other(pieces: &mut [Piece], start_s: f64, factor: f64) {
+    let mut time_s = start_s;
+    for piece in pieces {
+        piece.seconds *= factor;
+        piece.start_s = time_s;
+        time_s += piece.seconds;
+    }
 }

@@ -3,7 +3,6 @@
 use jaka_proto::messages::types::Pose;
 
 use super::{HOME, Random, checker, witness, zu5};
-use crate::trajectory::through::ACCELERATION_SHARE;
 use crate::{Checker, Frames, Model, Passing, Through, Trajectory, Transform, Via};
 
 fn some_joints(random: &mut Random) -> [f64; 6] {
@@ -57,7 +56,7 @@ fn ways_in_joints_are_straight_but_for_their_corners() {
         for period_s in [0.001, 0.008] {
             witness(&trajectory, &checker, period_s);
         }
-        jerks_are_within(&trajectory, &checker, ACCELERATION_SHARE);
+        jerks_are_within(&trajectory, &checker, 1.0);
         for time_s in times(&trajectory, 3000) {
             let here = trajectory.at(time_s).joints.0;
             let off = points.windows(2).map(|pair| off_way(here, pair[0], pair[1])).fold(f64::INFINITY, f64::min);
@@ -108,16 +107,37 @@ fn lines_are_straight_but_for_their_corners() {
 }
 
 #[test]
-fn where_a_line_meets_a_way_in_joints_it_stops() {
+fn a_corner_between_a_line_and_a_way_in_joints_is_within_the_tolerances_of_both() {
     let checker = checker();
+    let forward = |joints: [f64; 6]| Transform::from(Pose::from(checker.limits().model().forward(joints)));
     let pose = Pose::from(checker.limits().model().forward(HOME));
-    let down = Pose { z: pose.z - 60.0, ..pose };
-    let points = [Via::from(HOME), down.into(), HOME.into(), HOME.into(), down.into(), pose.into()];
-    let trajectory = Trajectory::through(points).corner_mm(5.0).corner_deg(5.0).build(&checker).expect("a way");
-    witness(&trajectory, &checker, 0.008);
-    let found = trajectory.way_points();
-    assert!((found[2].time_s - found[3].time_s).abs() < 1e-12);
-    assert!(found.iter().all(|point| point.passing == Passing::Stops));
+    let mut random = Random::new(9);
+    for _ in 0..20 {
+        let down = Pose { z: pose.z - 60.0, x: pose.x + random.between(-30.0, 30.0), ..pose };
+        let aside = HOME.map(|joint| joint + random.between(-20.0, 20.0));
+        let points = [Via::from(HOME), down.into(), aside.into(), pose.into()];
+        let both = Trajectory::through(points).corner_mm(5.0).corner_deg(4.0).corner_turn_deg(3.0);
+        let trajectory = both.build(&checker).expect("a way");
+        for period_s in [0.001, 0.008] {
+            witness(&trajectory, &checker, period_s);
+        }
+        jerks_are_within(&trajectory, &checker, 1.0);
+        let found = trajectory.way_points();
+        assert!(found[1..3].iter().all(|point| point.passing == Passing::Rounded), "{found:?}");
+        let stops = Trajectory::through(points).corner_mm(5.0).build(&checker).expect("a way");
+        assert!(stops.way_points().iter().all(|point| point.passing == Passing::Stops));
+        assert!(trajectory.duration_s() < stops.duration_s());
+        let at_down = stops.at(stops.way_points()[1].time_s).joints.0;
+        for (point, joints) in found[1..3].iter().zip([at_down, aside]) {
+            let near = times(&trajectory, 5000).map(|time_s| trajectory.at(time_s).joints);
+            let near = near.filter(|there| there.max_distance(&joints.into()) <= 4.0);
+            let closest = near.map(|there| {
+                let (there, wanted) = (forward(there.0), forward(joints));
+                if there.angle_deg(&wanted) <= 3.0 { there.distance_mm(&wanted) } else { f64::INFINITY }
+            });
+            assert!(closest.fold(f64::INFINITY, f64::min) <= 5.0, "{point:?}");
+        }
+    }
 }
 
 #[test]
