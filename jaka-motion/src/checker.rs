@@ -310,6 +310,19 @@ impl Checker {
         self.limits.clearance().is_kept(distances, &self.arm.radii().distances_change(turned))
     }
 
+    /// Distances from singularities, with another sign on each side of one.
+    pub(crate) fn signed_distances(&self, joints: &[f64; 6]) -> [f64; 3] {
+        self.arm.signed_distances(joints)
+    }
+
+    /// Checks that a way of the tool comes no nearer to a singularity than the least distance, or than where it started,
+    /// and passes none since the place before, by signed distances.
+    pub(crate) fn check_apart(&self, start: &[f64; 3], before: &[f64; 3], here: &[f64; 3]) -> Result<(), Exceeded> {
+        let clearance = self.limits.clearance();
+        clearance.check(&start.map(f64::abs), &here.map(f64::abs))?;
+        clearance.check_sides(before, here)
+    }
+
     /// Checks that joint positions between two others are not nearer to a singularity than both of these and the least
     /// distance, but for the stated amount.
     pub(crate) fn no_nearer_to_singularities(&self, ends: [&[f64; 6]; 2], here: &[f64; 6]) -> Result<(), Exceeded> {

@@ -1,9 +1,12 @@
 //! Motions that are known from start to end.
 
+mod curve;
+mod curve_path;
 mod error;
 mod leg;
 mod line;
 mod path;
+mod smoothing;
 mod speed;
 pub(crate) mod through;
 mod timed;
@@ -15,6 +18,7 @@ use std::time::Duration;
 
 use jaka_proto::messages::types::JointPosition;
 
+pub use self::curve::Curve;
 use self::error::LONGEST_S;
 pub use self::error::TrajectoryError;
 pub use self::through::{Through, Via};
@@ -145,6 +149,30 @@ impl Trajectory {
     /// ```
     pub fn through<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Through {
         Through::new(points.into_iter().map(Into::into).collect())
+    }
+
+    /// A curve near dense points, such as those of a taught or a sampled path.
+    ///
+    /// ```
+    /// use jaka_motion::proto::messages::types::Pose;
+    /// use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
+    ///
+    /// let arm = Model::named("Zu 5").expect("a published arm");
+    /// let checker = Checker::new(Limits::of(arm), Frames::new());
+    /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
+    /// let first = Pose::from(arm.forward(start));
+    ///
+    /// // Half of a circle with a radius of 80 mm, each millimetre.
+    /// let on_circle = (1..=250).map(|step| f64::from(step) / 80.0).map(|angle| {
+    ///     Pose { x: first.x + 80.0 * (angle.cos() - 1.0), y: first.y + 80.0 * angle.sin(), ..first }
+    /// });
+    /// let points = std::iter::once(Via::from(start)).chain(on_circle.map(Via::from));
+    /// let trajectory = Trajectory::curve(points).within_mm(0.1).tcp_speed(80.0).build(&checker)?;
+    /// assert!(trajectory.duration_s() < 250.0 / 80.0 + 0.6);
+    /// # Ok::<(), jaka_motion::TrajectoryError>(())
+    /// ```
+    pub fn curve<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Curve {
+        Curve::new(points.into_iter().map(Into::into).collect())
     }
 
     /// How long it takes.

@@ -1,6 +1,8 @@
 //! The arm with its tool: where it is for joint positions, and which joint positions bring it to a place.
 
-use nalgebra::{Isometry3, Point3, Vector3, Vector6};
+#[cfg(feature = "generator")]
+use nalgebra::Vector6;
+use nalgebra::{Isometry3, Point3, Vector3};
 
 use super::radii::PieceEnd;
 use super::radii::Radii;
@@ -92,19 +94,20 @@ impl Arm {
 
     /// How far the tool centre point would move if the joints went on so, in mm.
     pub(crate) fn tcp_rate(&self, joints: &[f64; 6], moved: &[f64; 6]) -> f64 {
-        let frames = self.frames(joints);
-        let tcp = (frames[5] * self.tool).translation.vector;
-        let parts = frames.iter().zip(moved).map(|(frame, moved)| {
-            (frame.rotation * Vector3::z()).cross(&(tcp - frame.translation.vector)) * moved.to_radians()
-        });
-        parts.sum::<Vector3<f64>>().norm()
+        self.tool_moves(joints, moved)[0].norm()
     }
 
-    /// How far the tool centre point would move, in mm, and the tool turn, in radians, if the joints went on so.
-    pub(crate) fn tool_rates(&self, joints: &[f64; 6], moved: &[f64; 6]) -> [f64; 2] {
-        let axes = self.frames(joints).map(|frame| frame.rotation * Vector3::z());
-        let turns = axes.iter().zip(moved).map(|(axis, moved)| axis * moved.to_radians());
-        [self.tcp_rate(joints, moved), turns.sum::<Vector3<f64>>().norm()]
+    /// Motion of the tool centre point, in mm, and turn of the tool, in radians, if the joints went on so.
+    pub(crate) fn tool_moves(&self, joints: &[f64; 6], moved: &[f64; 6]) -> [Vector3<f64>; 2] {
+        let frames = self.frames(joints);
+        let tcp = (frames[5] * self.tool).translation.vector;
+        let mut total = [Vector3::zeros(); 2];
+        for (frame, moved) in frames.iter().zip(moved) {
+            let turn = frame.rotation * Vector3::z() * moved.to_radians();
+            total[0] += turn.cross(&(tcp - frame.translation.vector));
+            total[1] += turn;
+        }
+        total
     }
 
     /// How far apart the tool centre point is at two joint positions, in mm.

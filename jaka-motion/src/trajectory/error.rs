@@ -59,6 +59,11 @@ jaka_proto::worded! {
         /// The first way-point is a pose, for which several joint positions can be.
         StartsWithPose =>
             "way-point 1 is a pose, which several joint positions reach; the first must be joint positions",
+        /// A curve goes through joint positions and poses.
+        Mixed {
+            /// First way-point of the other kind.
+            way_point: usize,
+        } => "way-point {way_point}: after the first, the points of a curve are all joint positions or all poses",
         /// All way-points are at one place.
         NoWay => "all way-points are at one place",
         /// The trajectory takes longer than a week.
@@ -119,6 +124,7 @@ impl std::error::Error for TrajectoryError {
             | Self::NotAtRest { .. }
             | Self::StartsWithPose
             | Self::NoWay
+            | Self::Mixed { .. }
             | Self::TooLong { .. }
             | Self::Setting { .. } => None,
         }

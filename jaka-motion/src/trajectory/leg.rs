@@ -1,6 +1,9 @@
-//! The ways from one point of a trajectory to the next.
+//! Ways from one point of a trajectory to the next, and the speeds that are asked for.
 
+use super::TrajectoryError;
+use super::curve_path::CurvePath;
 use super::line::Line;
+use crate::checker::Checker;
 
 /// A way straight in joint space, or on a straight line of the tool.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +22,20 @@ pub(super) struct Leg {
 pub(super) enum LegPath {
     Joints([f64; 6]),
     Tool(Line),
+    Curve(CurvePath),
+}
+
+/// Speeds and jerks that a caller asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SpeedSettings {
+    /// In mm/s.
+    pub(super) tcp_speed: f64,
+    /// In deg/s.
+    pub(super) joint_speeds: [f64; 6],
+    /// In deg/s³.
+    pub(super) jerks: Option<[f64; 6]>,
+    /// Share of each joint's acceleration that bends leave for changes of the rate.
+    pub(super) reserve: f64,
 }
 
 /// What a trajectory is planned with.
@@ -34,12 +51,73 @@ pub(super) struct Budget {
     pub(super) curving: f64,
 }
 
+/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no
+/// source has jerks of these arms.
+const ACCELERATION_REACHED_S: f64 = 0.1;
+/// Least speed and jerk: a joint that is slower takes hours for a turn.
+const SLOWEST: f64 = 1e-3;
+/// Share of each joint's acceleration that bends leave for changes of the rate, if nothing else is said.
+const RESERVE: f64 = 0.2;
+/// Largest such share.
+const MOST_RESERVE: f64 = 0.9;
+/// Share of an asked speed of the tool centre point that is planned.
+const TCP_ASKED: f64 = 0.9995;
+/// The same of the highest one, where limits have one.
+const TCP_SHARE: f64 = 0.98;
+
+impl Default for SpeedSettings {
+    fn default() -> Self {
+        Self { tcp_speed: f64::INFINITY, joint_speeds: [f64::INFINITY; 6], jerks: None, reserve: RESERVE }
+    }
+}
+
+impl SpeedSettings {
+    pub(super) fn check(&self) -> Result<(), TrajectoryError> {
+        let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
+        let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
+        let mut all = speeds.chain(jerks).chain([("tcp_speed", self.tcp_speed)]);
+        if let Some((what, given)) = all.find(|(_, given)| given.is_nan() || *given < SLOWEST) {
+            return Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" });
+        }
+        if (0.0..=MOST_RESERVE).contains(&self.reserve) {
+            return Ok(());
+        }
+        Err(TrajectoryError::Setting { what: "reserve", given: self.reserve, expected: "from 0 to 0.9" })
+    }
+
+    /// What is planned with, within an arm's limits.
+    pub(super) fn budget(&self, checker: &Checker) -> Budget {
+        let limits = checker.limits();
+        let accelerations = *limits.joint_accelerations();
+        let jerks = self.jerks.unwrap_or(accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S));
+        let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
+        Budget {
+            speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
+            accelerations,
+            jerks,
+            curving: 1.0 - self.reserve,
+            tcp_speed: (TCP_ASKED * self.tcp_speed).min(limited),
+        }
+    }
+}
+
 /// How far a corner may be rounded: in mm, in degrees of the tool's turn, in degrees of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tolerances {
     pub(super) mm: f64,
     pub(super) turn_deg: f64,
     pub(super) joint_deg: f64,
+}
+
+impl Tolerances {
+    /// None of these may be negative or not finite; the names are those of the settings.
+    pub(super) fn check(&self, names: [&'static str; 3]) -> Result<(), TrajectoryError> {
+        let given = [self.mm, self.turn_deg, self.joint_deg];
+        match names.into_iter().zip(given).find(|(_, given)| !(given.is_finite() && *given >= 0.0)) {
+            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "finite and at least 0" }),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Leg {

@@ -46,11 +46,6 @@ impl Direction {
         let length = moved.norm().hypot(turned.norm() * TURN_MM);
         (Self { moved: moved / length, turned: turned / length }, length)
     }
-
-    /// Cosine of the angle between two directions.
-    pub(super) fn cosine(&self, other: &Self) -> f64 {
-        self.moved.dot(&other.moved) + self.turned.dot(&other.turned) * TURN_MM * TURN_MM
-    }
 }
 
 impl Line {
@@ -150,7 +145,7 @@ impl Line {
 }
 
 /// Whether joints bring the tool to a place, within mm and degrees.
-fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
+pub(super) fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
     let found = arm.tcp(joints);
     let moved = (tool.translation.vector - found.translation.vector).norm();
     moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
@@ -158,7 +153,7 @@ fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f6
 
 /// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it
 /// takes not even the least.
-fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
+pub(super) fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
     let (mut at, mut step) = (0.0, longest);
     while at < end {
         let next = if at + 1.01 * step >= end { end } else { at + step };
@@ -171,6 +166,6 @@ fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -
     Some(())
 }
 
-fn together(moved: Vector3<f64>, turned: Vector3<f64>) -> Vector6<f64> {
+pub(super) fn together(moved: Vector3<f64>, turned: Vector3<f64>) -> Vector6<f64> {
     Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
+use super::curve_path::Space;
 use super::leg::{Leg, LegPath, Tolerances};
+use super::line::TURN_MM;
 use super::{Passing, TrajectoryError};
 use crate::checker::{Arm, Checker};
 use crate::piece::{Piece, Sample};
@@ -125,7 +127,7 @@ impl Path {
 impl<'l> Scaled<'l> {
     fn new(leg: &'l Leg) -> Self {
         let scale = match &leg.path {
-            LegPath::Joints(_) => 1.0,
+            LegPath::Joints(_) | LegPath::Curve(_) => 1.0,
             LegPath::Tool(line) => line.degrees_a_unit(),
         };
         Self { leg, scale }
@@ -152,6 +154,7 @@ impl<'l> Scaled<'l> {
                     ..there
                 }
             }
+            LegPath::Curve(curve) => curve.at(way),
         }
     }
 
@@ -168,17 +171,30 @@ impl<'l> Scaled<'l> {
                     path.add(part, PieceShape::Curve, self.leg.after);
                 }
             }
+            LegPath::Curve(curve) => {
+                let start = path.end();
+                for (after, part) in curve.between(from, to) {
+                    path.add(part, PieceShape::Curve, self.leg.after + after);
+                }
+                // Those before and after lie on the corners.
+                let marks = curve.marks.iter().map(|mark| start + mark - from);
+                path.marks.extend(marks.map(|at| Mark { at, passing: Passing::Rounded }));
+            }
         }
     }
 
-    fn is_line(&self) -> bool {
-        matches!(self.leg.path, LegPath::Tool(_))
+    fn is_of_tool(&self) -> bool {
+        match &self.leg.path {
+            LegPath::Joints(_) => false,
+            LegPath::Tool(_) => true,
+            LegPath::Curve(curve) => curve.space == Space::Tool,
+        }
     }
 
     /// Passage to the next leg: a stop where the path turns back, and where a tolerance is not named.
     fn junction(&self, next: &Self, tolerances: &Tolerances, checker: &Checker) -> Junction {
         let (before, after) = (self.at(self.length()), next.at(0.0));
-        if self.cosine(next, &before, &after) < TURNS_BACK {
+        if self.cosine(next, [&before, &after], checker) < TURNS_BACK {
             return Junction::Stop;
         }
         let turn: [f64; 6] = std::array::from_fn(|joint| after.velocity[joint] - before.velocity[joint]);
@@ -200,9 +216,13 @@ impl<'l> Scaled<'l> {
         found.map_or(Junction::Stop, |(half, corner)| Junction::Rounded(half, Box::new(corner)))
     }
 
-    fn cosine(&self, next: &Self, before: &Sample, after: &Sample) -> f64 {
-        if let (LegPath::Tool(before), LegPath::Tool(after)) = (&self.leg.path, &next.leg.path) {
-            return before.direction.cosine(&after.direction);
+    fn cosine(&self, next: &Self, [before, after]: [&Sample; 2], checker: &Checker) -> f64 {
+        if self.is_of_tool() && next.is_of_tool() {
+            let [one, other] = [before, after].map(|way| checker.arm().tool_moves(&before.joints.0, &way.velocity));
+            let dot = |one: &[Vector3<f64>; 2], other: &[Vector3<f64>; 2]| {
+                one[0].dot(&other[0]) + one[1].dot(&other[1]) * TURN_MM * TURN_MM
+            };
+            return dot(&one, &other) / (dot(&one, &one) * dot(&other, &other)).sqrt();
         }
         let dot = |one: &[f64; 6], other: &[f64; 6]| one.iter().zip(other).map(|(a, b)| a * b).sum::<f64>();
         let (before, after) = (&before.velocity, &after.velocity);
@@ -221,14 +241,14 @@ impl<'l> Scaled<'l> {
         let length = |tolerance: f64, differ: f64| {
             if tolerance == 0.0 { 0.0 } else { CORNER_LENGTH * WITHIN * tolerance / differ.max(STRAIGHT_ON) }
         };
-        let has_line = self.is_line() || next.is_line();
-        let has_joints = !(self.is_line() && next.is_line());
+        let has_line = self.is_of_tool() || next.is_of_tool();
+        let has_joints = !(self.is_of_tool() && next.is_of_tool());
         let mut most = f64::INFINITY;
         if has_joints {
             most = most.min(length(tolerances.joint_deg, largest(turn)));
         }
         if has_line {
-            let [moved_mm, turned_rad] = checker.arm().tool_rates(&before.joints.0, turn);
+            let [moved_mm, turned_rad] = checker.arm().tool_moves(&before.joints.0, turn).map(|moved| moved.norm());
             most = most.min(length(tolerances.mm, moved_mm)).min(length(tolerances.turn_deg.to_radians(), turned_rad));
         }
         most
@@ -236,7 +256,7 @@ impl<'l> Scaled<'l> {
 
     /// True where a corner is within the tolerances of both legs.
     fn is_within(&self, next: &Self, half: f64, corner: &Piece, tolerances: &Tolerances, checker: &Checker) -> bool {
-        if !(self.is_line() || next.is_line()) {
+        if !(self.is_of_tool() || next.is_of_tool()) {
             // The bound of its length is exact.
             return true;
         }
@@ -250,7 +270,7 @@ impl<'l> Scaled<'l> {
             return false;
         }
         let off: [f64; 6] = std::array::from_fn(|joint| middle[joint] - point.joints.0[joint]);
-        if !(self.is_line() && next.is_line()) && largest(&off) > WITHIN * tolerances.joint_deg {
+        if !(self.is_of_tool() && next.is_of_tool()) && largest(&off) > WITHIN * tolerances.joint_deg {
             return false;
         }
         // The way from a corner's end to its middle is looked at in between, too.
@@ -269,7 +289,9 @@ impl<'l> Scaled<'l> {
     /// Distance of a place from the leg's path, near a parameter.
     fn off_mm(&self, arm: &Arm, place: &Vector3<f64>, at: f64) -> f64 {
         match &self.leg.path {
-            LegPath::Joints(_) => (arm.tcp(&self.at(at).joints.0).translation.vector - place).norm(),
+            LegPath::Joints(_) | LegPath::Curve(_) => {
+                (arm.tcp(&self.at(at).joints.0).translation.vector - place).norm()
+            }
             LegPath::Tool(line) => line.off_mm(place),
         }
     }

@@ -109,7 +109,7 @@ struct Progress {
 /// Most iterations in a window; some 15 suffice.
 const ITERATIONS: usize = 60;
 /// Share of the duration that may be left to gain.
-const GAP: f64 = 0.01;
+const GAP: f64 = 0.004;
 /// Coefficients by which windows advance.
 const ADVANCE: usize = 200;
 /// Coefficients that a window has in common with the next.

@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-use super::leg::{Budget, Leg, LegPath, Tolerances};
+use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::line::{Direction, LEAST, LONGEST, Line};
 use super::path::Path;
 use super::timing::timed;
@@ -43,16 +43,9 @@ pub enum Via {
 pub struct Through {
     points: Vec<Via>,
     tolerances: Tolerances,
-    tcp_speed: f64,
-    joint_speeds: [f64; 6],
-    jerks: Option<[f64; 6]>,
+    speeds: SpeedSettings,
 }
 
-/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no
-/// source has jerks of these arms.
-const ACCELERATION_REACHED_S: f64 = 0.1;
-/// The least speed and jerk: a joint that is slower takes hours for a turn.
-const SLOWEST: f64 = 1e-3;
 /// Points nearer to each other than this are one, in degrees or mm.
 const SAME: f64 = 1e-6;
 /// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
@@ -60,10 +53,6 @@ const CREEPING: f64 = 1e-6;
 /// Joint positions that are further from others than this, in degrees, are of another branch.
 const ONE_BRANCH: f64 = 1e-2;
 
-/// Share of each joint's acceleration that curves leave for pauses.
-const RESERVE: f64 = 0.2;
-/// The share of the highest speed of the tool centre point that is planned, where it is limited.
-const TCP_SHARE: f64 = 0.98;
 /// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
 const TURN_DEG: f64 = 1.0;
 
@@ -73,9 +62,7 @@ impl Through {
         Self {
             points,
             tolerances: Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 },
-            tcp_speed: f64::INFINITY,
-            joint_speeds: [f64::INFINITY; 6],
-            jerks: None,
+            speeds: SpeedSettings::default(),
         }
     }
 
@@ -101,20 +88,27 @@ impl Through {
     /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is
     /// said, the limits alone decide, and without one of the tool centre point those of the joints.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
-        self.tcp_speed = mm_s;
+        self.speeds.tcp_speed = mm_s;
         self
     }
 
     /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
     pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
-        self.joint_speeds = deg_s;
+        self.speeds.joint_speeds = deg_s;
         self
     }
 
     /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its
     /// acceleration in 0.1 s.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
-        self.jerks = Some(deg_s3);
+        self.speeds.jerks = Some(deg_s3);
+        self
+    }
+
+    /// With this share of each joint's acceleration left where the way bends, from 0 to 0.9, for a pause or another rate
+    /// that is asked for there; 0.2 if nothing is said.
+    pub fn reserve(mut self, share: f64) -> Self {
+        self.speeds.reserve = share;
         self
     }
 
@@ -124,48 +118,15 @@ impl Through {
     /// What is wrong with the points or settings, or the first place that is beyond a limit. Lines are compared with
     /// joint ranges, regions, the arm's reach and the least distance from singularities before all else.
     pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
-        self.check_settings()?;
-        let budget = self.budget(checker);
+        self.tolerances.check(["corner_mm", "corner_turn_deg", "corner_deg"])?;
+        self.speeds.check()?;
         let (legs, places) = self.legs(checker)?;
         if legs.is_empty() {
             return Err(TrajectoryError::NoWay);
         }
         let path = Path::of_legs(&legs, &self.tolerances, checker)?;
-        let (pieces, passages) = timed(&path, &budget, checker)?;
+        let (pieces, passages) = timed(&path, &self.speeds.budget(checker), checker)?;
         Trajectory::checked(pieces, places.into_iter().map(|place| passages[place]).collect(), checker)
-    }
-
-    fn budget(&self, checker: &Checker) -> Budget {
-        let limits = checker.limits();
-        let accelerations = *limits.joint_accelerations();
-        let jerks = self.jerks.unwrap_or(accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S));
-        let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
-        Budget {
-            speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
-            accelerations,
-            jerks,
-            curving: 1.0 - RESERVE,
-            tcp_speed: self.tcp_speed.min(limited),
-        }
-    }
-
-    fn check_settings(&self) -> Result<(), TrajectoryError> {
-        let Tolerances { mm, turn_deg, joint_deg } = self.tolerances;
-        for (what, given) in [("corner_mm", mm), ("corner_turn_deg", turn_deg), ("corner_deg", joint_deg)] {
-            if !(given.is_finite() && given >= 0.0) {
-                return Err(TrajectoryError::Setting { what, given, expected: "finite and at least 0" });
-            }
-        }
-        let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
-        let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
-        match speeds
-            .chain(jerks)
-            .chain([("tcp_speed", self.tcp_speed)])
-            .find(|(_, given)| given.is_nan() || *given < SLOWEST)
-        {
-            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" }),
-            None => Ok(()),
-        }
     }
 
     /// The legs, and for each point at which of their ends it is.

@@ -34,12 +34,14 @@ struct Interval {
 const ROUNDS: usize = 6;
 /// Factor by which all is slowed down where little is too fast.
 const LITTLE: f64 = 1.03;
+/// Shares of accelerations and jerks that are planned: between two places a little more is used.
+const PLANNED: [f64; 2] = [0.995, 0.98];
 /// Largest factor by which a place gets slower in a round.
 const MOST_SLOWER: f64 = 1.3;
 /// Seconds of the constant jerk at a start and an end.
 const LAUNCH_S: f64 = 0.03;
 /// Factor between the distances of places.
-const GROWTH: f64 = 1.6;
+const GROWTH: f64 = 1.35;
 /// Seconds between places elsewhere, where a piece does not take long.
 const PLACES_S: f64 = 0.02;
 /// Seconds of a piece of time that is not cut.
@@ -196,7 +198,11 @@ impl<'a> Stretch<'a> {
 
     /// Adds its pieces; the motion between places, and the factor by which it is slower.
     fn planned(mut self, start_s: f64, pieces: &mut Vec<Piece>) -> Result<(Vec<Interval>, f64), TrajectoryError> {
-        let limits = PathLimits { accelerations: self.budget.accelerations, jerks: self.budget.jerks };
+        let share = |limits: &[f64; 6], share: f64| limits.map(|limit| share * limit);
+        let limits = PathLimits {
+            accelerations: share(&self.budget.accelerations, PLANNED[0]),
+            jerks: share(&self.budget.jerks, PLANNED[1]),
+        };
         let before = pieces.len();
         let mut round = 1;
         loop {

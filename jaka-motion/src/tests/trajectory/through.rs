@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::types::Pose;
 
-use super::{HOME, Random, checker, witness, zu5};
+use super::{HOME, Random, checker, jerks_are_within, off_way, times, witness, zu5};
 use crate::{Checker, Frames, Model, Passing, Through, Trajectory, Transform, Via};
 
 fn some_joints(random: &mut Random) -> [f64; 6] {
@@ -15,34 +15,6 @@ fn some_pose(random: &mut Random) -> Pose {
     let mut offset = |most: f64| random.between(-most, most);
     let (x, y, z) = (home.x + offset(80.0), home.y + offset(80.0), home.z + offset(80.0));
     Pose { x, y, z, rx: home.rx + offset(10.0), ry: home.ry + offset(10.0), rz: home.rz + offset(10.0) }
-}
-
-/// Times all through a trajectory.
-fn times(trajectory: &Trajectory, count: u32) -> impl Iterator<Item = f64> {
-    let duration_s = trajectory.duration_s();
-    (0..=count).map(move |place| f64::from(place) / f64::from(count) * duration_s)
-}
-
-/// No jerk is above the planned ones; all of them are measured, over a thousandth of a second.
-fn jerks_are_within(trajectory: &Trajectory, checker: &Checker, share: f64) {
-    for time_s in times(trajectory, 2000) {
-        let [before, after] = [0.0, 1e-3].map(|later| trajectory.at(time_s + later).acceleration);
-        for joint in 0..6 {
-            let most = 10.0 * checker.limits().joint_accelerations()[joint] * share;
-            let jerk = (after[joint] - before[joint]) / 1e-3;
-            assert!(jerk.abs() < most + 1e-6, "joint {} at {time_s} s: {jerk} of {most}", joint + 1);
-        }
-    }
-}
-
-/// How far a point is from the way straight to another.
-fn off_way<const N: usize>(point: [f64; N], from: [f64; N], to: [f64; N]) -> f64 {
-    let dot = |one: &[f64; N], other: &[f64; N]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
-    let less = |one: [f64; N], other: [f64; N]| std::array::from_fn::<f64, N, _>(|index| one[index] - other[index]);
-    let (way, done) = (less(to, from), less(point, from));
-    let share = (dot(&way, &done) / dot(&way, &way)).clamp(0.0, 1.0);
-    let off = std::array::from_fn::<f64, N, _>(|index| done[index] - share * way[index]);
-    dot(&off, &off).sqrt()
 }
 
 #[test]

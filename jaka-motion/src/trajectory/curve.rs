@@ -1,0 +1,432 @@
+//! Curves through dense points.
+
+use jaka_proto::messages::types::JointPosition;
+
+use super::curve_path::{Begin, CurvePath, Lost, Nearness, Space, TURN_UNITS, of_joints, of_tool};
+use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
+use super::path::Path;
+use super::smoothing::{Place, Spline};
+use super::timing::timed;
+use super::{Trajectory, TrajectoryError, Via};
+use crate::beyond::{Beyond, Exceeded};
+use crate::checker::Checker;
+
+/// Curve near dense points, to be built within an arm's limits. Made by [`Trajectory::curve`].
+///
+/// The points are joint positions, or joint positions and then poses of the tool in the user frame. The curve starts at
+/// the first and ends at the last, at rest. It is the smoothest one within the tolerance of each point and of the
+/// straight ways between them: its second derivative is continuous, so that a path that was taught or sampled is passed
+/// at the speed that is asked for. Points nearer to each other than a millionth of a degree or millimetre count as one.
+///
+/// A bend by more than [`corner_above_deg`](Self::corner_above_deg), and one between ways that are too long for a curve
+/// within the tolerance, is a corner. It is rounded as that of [`Trajectory::through`].
+///
+/// # Timing
+/// As [`Through`](crate::Through): the quickest speed along the whole curve, within limits.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use = "nothing is planned before it is built"]
+pub struct Curve {
+    points: Vec<Via>,
+    tolerances: Tolerances,
+    corners: Tolerances,
+    corner_above_deg: f64,
+    speeds: SpeedSettings,
+}
+
+/// Points of a curve in one space.
+struct Given<'c> {
+    curve: &'c Curve,
+    checker: &'c Checker,
+    space: Space,
+    /// Places that differ, in their order.
+    places: Vec<Place>,
+    /// Place of each point.
+    place_of: Vec<usize>,
+}
+
+/// Part of a curve between two corners.
+struct Section<'g> {
+    given: &'g Given<'g>,
+    from: usize,
+    to: usize,
+    /// Number of parts of each way between two places.
+    parts: Vec<usize>,
+}
+
+/// How far the tool may turn from points, in degrees, if nothing is said.
+const TURN_DEG: f64 = 1.0;
+/// Bends by more are corners, in degrees, if nothing is said.
+const CORNER_ABOVE_DEG: f64 = 30.0;
+/// Points nearer to each other than this are one, in degrees or mm.
+const SAME: f64 = 1e-6;
+/// Share of a tolerance that the spline takes: the rest is for polynomials near it.
+const OF_SPLINE: f64 = 0.9;
+/// Share of a tolerance that polynomials of joints may be off the spline, and the most, in mm or degrees.
+const OF_POLYNOMIALS: f64 = 0.05;
+const MOST_OFF: f64 = 0.005;
+/// Directions at a point are those of ways as long as this many tolerances.
+const SPAN: f64 = 10.0;
+/// A bend whose arc would be so many tolerances away from the straight ways is a corner.
+const FAR_ARC: f64 = 2.0;
+/// The same, for the parts of a way.
+const NEAR_ARC: f64 = 0.05;
+/// Most parts of a way between two places, before and after refinement.
+const MOST_PARTS: [usize; 2] = [16, 32];
+/// Least tolerance, in mm or degrees.
+const LEAST_TOLERANCE: f64 = 1e-3;
+
+impl Curve {
+    pub(super) fn new(points: Vec<Via>) -> Self {
+        let unset = Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 };
+        let corners = Tolerances { mm: f64::NAN, turn_deg: f64::NAN, joint_deg: f64::NAN };
+        let speeds = SpeedSettings::default();
+        Self { points, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
+    }
+
+    /// Within so many millimetres of the points and the straight ways between them. Needed for poses.
+    pub fn within_mm(mut self, tolerance: f64) -> Self {
+        self.tolerances.mm = tolerance;
+        self
+    }
+
+    /// Within so many degrees: of each joint for joint positions, where it is needed, and of the tool's turn for poses,
+    /// where it is 1 if nothing is said.
+    pub fn within_deg(mut self, tolerance: f64) -> Self {
+        (self.tolerances.turn_deg, self.tolerances.joint_deg) = (tolerance, tolerance);
+        self
+    }
+
+    /// With bends by more than so many degrees as corners; 30 if nothing is said.
+    pub fn corner_above_deg(mut self, angle: f64) -> Self {
+        self.corner_above_deg = angle;
+        self
+    }
+
+    /// With the corners of a curve of the tool rounded within so many millimetres; 0 to stop there. If nothing is said,
+    /// the tolerance of the curve.
+    pub fn corner_mm(mut self, tolerance: f64) -> Self {
+        self.corners.mm = tolerance;
+        self
+    }
+
+    /// With the corners rounded within so many degrees of each joint or of the tool's turn; 0 to stop there. If nothing
+    /// is said, the tolerance of the curve.
+    pub fn corner_deg(mut self, tolerance: f64) -> Self {
+        (self.corners.turn_deg, self.corners.joint_deg) = (tolerance, tolerance);
+        self
+    }
+
+    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower.
+    pub fn tcp_speed(mut self, mm_s: f64) -> Self {
+        self.speeds.tcp_speed = mm_s;
+        self
+    }
+
+    /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
+    pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
+        self.speeds.joint_speeds = deg_s;
+        self
+    }
+
+    /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its
+    /// acceleration in 0.1 s.
+    pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
+        self.speeds.jerks = Some(deg_s3);
+        self
+    }
+
+    /// With this share of each joint's acceleration left where the curve bends, from 0 to 0.9, for a pause or another
+    /// rate that is asked for there; 0.2 if nothing is said.
+    pub fn reserve(mut self, share: f64) -> Self {
+        self.speeds.reserve = share;
+        self
+    }
+
+    /// Plans the trajectory, and compares it with an arm's limits.
+    ///
+    /// # Errors
+    /// What is wrong with the points or settings, or a place that is beyond a limit.
+    pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
+        let given = Given::new(self, checker)?;
+        self.tolerances.check(["within_mm", "within_deg", "within_deg"])?;
+        let corners = self.corner_tolerances();
+        corners.check(["corner_mm", "corner_deg", "corner_deg"])?;
+        self.speeds.check()?;
+        let Tolerances { mm, turn_deg, joint_deg } = self.tolerances;
+        let needed = match given.space {
+            Space::Joints => vec![("within_deg", joint_deg)],
+            Space::Tool => vec![("within_mm", mm), ("within_deg", turn_deg)],
+        };
+        if let Some((what, given)) = needed.into_iter().find(|(_, given)| *given < LEAST_TOLERANCE) {
+            return Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" });
+        }
+        if self.corner_above_deg.is_nan() || self.corner_above_deg <= 0.0 {
+            let given = self.corner_above_deg;
+            return Err(TrajectoryError::Setting { what: "corner_above_deg", given, expected: "above 0" });
+        }
+        let legs = given.legs()?;
+        let path = Path::of_legs(&legs, &corners, checker)?;
+        let (pieces, passages) = timed(&path, &self.speeds.budget(checker), checker)?;
+        let way_points = given.place_of.iter().map(|place| passages[*place]).collect();
+        Trajectory::checked(pieces, way_points, checker)
+    }
+
+    fn corner_tolerances(&self) -> Tolerances {
+        let or = |set: f64, otherwise: f64| if set.is_nan() { otherwise } else { set };
+        Tolerances {
+            mm: or(self.corners.mm, self.tolerances.mm),
+            turn_deg: or(self.corners.turn_deg, self.tolerances.turn_deg),
+            joint_deg: or(self.corners.joint_deg, self.tolerances.joint_deg),
+        }
+    }
+}
+
+impl<'c> Given<'c> {
+    fn new(curve: &'c Curve, checker: &'c Checker) -> Result<Self, TrajectoryError> {
+        let [Via::Joints(_), second, ..] = curve.points.as_slice() else {
+            let given = curve.points.len();
+            return Err(if given < 2 { TrajectoryError::TooFew { given } } else { TrajectoryError::StartsWithPose });
+        };
+        let space = if matches!(second, Via::Line(_)) { Space::Tool } else { Space::Joints };
+        let mut made = Self { curve, checker, space, places: Vec::new(), place_of: Vec::new() };
+        for (way_point, via) in (1..).zip(&curve.points) {
+            let before = made.places.last();
+            let place = match (via, space) {
+                (Via::Joints(joints), _) if way_point == 1 => made.start(*joints)?,
+                (Via::Joints(joints), Space::Joints) => {
+                    checker.check_place(*joints).map_err(|beyond| at_point(way_point, beyond))?;
+                    of_joints(&joints.0)
+                }
+                (Via::Line(pose), Space::Tool) => of_tool(&checker.in_base(*pose), before),
+                _ => return Err(TrajectoryError::Mixed { way_point }),
+            };
+            if !place.iter().all(|number| number.is_finite()) {
+                return Err(TrajectoryError::NotFinite { way_point, what: "position" });
+            }
+            if before.is_none_or(|before| distance(before, &place) > SAME) {
+                made.places.push(place);
+            }
+            made.place_of.push(made.places.len() - 1);
+        }
+        if made.places.len() < 2 {
+            return Err(TrajectoryError::NoWay);
+        }
+        Ok(made)
+    }
+
+    fn start(&self, joints: JointPosition) -> Result<Place, TrajectoryError> {
+        self.checker.check_place(joints).map_err(|beyond| at_point(1, beyond))?;
+        Ok(match self.space {
+            Space::Joints => of_joints(&joints.0),
+            Space::Tool => of_tool(&self.checker.arm().tcp(&joints.0), None),
+        })
+    }
+
+    /// Distance in tolerances.
+    fn off(&self, off: &Place) -> f64 {
+        let Tolerances { mm, turn_deg, joint_deg } = self.curve.tolerances;
+        match self.space {
+            Space::Joints => off.iter().fold(0.0, |most: f64, off| most.max(off.abs())) / joint_deg,
+            Space::Tool => {
+                let length = |off: &[f64]| off.iter().map(|off| off * off).sum::<f64>().sqrt();
+                let turned = length(&off[3..]) * 2.0 / TURN_UNITS;
+                (length(&off[..3]) / mm).max(turned.to_degrees() / turn_deg)
+            }
+        }
+    }
+
+    fn between(&self, from: usize, to: usize) -> Place {
+        std::array::from_fn(|which| self.places[to][which] - self.places[from][which])
+    }
+
+    /// Legs between corners.
+    fn legs(&self) -> Result<Vec<Leg>, TrajectoryError> {
+        let Via::Joints(start) = self.curve.points[0] else { return Err(TrajectoryError::StartsWithPose) };
+        let start = self.checker.arm().at_joints(&start.0).ok_or_else(|| TrajectoryError::lost(1, self.checker))?;
+        let distances = self.checker.signed_distances(&start.joints);
+        let mut begin = Begin { checker: self.checker, start, distances };
+        let mut corners = self.corners();
+        corners.push(self.places.len() - 1);
+        let (mut legs, mut from) = (Vec::with_capacity(corners.len()), 0);
+        while let Some(to) = corners.iter().find(|corner| **corner > from).copied() {
+            let mut section = Section::new(self, from, to);
+            match section.spline() {
+                Ok(spline) => {
+                    legs.push(section.leg(&spline, &mut begin)?);
+                    from = to;
+                }
+                Err(more) => {
+                    corners.extend(more);
+                    corners.sort_unstable();
+                    corners.dedup();
+                }
+            }
+        }
+        Ok(legs)
+    }
+
+    /// Places at which the way bends by more than a curve is to.
+    fn corners(&self) -> Vec<usize> {
+        let last = self.places.len() - 1;
+        let (mut corners, mut best, mut group) = (Vec::new(), None::<(usize, f64)>, 0);
+        let (mut back, mut ahead) = (0, 0);
+        for here in 1..last {
+            while back + 1 < here && self.off(&self.between(back + 1, here)) >= SPAN {
+                back += 1;
+            }
+            ahead = ahead.max(here + 1);
+            while ahead < last && self.off(&self.between(here, ahead)) < SPAN {
+                ahead += 1;
+            }
+            let bend = self.bend_deg(back, here, ahead);
+            let is_corner = bend > self.curve.corner_above_deg || self.arc(here) > FAR_ARC;
+            if best.is_some() && (!is_corner || self.off(&self.between(group, here)) >= SPAN) {
+                corners.extend(best.take().map(|(corner, _)| corner));
+            }
+            if is_corner {
+                group = if best.is_none() { here } else { group };
+                best = best.filter(|(_, most)| *most >= bend).or(Some((here, bend)));
+            }
+        }
+        corners.extend(best.map(|(corner, _)| corner));
+        corners
+    }
+
+    /// Angle between the ways from one place to another and on to a third, in degrees.
+    fn bend_deg(&self, back: usize, here: usize, ahead: usize) -> f64 {
+        let (one, other) = (self.between(back, here), self.between(here, ahead));
+        let dot = |one: &Place, other: &Place| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
+        (dot(&one, &other) / (dot(&one, &one) * dot(&other, &other)).sqrt()).clamp(-1.0, 1.0).acos().to_degrees()
+    }
+
+    /// Distance in tolerances of an arc through a place and its neighbours from the straight ways, where it is as long as
+    /// the shorter one.
+    fn arc(&self, here: usize) -> f64 {
+        let (one, other) = (self.between(here - 1, here), self.between(here, here + 1));
+        let (length, next) = (norm(&one), norm(&other));
+        let shorter = length.min(next);
+        let off = std::array::from_fn(|which| (other[which] / next - one[which] / length) * shorter / 8.0);
+        self.off(&off)
+    }
+
+    /// Number of the way-point at a place, from 1.
+    fn way_point(&self, place: usize) -> usize {
+        self.place_of.partition_point(|other| *other <= place)
+    }
+}
+
+impl<'g> Section<'g> {
+    fn new(given: &'g Given<'g>, from: usize, to: usize) -> Self {
+        let arc = |place: usize| if place > from && place < to { given.arc(place) } else { 0.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 16")]
+        let parts = (from..to)
+            .map(|place| {
+                let most = arc(place).max(arc(place + 1)) / NEAR_ARC;
+                (most.sqrt().ceil() as usize).clamp(1, MOST_PARTS[0])
+            })
+            .collect();
+        Self { given, from, to, parts }
+    }
+
+    /// Spline within the tolerance of its ways.
+    ///
+    /// # Errors
+    /// Places that must be corners, where more parts do not help.
+    fn spline(&mut self) -> Result<Spline, Vec<usize>> {
+        loop {
+            let (at, places) = self.nodes();
+            let spline = Spline::near(at.clone(), &places, |off| self.given.off(off) / OF_SPLINE);
+            let mut far = Vec::new();
+            let mut node = 0;
+            for (way, parts) in self.parts.iter().enumerate() {
+                let is_far = (node..node + parts).any(|node| {
+                    [0.25, 0.5, 0.75].into_iter().any(|share| {
+                        let there = spline.at(at[node] + share * (at[node + 1] - at[node]))[0];
+                        let off = std::array::from_fn(|which| {
+                            let [one, other] = [places[node][which], places[node + 1][which]];
+                            there[which] - one - share * (other - one)
+                        });
+                        self.given.off(&off) > OF_SPLINE + (1.0 - OF_SPLINE) * 0.4
+                    })
+                });
+                node += parts;
+                if is_far {
+                    far.push(way);
+                }
+            }
+            let corners: Vec<_> = far
+                .iter()
+                .filter(|way| self.parts[**way] >= MOST_PARTS[1])
+                .filter_map(|way| self.sharper_end(self.from + way))
+                .collect();
+            if !corners.is_empty() {
+                return Err(corners);
+            }
+            far.retain(|way| self.parts[*way] < MOST_PARTS[1]);
+            if far.is_empty() {
+                return Ok(spline);
+            }
+            for way in far {
+                self.parts[way] *= 2;
+            }
+        }
+    }
+
+    /// End of a way at which the curve bends more; none where the way is all of it.
+    fn sharper_end(&self, place: usize) -> Option<usize> {
+        let ends = [place, place + 1].into_iter().filter(|end| *end > self.from && *end < self.to);
+        ends.max_by(|one, other| self.given.arc(*one).total_cmp(&self.given.arc(*other)))
+    }
+
+    /// Parameters and places of its nodes.
+    fn nodes(&self) -> (Vec<f64>, Vec<Place>) {
+        let (mut at, mut places) = (vec![0.0], vec![self.given.places[self.from]]);
+        for (place, parts) in (self.from..self.to).zip(&self.parts) {
+            let (one, way) = (self.given.places[place], self.given.between(place, place + 1));
+            let (start, length) = (at[at.len() - 1], norm(&way));
+            for part in 1..=*parts {
+                #[expect(clippy::cast_precision_loss, reason = "at most 32")]
+                let share = part as f64 / *parts as f64;
+                at.push(start + share * length);
+                places.push(std::array::from_fn(|which| one[which] + share * way[which]));
+            }
+        }
+        (at, places)
+    }
+
+    /// Leg along a spline.
+    fn leg(&self, spline: &Spline, begin: &mut Begin<'_>) -> Result<Leg, TrajectoryError> {
+        let Given { checker, space, curve, .. } = *self.given;
+        let Tolerances { mm, turn_deg, joint_deg } = curve.tolerances;
+        let deg = if space == Space::Tool { turn_deg } else { joint_deg };
+        let near = Nearness { mm: (OF_POLYNOMIALS * mm).min(MOST_OFF), deg: (OF_POLYNOMIALS * deg).min(MOST_OFF) };
+        let mut node = 0;
+        let points: Vec<f64> = self.parts[..self.parts.len() - 1]
+            .iter()
+            .map(|parts| {
+                node += parts;
+                spline.nodes()[node]
+            })
+            .collect();
+        let after = self.given.way_point(self.from);
+        let (path, end) = CurvePath::new(spline, &points, space, begin, near).map_err(|Lost { at, exceeded }| {
+            let after = self.given.way_point(self.from + points.partition_point(|point| *point <= at));
+            TrajectoryError::between(after, checker, exceeded.unwrap_or(Exceeded::NotConfirmed))
+        })?;
+        let start = begin.start.joints;
+        begin.start = end;
+        Ok(Leg { after, length: path.length(), start, path: LegPath::Curve(path) })
+    }
+}
+
+fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
+    TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
+}
+
+fn norm(place: &Place) -> f64 {
+    place.iter().map(|number| number * number).sum::<f64>().sqrt()
+}
+
+fn distance(one: &Place, other: &Place) -> f64 {
+    norm(&std::array::from_fn(|which| one[which] - other[which]))
+}
