@@ -114,6 +114,10 @@ pub(crate) fn verb(remedy: Remedy) -> Option<&'static str> {
         Remedy::SeeServoMode => "find out which program uses servo mode",
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
         Remedy::LookAtArm => "look at the arm before it moves again",
+        Remedy::SelectFrames => {
+            "find out who has changed it, and select the frames for which the motion is meant: `jaka call set_tool_id`, \
+             `jaka call set_user_id`"
+        }
         Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
         Remedy::Connection(jaka_sync::Remedy::CheckFirmware) => "`jaka call get_version` reads the firmware",
         Remedy::Connection(jaka_sync::Remedy::CheckNetwork | jaka_sync::Remedy::ConnectStatusAgain) => {

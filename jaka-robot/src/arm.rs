@@ -31,6 +31,7 @@ pub use self::stop_handle::RobotStop;
 pub(crate) use self::stop_handle::{Sent, Written};
 pub(crate) use self::trouble::{News, code, news};
 use crate::error::Attach as _;
+use crate::under_way::UnderWay;
 use crate::{
     Client, Command, Disconnect, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Occurrence,
     Snapshot,
@@ -98,6 +99,8 @@ pub(crate) struct Arm {
     /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what
     /// it was lent for, whatever the program acknowledges.
     told: Option<u64>,
+    /// How often this program had changed frames when it last moved the arm: packets may be older than a change since.
+    frame_changes: u64,
 }
 
 impl Arm {
@@ -107,14 +110,15 @@ impl Arm {
         let state = ArmState::new(monitor, &client.link().clock, needs_status);
         let position = Position::new(&client);
         let source: Arc<dyn StatusSource> = Arc::<Monitor<S>>::clone(monitor);
-        Self { client, source, state, position, told: None }
+        Self { client, source, state, position, told: None, frame_changes: 0 }
     }
 
     /// The same arm for another thread, which this one outlives.
     pub(crate) fn lent(&mut self) -> Self {
         let (source, state) = (Arc::clone(&self.source), Arc::clone(&self.state));
         let told = Some(state.lock().stops.reported());
-        Self { client: self.client.lent(), source, state, position: self.position.lent(), told }
+        let (client, position) = (self.client.lent(), self.position.lent());
+        Self { client, source, state, position, told, frame_changes: self.frame_changes }
     }
 
     /// Client of the arm, for a command after which it may not be where it was.
@@ -141,6 +145,18 @@ impl Arm {
     /// Number of commands of other handles of the connection that may have changed something.
     pub(crate) fn changes_by_others(&self) -> u64 {
         self.link().changes_but_of(self.client.handle())
+    }
+
+    /// What changes under way, from now on.
+    pub(crate) fn under_way(&self) -> UnderWay {
+        let is_current = self.frame_changes == self.link().frame_changes();
+        let newest = self.state.newest_packet().filter(|_| is_current);
+        newest.map_or_else(|| UnderWay::after(self.clock().now()), |newest| UnderWay::from(&newest))
+    }
+
+    /// The arm is moved, and this program had changed frames so often before.
+    pub(crate) fn moved_after(&mut self, frame_changes: u64) {
+        self.frame_changes = frame_changes;
     }
 
     /// Keeps back what other handles of the connection send, but for what passes.

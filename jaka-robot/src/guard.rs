@@ -94,6 +94,15 @@ impl Guard {
         })
     }
 
+    /// True if a condition is about the tool centre point, or may be.
+    pub(crate) fn depends_on_frames(&self) -> bool {
+        self.conditions.iter().any(|condition| match condition {
+            Condition::Input(_) => false,
+            // A question may ask for a pose.
+            Condition::Force(_) | Condition::Inside(_) | Condition::Outside(_) | Condition::Question(_) => true,
+        })
+    }
+
     /// Fails if a condition has a value that it cannot have.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.conditions.iter().try_for_each(Condition::check)

@@ -19,6 +19,7 @@ mod servo_session;
 mod servo_thread;
 #[cfg(feature = "stream")]
 mod stream;
+mod under_way;
 
 /// Locks and signals of shuttle in place of std's, for tests of interleavings: a file of jaka-sync.
 #[cfg(all(test, shuttle))]
@@ -51,6 +52,7 @@ pub use robot::{Robot, RobotConfig};
 pub use servo_session::{ServoConfig, ServoSession, SessionConfig};
 #[cfg(feature = "stream")]
 pub use stream::{Stream, StreamConfig, StreamHandle};
+pub use under_way::{FrameChange, SelectedFrames};
 
 #[cfg(any(doc, doctest))]
 // Its tests take simulated time.

@@ -4,7 +4,7 @@ mod motion;
 
 use std::time::Duration;
 
-use jaka_motion::{Beyond, Checker, Frames, Limits, Model, Tolerance};
+use jaka_motion::{Beyond, Checker, Frames, Limits, Model, Point, Region, RegionFrame, Tolerance};
 use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
 use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
@@ -137,6 +137,16 @@ impl LimitChecks {
     /// True if the robot has limits, and sends nothing that is beyond them.
     pub(crate) fn refuses_beyond_limits(&self) -> bool {
         self.0.as_ref().is_some_and(|limited| limited.policy == LimitPolicy::Refuse)
+    }
+
+    /// True if a limit is for the tool centre point, or seen from the user frame.
+    pub(crate) fn depend_on_frames(&self) -> bool {
+        let is_of_arm = |region: &Region| {
+            matches!((region.point(), region.frame()), (Point::Elbow | Point::Wrist, RegionFrame::ArmBase))
+        };
+        self.checker()
+            .map(Checker::limits)
+            .is_some_and(|limits| limits.tcp_speed().is_some() || !limits.regions().iter().all(is_of_arm))
     }
 
     /// Checks a set-point of the joints, after the last two.

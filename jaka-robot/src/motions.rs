@@ -136,6 +136,13 @@ impl<'m> PlannedMotion<'m> {
             guard: None,
         }
     }
+
+    /// True unless it is known that it depends on no frame: a motion of the joints to joint positions, and its guard.
+    pub(crate) fn depends_on_frames(&self) -> bool {
+        let to_joints = matches!(self.target, Target::Joints(_) | Target::JointOffset(_));
+        let is_of_joints = to_joints && matches!(self.path, Path::Joints { .. });
+        !is_of_joints || self.guard.is_some_and(Guard::depends_on_frames)
+    }
 }
 
 impl std::fmt::Debug for PlannedMotion<'_> {

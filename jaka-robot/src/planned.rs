@@ -14,19 +14,22 @@ use jaka_proto::messages::power::GetRobotState;
 use jaka_proto::recording::MotionStep;
 use jaka_sync::layer::ClientParts as _;
 
-use self::batch::{Batch, Begin, SelectedFrames};
+use self::batch::{Batch, Begin, GoalFrames};
 use self::destination::Destination;
 use self::guarded::GuardedRun;
 use self::rule::EndRule;
 pub(crate) use self::rule::Grace;
 use self::wait::EndWait;
-use crate::arm::{Arm, SETTLING, Sending};
+use crate::arm::{Arm, SETTLING, Sending, Sent};
 use crate::cause::{Consequence, Occurrence};
 use crate::guard::Armed;
 use crate::limits::{Beginning, LimitChecks};
 use crate::motions::PlannedMotion;
 use crate::place::Quantity;
 use crate::{Cause, End, Error, Report, Rest, Run};
+
+/// How long an arm that was stopped is waited for until it rests.
+const REST: Duration = Duration::from_secs(2);
 
 /// Motions that have been started, and how their end is waited for.
 #[derive(Debug)]
@@ -36,13 +39,11 @@ pub(crate) struct Planned {
     pub(crate) grace: Grace,
     /// How long no status packet may come during a wait.
     pub(crate) silence: Duration,
-    /// How often frames had been changed when the last motion was sent.
-    frame_changes: u64,
 }
 
 impl Planned {
     pub(crate) fn new(grace: Grace, silence: Duration) -> Self {
-        Self { batch: None, grace, silence, frame_changes: 0 }
+        Self { batch: None, grace, silence }
     }
 
     /// True if motions were accepted that have not been waited for.
@@ -59,7 +60,7 @@ impl Planned {
         // Packets that came before the reply may be older than the motion.
         let now = arm.clock().now();
         self.batch = Some(match self.batch.take() {
-            Some(batch) => batch.then(now, goal, begin.frames),
+            Some(batch) => batch.then(now, goal, begin),
             None => Batch::new(now, goal, begin),
         });
     }
@@ -78,7 +79,8 @@ impl Moving<'_> {
     pub(crate) fn run(mut self, run: &impl Run, timeout: Duration) -> Result<End, Error> {
         let motion = run.motion();
         if let Some(guard) = motion.guard {
-            return GuardedRun { moving: self, guard }.run(motion, timeout);
+            let depends_on_frames = self.depends_on_frames(motion);
+            return GuardedRun { moving: self, guard, depends_on_frames }.run(motion, timeout);
         }
         let since = self.arm.clock().stopwatch();
         self.send(motion, timeout, None)?;
@@ -103,7 +105,7 @@ impl Moving<'_> {
         let gate = self.arm.gate(Sending::Motion);
         let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
         let sent = self.arm.client().call_written(Some(&guarded), (motion.info, motion.request), left());
-        self.planned.frame_changes = begin.frames.changes;
+        self.arm.moved_after(begin.frames.changes);
         match sent {
             Ok(()) => {
                 let goal = Destination::new(motion.target, motion.tolerance_mm, begin.start);
@@ -124,15 +126,22 @@ impl Moving<'_> {
         Ok(())
     }
 
+    /// True if the motion, its guard or the limits depend on the selected frames.
+    fn depends_on_frames(&self, motion: PlannedMotion<'_>) -> bool {
+        motion.depends_on_frames() || self.limits.depend_on_frames()
+    }
+
     /// What is known of the arm before a motion.
     fn begin(&mut self, motion: PlannedMotion<'_>, timeout: Duration) -> Result<Begin, Error> {
         let since = self.arm.clock().stopwatch();
         let Some(newest) = self.arm.known_status(timeout)? else {
             return Ok(Begin::default());
         };
-        let changes = self.arm.link().frame_changes();
-        let frames = SelectedFrames::new(&newest.status, changes, self.planned.frame_changes);
-        let mut begin = Begin::new(&newest.status, frames);
+        let (changes, by_others) = (self.arm.link().frame_changes(), self.arm.changes_by_others());
+        let under_way = self.arm.under_way();
+        let frames = GoalFrames { shown: under_way.frames(), changes, by_others };
+        let mut begin = Begin::new(&newest.status, frames, under_way);
+        begin.depends_on_frames = self.depends_on_frames(motion);
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
         if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {
             begin.start = self.arm.position.place_at_rest(quantity, since.left_of(timeout))?;
@@ -144,6 +153,12 @@ impl Moving<'_> {
     pub(crate) fn wait(&mut self, timeout: Duration) -> End {
         let mut end = self.wait_unless(timeout, &|| false);
         self.settle_cause(&mut end);
+        if end.occurrence.consequence() == Consequence::Stops {
+            let stop = self.arm.stop_handle().stop_and_tell();
+            self.take(&stop);
+            self.come_to_rest(&mut end, &stop);
+            end.stop = Some(stop.accepted);
+        }
         self.report(&end);
         self.record(&end);
         end
@@ -152,10 +167,12 @@ impl Moving<'_> {
     /// The same, and gives up waiting once it is to, with [`Cause::Deadline`]. Its end is yet to be reported.
     fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> End {
         let since = self.arm.clock().stopwatch();
-        let Some(batch) = self.planned.batch.take() else {
+        let Some(mut batch) = self.planned.batch.take() else {
             return End::new(Cause::NoMotion, Rest::NotSeen, Report::of_wait(Duration::ZERO));
         };
-        let mut rule = EndRule::new(batch, self.arm.link().frame_changes(), self.planned.grace);
+        let frame_changes = self.arm.link().frame_changes();
+        batch.wait_after(frame_changes, self.arm.changes_by_others());
+        let mut rule = EndRule::new(batch, frame_changes, self.planned.grace);
         let mut wait = EndWait { arm: self.arm, rule: &mut rule, silence: self.planned.silence };
         let (occurrence, rest) = wait.end(timeout, gives_up);
         let (cause, consequence) = (occurrence.cause, occurrence.consequence());
@@ -163,17 +180,39 @@ impl Moving<'_> {
         if consequence.latches() {
             self.arm.state.latch(&occurrence);
         }
+        let mut report = Report::of_wait(since.passed()).without(self.arm.absent());
+        report.saw(&rule.batch.under_way);
         if consequence == Consequence::GoesOn {
             // The motions may go on: they can be waited for again.
             self.planned.batch = Some(rule.batch);
         }
-        let report = Report::of_wait(since.passed()).without(self.arm.absent());
         let mut end = End::new(occurrence, rest, report);
         end.packets = rule.packets.into();
         // A connection that is lost is the cause.
         end.error = rule.failure.filter(|failure| !failure.is_disconnected());
         end.error = end.error.or_else(|| self.arm.position.unanswered().filter(|_| cause == Cause::Deadline));
         end
+    }
+
+    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is
+    /// not waited for any more then.
+    fn take(&mut self, stop: &Sent) -> bool {
+        if stop.accepted.is_ok() {
+            self.arm.state.lock().stops.report(stop.number);
+            self.planned.give_up();
+            self.limits.unsettle();
+        }
+        stop.accepted.is_ok()
+    }
+
+    /// Waits until an arm that was stopped rests, and notes that in the end: true if it does.
+    fn come_to_rest(&mut self, end: &mut End, stop: &Sent) -> bool {
+        let rest = if stop.accepted.is_ok() { self.arm.position.comes_to_rest(REST) } else { Ok(false) };
+        let is_at_rest = matches!(rest, Ok(true));
+        self.arm.position.note_rest(is_at_rest);
+        end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
+        end.error = rest.err();
+        is_at_rest
     }
 
     /// Settles the cause where packets stay away: a controller that has gone answers nothing either. Under a guard the

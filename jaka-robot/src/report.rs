@@ -5,6 +5,8 @@ mod histogram;
 use std::time::Duration;
 
 use self::histogram::Histogram;
+use crate::SelectedFrames;
+use crate::under_way::UnderWay;
 
 /// Report of a motion, a servo session, a stream or a trajectory. A motion that the controller plans has no set-points.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -34,6 +36,13 @@ pub struct Report {
     /// ([`MotionStatus::absent`](crate::MotionStatus::absent)). Without `error_code`, an error of the controller is not
     /// seen.
     pub absent: &'static [&'static str],
+    /// Frames that were selected at the start, by status packets. Where an id is none, packets do not show it, or this
+    /// program has changed the frames itself: another change of it was not noticed.
+    pub frames: SelectedFrames,
+    /// Rapid rate (`rapidrate`): of the rates in the packets that were looked at, at least the newest one before each
+    /// set-point, the one furthest from 1. None if they show none. That it scales set-points is a hypothesis: no source
+    /// says so.
+    pub rapid_rate: Option<f64>,
     /// Report of a trajectory; none for other motions.
     pub trajectory: Option<TrajectoryReport>,
     lateness: Histogram,
@@ -93,6 +102,11 @@ impl Report {
     /// Notes fields that packets leave out.
     pub(crate) fn without(self, absent: &'static [&'static str]) -> Self {
         Self { absent, ..self }
+    }
+
+    /// Notes what has changed under way.
+    pub(crate) fn saw(&mut self, under_way: &UnderWay) {
+        (self.frames, self.rapid_rate) = (under_way.frames(), under_way.rapid_rate());
     }
 
     /// The same report, of a trajectory.

@@ -120,6 +120,7 @@ const OF_CAUSES: &[(Cause, u8)] = &[
     (Cause::BeyondLimit, NOT_MOVED),
     (Cause::NotAtStart, NOT_MOVED),
     (Cause::ServoMode, NOT_FOLLOWED),
+    (Cause::FramesChanged, STOPPED),
     (Cause::Guard, NOT_FOLLOWED),
     (Cause::SetPointLate, NOT_FOLLOWED),
     (Cause::Departed, NOT_FOLLOWED),

@@ -11,7 +11,7 @@ use jaka_sync::layer::seat_hint;
 use super::remedy::Remedy;
 use super::table::Cause;
 use super::trip::GuardTrip;
-use crate::Disconnect;
+use crate::{Disconnect, FrameChange};
 
 /// Cause of an end of moving, or of what keeps it back, with the evidence for it.
 #[derive(Debug, Clone)]
@@ -41,6 +41,8 @@ pub enum Evidence {
     },
     /// Trip of a guard: the arm was stopped, or nothing was sent.
     Trip(Arc<GuardTrip>),
+    /// Change of the selected frames, by a status packet.
+    Frames(FrameChange),
     /// End of the command connection. Another client may have taken it over, or the controller has shut down. Nothing
     /// reconnects by itself.
     Commands {
@@ -78,6 +80,10 @@ impl Occurrence {
         Self { cause: trip.cause(), evidence: Evidence::Trip(Arc::new(trip)) }
     }
 
+    pub(crate) fn frames_changed(change: FrameChange) -> Self {
+        Self { cause: Cause::FramesChanged, evidence: Evidence::Frames(change) }
+    }
+
     pub(crate) fn commands_lost(address: String, cause: Arc<Disconnect>) -> Self {
         Self { cause: Cause::CommandsLost, evidence: Evidence::Commands { address, cause } }
     }
@@ -90,7 +96,11 @@ impl Occurrence {
     pub(crate) fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match &self.evidence {
             Evidence::Commands { cause, .. } | Evidence::Status { cause: Some(cause), .. } => cause.source(),
-            Evidence::None | Evidence::Event { .. } | Evidence::Trip(_) | Evidence::Status { cause: None, .. } => None,
+            Evidence::None
+            | Evidence::Event { .. }
+            | Evidence::Trip(_)
+            | Evidence::Frames(_)
+            | Evidence::Status { cause: None, .. } => None,
         }
     }
 
@@ -98,9 +108,11 @@ impl Occurrence {
     pub(crate) fn remedy(&self) -> Remedy {
         match &self.evidence {
             Evidence::Trip(trip) => trip.remedy(),
-            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
-                self.cause.remedy()
-            }
+            Evidence::None
+            | Evidence::Event { .. }
+            | Evidence::Frames(_)
+            | Evidence::Commands { .. }
+            | Evidence::Status { .. } => self.cause.remedy(),
         }
     }
 
@@ -108,9 +120,11 @@ impl Occurrence {
     pub(crate) fn consequence(&self) -> Consequence {
         match &self.evidence {
             Evidence::Trip(_) => Consequence::Over,
-            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
-                Consequence::of(self.cause)
-            }
+            Evidence::None
+            | Evidence::Event { .. }
+            | Evidence::Frames(_)
+            | Evidence::Commands { .. }
+            | Evidence::Status { .. } => Consequence::of(self.cause),
         }
     }
 }
@@ -125,6 +139,7 @@ impl fmt::Display for Occurrence {
             Evidence::Event { event: Some(event), message, .. } => format!("{fact}: {event}: {message}"),
             Evidence::Event { event: None, code, message } => format!("{fact}: code {code}: {message}"),
             Evidence::Trip(trip) => format!("{fact}: {trip}"),
+            Evidence::Frames(change) => format!("{fact}: {change}"),
             Evidence::Commands { address, cause } => format!("{fact} ({address}{}): {cause}", seat_hint(cause)),
             Evidence::Status { cause: None, unreadable: Some(source) } => format!("{fact}: {source}"),
             Evidence::Status { cause: Some(cause), .. } => format!("{fact}: the status connection ended: {cause}"),
@@ -145,6 +160,8 @@ pub(crate) enum Consequence {
     LatchedMayMove,
     /// They are not waited for any more, and the arm may still move.
     MayMove,
+    /// They are not waited for any more, and the arm is stopped.
+    Stops,
     /// They may go on, and can be waited for again.
     GoesOn,
 }
@@ -163,6 +180,7 @@ impl Consequence {
             Cause::ProtectiveStop | Cause::EmergencyStop => Self::Latched,
             Cause::StatusLost => Self::LatchedMayMove,
             Cause::Deadline | Cause::CommandsLost => Self::GoesOn,
+            Cause::FramesChanged => Self::Stops,
             Cause::ControllerError
             // None of these ends the wait for a motion that the controller plans.
             | Cause::SoftLimit
@@ -186,14 +204,14 @@ impl Consequence {
     pub(crate) fn latches(self) -> bool {
         match self {
             Self::Latched | Self::LatchedMayMove => true,
-            Self::Over | Self::MayMove | Self::GoesOn => false,
+            Self::Over | Self::MayMove | Self::Stops | Self::GoesOn => false,
         }
     }
 
     /// True if the arm may still move.
     pub(crate) fn may_move(self) -> bool {
         match self {
-            Self::LatchedMayMove | Self::MayMove | Self::GoesOn => true,
+            Self::LatchedMayMove | Self::MayMove | Self::Stops | Self::GoesOn => true,
             Self::Over | Self::Latched => false,
         }
     }

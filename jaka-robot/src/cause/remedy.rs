@@ -28,6 +28,10 @@ jaka_proto::worded! {
         WaitOrStop => "wait for its end, or stop it",
         /// Look at the arm before it moves again.
         LookAtArm => "look at the arm, then call `acknowledge`",
+        /// Select the frames for which the motion is meant.
+        SelectFrames =>
+            "find out who has changed it, and select the frames for which the motion is meant (`set_tool_id`, \
+             `set_user_id`)",
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
         /// Give the thread a priority, or the machine less to do.

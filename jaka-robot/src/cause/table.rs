@@ -88,6 +88,8 @@ causes! {
     ServoMode "servo_mode" Robot "servo mode is not as it should be" SeeServoMode,
     /// A motion goes on, or has not been waited for.
     Moving "moving" Program "the arm is moving, or a motion has not been waited for" WaitOrStop,
+    /// Status packets show another tool frame or user frame than at the start of a motion that depends on them.
+    FramesChanged "frames_changed" Ended "another tool or user frame is selected than at the start" SelectFrames,
     /// A guard has tripped.
     Guard "guard" Ended "the guard tripped" None,
     /// This program or another client stopped it.
@@ -137,6 +139,7 @@ impl Cause {
             | Self::SoftLimit
             | Self::NoRemoteControl
             | Self::ServoMode
+            | Self::FramesChanged
             | Self::StatusLost => true,
             Self::CommandsLost
             | Self::Moving

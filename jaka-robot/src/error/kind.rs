@@ -12,7 +12,8 @@ use super::Error;
 use super::end::{End, Phase};
 use super::line::{Line, STOP_NOT_ACCEPTED, Sequence, with_fact};
 use crate::{
-    Cause, Disconnect, Evidence, Explanation, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem,
+    Cause, Disconnect, Evidence, Explanation, FrameChange, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy,
+    StatusProblem,
 };
 
 jaka_proto::worded! {
@@ -102,6 +103,13 @@ jaka_proto::worded! {
             /// Which condition, by which packet, and what followed.
             trip: Arc<GuardTrip>,
         } => (with_fact(trip.cause(), trip.to_string())),
+        /// Status packets show another tool frame or user frame than at the start, and the set-points depend on them: a
+        /// stream or a trajectory has landed, and a servo session, too, unless its last set-points were poses whose
+        /// joint positions are not known ([`NotLanded`](Self::NotLanded)).
+        FramesChanged {
+            /// Frames at the start, and those in the packet.
+            change: FrameChange,
+        } => (with_fact(Cause::FramesChanged, change.to_string())),
         /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not
         /// accepted: the arm may move, and nobody judges the guard.
         NotStopped {
@@ -318,6 +326,7 @@ impl ErrorKind {
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::Trajectory { .. } => Cause::BeyondLimit,
             Self::NotAtStart { .. } => Cause::NotAtStart,
             Self::Departed { .. } => Cause::Departed,
+            Self::FramesChanged { .. } => Cause::FramesChanged,
         }
     }
 
@@ -352,6 +361,7 @@ impl ErrorKind {
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
             Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
             Self::NotReached { end } => end.evidence().clone(),
+            Self::FramesChanged { change } => Evidence::Frames(*change),
             Self::Connection(error) => evidence(error),
             Self::RestNotSeen { first: Some(first), .. }
             | Self::NotLanded { first, .. }
@@ -381,6 +391,7 @@ impl ErrorKind {
             | Self::SetPointLate { .. }
             | Self::SetPointsUnanswered { .. }
             | Self::Departed { .. }
+            | Self::FramesChanged { .. }
             | Self::NotAtStart { .. }
             | Self::Stopped { .. }
             | Self::RestNotSeen { first: None, .. } => self.cause().remedy(),
@@ -446,6 +457,7 @@ impl ErrorKind {
             | Self::NotGuarded { .. }
             | Self::NotAtStart { .. }
             | Self::Departed { .. }
+            | Self::FramesChanged { .. }
             | Self::BeyondLimit { .. }
             | Self::NotChecked { .. }
             | Self::Stopped { .. } => other,

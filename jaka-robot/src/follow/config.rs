@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::error::OptionName;
+use crate::place::Quantity;
 use crate::servo_session::check_at_least;
 use crate::{Error, Guard, ServoConfig};
 
@@ -17,6 +18,8 @@ pub struct FollowConfig {
     pub(super) max_departure_deg: f64,
     pub(super) max_gap: Duration,
     pub(super) guard: Option<Guard>,
+    /// Quantity in which the trajectory was given.
+    pub(super) given_in: Quantity,
 }
 
 impl Default for FollowConfig {
@@ -29,6 +32,7 @@ impl Default for FollowConfig {
             max_departure_deg: 5.0,
             max_gap: Duration::from_millis(100),
             guard: None,
+            given_in: Quantity::Pose,
         }
     }
 }
@@ -73,6 +77,16 @@ impl FollowConfig {
     /// approach is so slow that the same holds.
     pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
         self.guard = Some(guard.into());
+        self
+    }
+
+    /// States that the trajectory was made of joint positions alone, so that it depends on no frame: it goes on where
+    /// another tool frame or user frame is selected meanwhile.
+    ///
+    /// By default, or under a guard or limits that are about the tool centre point or the user frame, the run ends with
+    /// [`Cause::FramesChanged`](crate::Cause::FramesChanged) then: a trajectory does not tell whether it has lines.
+    pub fn in_joints(mut self) -> Self {
+        self.given_in = Quantity::Joints;
         self
     }
 

@@ -15,6 +15,7 @@ use crate::arm::Arm;
 use crate::error::SessionEnd;
 use crate::guard::SetPointGuard;
 use crate::limits::LimitChecks;
+use crate::place::Quantity;
 use crate::servo_session::{LagFit, LentArm, SetPoint, SetPoints, Supervision, no_limits};
 use crate::servo_thread::{Begun, OnDrop};
 use crate::{Cause, End, Error, ServoSession, TrajectoryReport};
@@ -67,6 +68,8 @@ struct Way<'o> {
     /// None once the arm has been at the start.
     approach: Option<Approach>,
     follower: Follower,
+    /// Quantity in which the trajectory was given.
+    given_in: Quantity,
     orders: &'o Orders,
     is_overdue: bool,
     /// The last set-point, or where the arm was before.
@@ -90,6 +93,7 @@ impl<'o> Way<'o> {
             guard,
             approach: Some(start::check_start(checker, at, trajectory, (config, guard))?),
             follower: Follower::new(trajectory.clone(), checker.limits(), config.servo.period().as_secs_f64()),
+            given_in: config.given_in,
             orders,
             is_overdue: false,
             last: at,
@@ -258,6 +262,10 @@ impl SetPoints for Way<'_> {
         self.leading().set_scale(scale);
         self.last = self.advance();
         self.last
+    }
+
+    fn depend_on_frames(&self) -> bool {
+        self.given_in == Quantity::Pose
     }
 
     fn paused(&mut self) {

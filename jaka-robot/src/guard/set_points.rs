@@ -15,6 +15,7 @@ use crate::{Error, ErrorKind, GuardTrip, LagBeyondReaction, NotGuarded, StatusPr
 pub(crate) struct SetPointGuard {
     armed: Armed,
     force: Option<Force>,
+    depends_on_frames: bool,
 }
 
 /// Lag of an arm behind its set-points, as far as it is measured.
@@ -57,7 +58,7 @@ impl SetPointGuard {
         };
         let armed = Armed::new(guard, &arm.state, patience).map_err(no_status)?;
         match armed.trip() {
-            None => Ok(Some(Self { armed, force })),
+            None => Ok(Some(Self { armed, force, depends_on_frames: guard.depends_on_frames() })),
             Some(GuardTrip { reason: TripReason::NotShown(reason), .. }) => {
                 Err(arm.attach(ErrorKind::NotShown { what: guard.to_string(), reason }))
             }
@@ -106,6 +107,11 @@ impl SetPointGuard {
             Some(trip) => Err(trip.before_start().into()),
             None => self.check_tripped(|| None),
         }
+    }
+
+    /// True if a condition is about the tool centre point, or may be.
+    pub(crate) fn depends_on_frames(&self) -> bool {
+        self.depends_on_frames
     }
 
     /// True if the arm is to be braked as soon as it can be.

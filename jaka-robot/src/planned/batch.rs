@@ -7,6 +7,8 @@ use jaka_proto::messages::status::RobotStatus;
 use super::destination::Destination;
 use crate::arm;
 use crate::place::Place;
+use crate::under_way::UnderWay;
+use crate::{FrameChange, SelectedFrames};
 
 /// Motions that were accepted and have not been waited for.
 #[derive(Debug, Clone)]
@@ -21,7 +23,10 @@ pub(super) struct Batch {
     pub(super) has_left: bool,
     count: u32,
     begin: Begin,
-    frames: SelectedFrames,
+    frames: GoalFrames,
+    pub(super) under_way: UnderWay,
+    /// True if one of the motions depends on the selected frames.
+    depends_on_frames: bool,
 }
 
 /// What was known of the arm when the first motion was sent.
@@ -32,39 +37,34 @@ pub(super) struct Begin {
     pub(super) places: [Option<Place>; 2],
     /// By a query.
     pub(super) start: Option<Place>,
-    pub(super) frames: SelectedFrames,
+    pub(super) frames: GoalFrames,
+    pub(super) under_way: UnderWay,
+    /// True if the motion depends on the selected frames.
+    pub(super) depends_on_frames: bool,
     pub(super) code: Option<String>,
 }
 
-/// The ids of the selected frames, as the status shows them, and how often this program has changed any.
+/// Frames of a goal: those that packets show, unless they may be older than a change of this program, and how often it
+/// and the other handles of its connection had changed something by then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct SelectedFrames {
-    tool: Option<i64>,
-    user: Option<i64>,
+pub(super) struct GoalFrames {
+    pub(super) shown: SelectedFrames,
+    /// Changes of frames on this connection.
     pub(super) changes: u64,
-}
-
-impl SelectedFrames {
-    /// As the status shows them; not those of a status that may be older than a change of this program.
-    pub(super) fn new(status: &RobotStatus, changes: u64, before: u64) -> Self {
-        let shown = |id: Option<i64>| id.filter(|_| changes == before);
-        Self { tool: shown(status.current_tool_id), user: shown(status.current_user_frame_id), changes }
-    }
-
-    fn differ_from(&self, status: &RobotStatus) -> bool {
-        let differ = |one: Option<i64>, other| one.zip(other).is_some_and(|(one, other)| one != other);
-        differ(self.tool, status.current_tool_id) || differ(self.user, status.current_user_frame_id)
-    }
+    /// Changes of anything by other handles of it.
+    pub(super) by_others: u64,
 }
 
 impl Begin {
     /// By the newest packet.
-    pub(super) fn new(status: &RobotStatus, frames: SelectedFrames) -> Self {
+    pub(super) fn new(status: &RobotStatus, frames: GoalFrames, under_way: UnderWay) -> Self {
         Self {
             at_rest: status.in_position == Some(true) && status.paused != Some(true),
             places: [status.joint_actual_position.map(Place::Joints), status.actual_position.map(Place::Pose)],
             start: None,
             frames,
+            under_way,
+            depends_on_frames: false,
             code: arm::code(status).map(str::to_owned),
         }
     }
@@ -73,12 +73,30 @@ impl Begin {
 impl Batch {
     /// A first motion that was accepted.
     pub(super) fn new(accepted: Instant, goal: Destination, begin: Begin) -> Self {
-        Self { accepted, goal, code_before: begin.code.clone(), has_left: false, count: 1, frames: begin.frames, begin }
+        let (frames, under_way, depends_on_frames) = (begin.frames, begin.under_way.clone(), begin.depends_on_frames);
+        let code_before = begin.code.clone();
+        Self { accepted, goal, code_before, has_left: false, count: 1, begin, frames, under_way, depends_on_frames }
     }
 
     /// One more that was accepted after it.
-    pub(super) fn then(self, accepted: Instant, goal: Destination, frames: SelectedFrames) -> Self {
-        Self { accepted, goal, count: self.count.saturating_add(1), frames, ..self }
+    pub(super) fn then(self, accepted: Instant, goal: Destination, begin: Begin) -> Self {
+        let depends_on_frames = self.depends_on_frames || begin.depends_on_frames;
+        let is_same = begin.frames.changes == self.frames.changes;
+        let under_way = if is_same { self.under_way } else { begin.under_way };
+        let count = self.count.saturating_add(1);
+        Self { accepted, goal, count, frames: begin.frames, under_way, depends_on_frames, ..self }
+    }
+
+    /// Compares no frames any more, if they were changed by the handle that started the motions.
+    pub(super) fn wait_after(&mut self, changes: u64, by_others: u64) {
+        if changes != self.frames.changes && by_others == self.frames.by_others {
+            self.under_way.forget_frames();
+        }
+    }
+
+    /// Change of the frames since the start, if a motion depends on them.
+    pub(super) fn frame_change(&mut self) -> Option<FrameChange> {
+        if self.depends_on_frames { self.under_way.change() } else { None }
     }
 
     /// True for one motion that began at rest away from its goal: it is there only at its end.
@@ -90,7 +108,7 @@ impl Batch {
 
     /// The goal, unless it is a pose and the frames have changed since it was given.
     pub(super) fn goal_now(&self, newest: &RobotStatus, changes: u64) -> Destination {
-        let has_changed = self.frames.changes != changes || self.frames.differ_from(newest);
+        let has_changed = self.frames.changes != changes || self.frames.shown.change_to(newest).is_some();
         match self.goal {
             Destination::At(Place::Pose(_), _) if has_changed => Destination::Unknown,
             goal => goal,

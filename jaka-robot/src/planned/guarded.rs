@@ -9,20 +9,19 @@ use jaka_sync::layer::Watched;
 
 use super::Moving;
 use super::guard_thread::{GuardThread, Relieved, Stopped, Why, lost};
-use crate::arm::{Sent, unknown};
-use crate::cause::Occurrence;
+use crate::arm::unknown;
+use crate::cause::{Consequence, Occurrence};
 use crate::guard::{Armed, Guard, longest_silence, packet_period};
 use crate::motions::PlannedMotion;
 use crate::{End, Error, ErrorKind, GuardTrip, NotGuarded, Path, Report, Rest, TripReason};
-
-/// How long an arm that was stopped is waited for until it rests.
-const REST: Duration = Duration::from_secs(2);
 
 /// Run of one motion under a guard.
 #[derive(Debug)]
 pub(crate) struct GuardedRun<'a> {
     pub(crate) moving: Moving<'a>,
     pub(crate) guard: &'a Guard,
+    /// True if the motion, its guard or the limits depend on the selected frames.
+    pub(crate) depends_on_frames: bool,
 }
 
 impl GuardedRun<'_> {
@@ -112,21 +111,28 @@ impl GuardedRun<'_> {
             self.moving.report(&end);
             return end;
         };
-        let is_accepted = self.take(&stopped.stop);
+        self.moving.take(&stopped.stop);
+        // In other frames the tool is elsewhere, so that a guard may trip by the same packet.
+        let change = match &stopped.why {
+            Some(Why::Trip(trip)) if self.depends_on_frames => end.report.frames.change_to(&trip.packet.status),
+            Some(Why::Trip(_) | Why::Blind(_)) | None => None,
+        };
+        if let Some(change) = change.filter(|_| !end.occurrence.cause.is_of_status()) {
+            end.occurrence = Occurrence::frames_changed(change);
+        }
         // What packets show against the arm itself counts before that.
         match stopped.why.filter(|_| !end.occurrence.cause.is_of_status()) {
             Some(Why::Trip(trip)) => {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));
-                let rest = if is_accepted { self.moving.arm.position.comes_to_rest(REST) } else { Ok(false) };
-                let is_at_rest = matches!(rest, Ok(true));
-                self.moving.arm.position.note_rest(is_at_rest);
+                let is_at_rest = self.moving.come_to_rest(&mut end, &stopped.stop);
                 end.occurrence = Occurrence::trip(GuardTrip { reaction, is_at_rest, ..trip });
-                end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
-                end.error = rest.err();
             }
             Some(Why::Blind(problem)) => {
                 end.occurrence = lost(&problem);
                 self.moving.arm.state.latch(&end.occurrence);
+            }
+            None if end.occurrence.consequence() == Consequence::Stops => {
+                self.moving.come_to_rest(&mut end, &stopped.stop);
             }
             None => {}
         }
@@ -140,22 +146,11 @@ impl GuardedRun<'_> {
         let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&guarding.stop, None))) else {
             return first;
         };
-        self.take(&stopped.stop);
+        self.moving.take(&stopped.stop);
         match stopped.stop.accepted {
             Err(stopping) if may_run => self.moving.arm.attach(ErrorKind::NotStopped { first, stopping }),
             _ => first,
         }
-    }
-
-    /// Takes note of a stop, which the end or the error reports, and no other: true if it was accepted. Its motion is
-    /// not waited for any more then.
-    fn take(&mut self, stop: &Sent) -> bool {
-        if stop.accepted.is_ok() {
-            self.moving.arm.state.lock().stops.report(stop.number);
-            self.moving.planned.give_up();
-            self.moving.limits.unsettle();
-        }
-        stop.accepted.is_ok()
     }
 }
 

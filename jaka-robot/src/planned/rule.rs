@@ -144,6 +144,10 @@ impl EndRule {
             Some(News::AtRest(occurrence)) => self.unknown_code = Some(occurrence),
             None => {}
         }
+        self.batch.under_way.see(snapshot);
+        if let Some(change) = self.batch.frame_change() {
+            return Some((Occurrence::frames_changed(change), Rest::NotSeen));
+        }
         self.see_rest(&snapshot.status, snapshot.received).map(|occurrence| (occurrence, Rest::Packets))
     }
 

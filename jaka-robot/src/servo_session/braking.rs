@@ -31,6 +31,7 @@ impl Braking {
             | ErrorKind::WaitEnded { .. }
             | ErrorKind::WaitBroken { .. }
             | ErrorKind::NotGuarded { .. }
+            | ErrorKind::FramesChanged { .. }
             | ErrorKind::PortInAddress { .. }
             | ErrorKind::BeyondLimit { .. }
             | ErrorKind::NotChecked { .. }
@@ -70,9 +71,11 @@ impl Braking {
         match occurrence.evidence {
             // The motion of another call was stopped.
             Evidence::Trip(_) => Self::Leave,
-            Evidence::None | Evidence::Event { .. } | Evidence::Commands { .. } | Evidence::Status { .. } => {
-                Self::after_cause(occurrence.cause)
-            }
+            Evidence::None
+            | Evidence::Event { .. }
+            | Evidence::Frames(_)
+            | Evidence::Commands { .. }
+            | Evidence::Status { .. } => Self::after_cause(occurrence.cause),
         }
     }
 
@@ -81,6 +84,8 @@ impl Braking {
             // A stop of the program's own goes out once the arm is braked.
             Cause::Stopped
             | Cause::StatusLost
+            // Set-points of joints have no frame.
+            | Cause::FramesChanged
             // Of one set-point, or of this program: the controller follows others.
             | Cause::Refused
             | Cause::NotShown

@@ -51,6 +51,7 @@ impl<'r> ServoSession<'r> {
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
         let reserved = Some(arm.reserve(MEANWHILE));
+        let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
         }
@@ -65,6 +66,7 @@ impl<'r> ServoSession<'r> {
             pace: Pace::new(arm.clock(), config.period(), config.busy_wait),
             since: arm.clock().stopwatch(),
             report: Report::of_set_points(arm.absent()),
+            under_way,
             arm,
             limits,
             reserved,
@@ -81,6 +83,7 @@ impl<'r> ServoSession<'r> {
         match session.switch_on() {
             Ok(course) => {
                 session.course = course;
+                session.arm.moved_after(frame_changes);
                 session.pace = Pace::new(session.arm.clock(), config.period(), config.busy_wait);
                 Ok(session)
             }

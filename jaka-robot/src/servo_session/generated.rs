@@ -27,6 +27,9 @@ pub(crate) trait SetPoints {
     /// The next one.
     fn next(&mut self) -> JointPosition;
 
+    /// True if the last one depends on the selected frames.
+    fn depend_on_frames(&self) -> bool;
+
     /// No set-point had come when one was due: the next one starts from standstill.
     fn paused(&mut self);
 
@@ -47,6 +50,8 @@ pub(crate) struct Supervision<'g> {
     unseen: Option<Instant>,
     max_gap: Duration,
     guard: Option<&'g SetPointGuard>,
+    /// True if the guard depends on the selected frames.
+    depends_on_frames: bool,
     lag: Option<LagFit>,
 }
 
@@ -60,7 +65,8 @@ impl<'g> Supervision<'g> {
         lag: Option<LagFit>,
     ) -> Self {
         let departure = Departure::new(start, period.as_secs_f64(), max_departure_deg);
-        Self { departure, packet: 0, unseen: None, max_gap, guard, lag }
+        let depends_on_frames = guard.is_some_and(SetPointGuard::depends_on_frames);
+        Self { departure, packet: 0, unseen: None, max_gap, guard, depends_on_frames, lag }
     }
 
     /// Fails once the guard has tripped.
@@ -150,7 +156,14 @@ impl ServoSession<'_> {
             if cycle.as_ref().map_or(true, |late| *late >= self.config.gap()) {
                 set_points.paused();
             }
-            supervision.guard.map_or(Ok(()), |guard| guard.check(&self.arm.state, || supervision.measured_lag()))?;
+            let guarded =
+                supervision.guard.map_or(Ok(()), |guard| guard.check(&self.arm.state, || supervision.measured_lag()));
+            // A packet by which the guard has tripped is known by now. In other frames the tool is elsewhere.
+            self.look_at_frames();
+            if self.limits.depend_on_frames() || supervision.depends_on_frames {
+                self.check_frames()?;
+            }
+            guarded?;
             // Before the end: a motion that has no set-point when one is due does not end as commanded.
             let late = cycle?;
             if set_points.is_done() {
@@ -163,6 +176,9 @@ impl ServoSession<'_> {
                 supervision.take(&packet)?;
             }
             let joints = set_points.next();
+            if set_points.depend_on_frames() {
+                self.check_frames().inspect_err(|_| set_points.take_back())?;
+            }
             let sent = self.send_checked(SetPoint::Joints(joints), Some(joints), supervision.max_gap);
             sent.inspect_err(|_| set_points.take_back())?;
             supervision.sent(|| self.arm.clock().now(), joints);

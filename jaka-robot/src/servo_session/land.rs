@@ -170,6 +170,10 @@ impl ServoSession<'_> {
         gate: &dyn Fn() -> Result<(), Error>,
         refused: u64,
     ) -> Result<bool, Error> {
+        if set_point.is_pose() {
+            self.look_at_frames();
+            self.check_frames()?;
+        }
         // What was computed since takes its time, too.
         let cycle = self.begun.take().unwrap_or_else(|| self.pace.wait());
         let late = self.arm.clock().elapsed(cycle.due);

@@ -21,6 +21,7 @@ use super::set_point::{SetPoint, SetPointStep};
 use crate::arm::{Arm, Sending};
 use crate::error::SessionEnd;
 use crate::limits::LimitChecks;
+use crate::under_way::UnderWay;
 use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode): set-points go out once in
@@ -95,6 +96,7 @@ pub struct ServoSession<'r> {
     /// The last set-points: what the next one is compared with, and from which the arm is braked.
     pub(super) course: Course,
     pub(crate) report: Report,
+    pub(super) under_way: UnderWay,
     /// Rest of the arm at its last set-point, before servo mode is left.
     pub(crate) rest: Rest,
     /// Time since servo mode was entered.
@@ -133,6 +135,8 @@ impl ServoSession<'_> {
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
     /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was
     ///   not sent, and nothing braked the arm.
+    /// - [`ErrorKind::FramesChanged`]: the robot has limits that depend on the selected frames. The set-point was not
+    ///   sent.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop.
     ///   [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
@@ -154,6 +158,10 @@ impl ServoSession<'_> {
     ///
     /// The speeds of the joints that follow from it are the controller's to check, unless the robot has limits. It is
     /// compared with the set-point before if that is a pose, too, or the first, and the robot has no limits.
+    ///
+    /// Once status packets show another tool frame or user frame than at the start, no pose is sent any more: the call
+    /// fails with [`ErrorKind::FramesChanged`]. With limits the arm is braked in joints. Without, the joint positions
+    /// are not known, nothing brakes the arm, and the error is [`ErrorKind::NotLanded`].
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).
@@ -198,10 +206,27 @@ impl ServoSession<'_> {
             return Err(end.into_error());
         }
         let sent = self.wait_for_cycle().and_then(|_| {
+            self.look_at_frames();
+            if set_point.is_pose() || self.limits.depend_on_frames() {
+                self.check_frames()?;
+            }
             let joints = self.check(&set_point)?;
             self.send_checked(set_point, joints, Duration::MAX)
         });
         sent.map_err(|error| self.end(error))
+    }
+
+    /// Takes from the newest packet what has changed under way.
+    pub(super) fn look_at_frames(&mut self) {
+        if let Some(newest) = self.arm.state.newest_packet() {
+            self.under_way.see(&newest);
+            self.report.saw(&self.under_way);
+        }
+    }
+
+    /// Fails where other frames are selected than at the start.
+    pub(super) fn check_frames(&mut self) -> Result<(), Error> {
+        self.under_way.change().map_or(Ok(()), |change| Err(ErrorKind::FramesChanged { change }.into()))
     }
 
     /// Counts a set-point that went out so late, and the gap before it unless its cycle has begun after one.

@@ -131,6 +131,10 @@ impl SetPoints for StreamSetPoints<'_> {
         joints
     }
 
+    fn depend_on_frames(&self) -> bool {
+        self.order.is_some_and(|order| order.depends_on_frames())
+    }
+
     fn paused(&mut self) {
         self.generator.paused();
     }

@@ -10,6 +10,7 @@ use super::target::Targets;
 use crate::Error;
 use crate::error::OptionName;
 use crate::error::SessionEnd;
+use crate::place::Quantity;
 use crate::servo_session::beyond_limit;
 
 /// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
@@ -30,18 +31,19 @@ impl StreamHandle {
     /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the
     /// stream lands or has ended: nobody would follow the target.
     pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
-        self.give(Goal::Joints(target.into()), None)
+        self.give((Quantity::Joints, Goal::Joints(target.into())), None)
     }
 
     /// Goes to a pose of the tool centre point, and stays there. The arm moves in joints, on its present branch: the tool does **not** move on a straight line.
     ///
-    /// Poses are in the tool and user frame that were selected when the stream began.
+    /// Poses are in the tool and user frame that were selected when the stream began. Once status packets show another one, the stream lands, with
+    /// [`ErrorKind::FramesChanged`](crate::ErrorKind::FramesChanged).
     ///
     /// # Errors
     /// As [`set_joints`](Self::set_joints); also where the pose can be reached only by another branch.
     pub fn set_pose(&self, target: impl Into<Pose>) -> Result<(), Error> {
         let found = self.desk.checker().joints_on_branch(self.joints(), target.into());
-        self.give(Goal::Joints(found.map_err(beyond_limit)?), None)
+        self.give((Quantity::Pose, Goal::Joints(found.map_err(beyond_limit)?)), None)
     }
 
     /// Moves the joints with these speeds, in deg/s, for a time of at most 500 ms, and brakes then unless another goal was given.
@@ -53,17 +55,20 @@ impl StreamHandle {
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a longer time,
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn set_joint_velocity(&self, deg_s: [f64; 6], for_at_most: Duration) -> Result<(), Error> {
-        self.give(Goal::Velocity(deg_s), Some(for_at_most))
+        self.give((Quantity::Joints, Goal::Velocity(deg_s)), Some(for_at_most))
     }
 
     /// Moves the tool centre point with a velocity, for a time of at most 500 ms, and brakes then unless another goal was given.
+    ///
+    /// Once status packets show another tool or user frame than when the stream began, the stream lands, also after the
+    /// velocity has ended and until another goal is given in joints.
     ///
     /// Near limits, regions and singularities all of it is scaled down together, to zero if need be: the tool slows down and keeps its direction.
     ///
     /// # Errors
     /// As [`set_joint_velocity`](Self::set_joint_velocity).
     pub fn set_tcp_velocity(&self, velocity: TcpVelocity, for_at_most: Duration) -> Result<(), Error> {
-        self.give(Goal::TcpVelocity(velocity), Some(for_at_most))
+        self.give((Quantity::Pose, Goal::TcpVelocity(velocity)), Some(for_at_most))
     }
 
     /// Brakes the arm, and holds it.
@@ -71,7 +76,7 @@ impl StreamHandle {
     /// # Errors
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn rest(&self) -> Result<(), Error> {
-        self.give(Goal::Rest, None)
+        self.give((Quantity::Joints, Goal::Rest), None)
     }
 
     /// Joint positions of the last set-point, also while the stream lands and after its end. The arm lags behind them.
@@ -93,12 +98,12 @@ impl StreamHandle {
         self.targets.wait_for_rest(timeout).map_err(SessionEnd::into_error)
     }
 
-    fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), Error> {
+    fn give(&self, (given_in, goal): (Quantity, Goal), for_at_most: Option<Duration>) -> Result<(), Error> {
         if let Some(time) = for_at_most.filter(|time| *time > LONGEST) {
             let expected = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
             return Err(OptionName::new("StreamHandle", "for_at_most").refuse(format_args!("{time:?}"), expected));
         }
         self.desk.check_goal(&goal).map_err(beyond_limit)?;
-        self.targets.give(goal, for_at_most).map_err(SessionEnd::into_error)
+        self.targets.give((given_in, goal), for_at_most).map_err(SessionEnd::into_error)
     }
 }

@@ -10,6 +10,7 @@ use jaka_sync::layer::Watched;
 
 use crate::Cause;
 use crate::error::SessionEnd;
+use crate::place::Quantity;
 
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]
@@ -25,11 +26,17 @@ pub(super) struct Targets {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Order {
     goal: Goal,
+    /// Quantity in which the goal was given.
+    given_in: Quantity,
     until: Option<Instant>,
     number: u64,
 }
 
 impl Order {
+    pub(super) fn depends_on_frames(&self) -> bool {
+        self.given_in == Quantity::Pose
+    }
+
     /// Rest, after a velocity that has ended.
     fn goal(&self, now: Instant) -> Goal {
         if self.has_ended(now) { Goal::Rest } else { self.goal }
@@ -59,19 +66,23 @@ struct TargetState {
 
 impl Targets {
     pub(super) fn new(start: JointPosition, clock: &Clock) -> Self {
-        let order = Order { goal: Goal::Rest, until: None, number: 0 };
+        let order = Order { goal: Goal::Rest, given_in: Quantity::Joints, until: None, number: 0 };
         let state = TargetState { order, joints: start, is_at_rest: true, bound: None, ended: None };
         Self { state: Watched::new(clock, state), landing: OnceLock::new() }
     }
 
     /// Gives another goal; fails with why the stream lands or has ended, if so.
-    pub(super) fn give(&self, goal: Goal, for_at_most: Option<Duration>) -> Result<(), SessionEnd> {
+    pub(super) fn give(
+        &self,
+        (given_in, goal): (Quantity, Goal),
+        for_at_most: Option<Duration>,
+    ) -> Result<(), SessionEnd> {
         let until = for_at_most.map(|time| self.state.clock().now() + time);
         let mut state = self.state.lock();
         if let Some(because) = self.ends_because(&state) {
             return Err(because);
         }
-        state.order = Order { goal, until, number: state.order.number + 1 };
+        state.order = Order { goal, given_in, until, number: state.order.number + 1 };
         state.is_at_rest = false;
         Ok(())
     }

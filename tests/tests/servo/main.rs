@@ -20,3 +20,4 @@ mod stop_lengths;
 mod stream;
 mod stream_soak;
 mod trajectories;
+mod under_way;
