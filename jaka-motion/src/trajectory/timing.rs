@@ -323,8 +323,8 @@ impl<'a> Stretch<'a> {
         let mut factor = by_speed.max(by_acceleration.sqrt()).max(by_jerk.cbrt()).max(1.0);
         let arm = self.checker.arm();
         if tcp_speed.is_finite() && arm.radii().tcp_rate_at_most(&hull.speeds) > *tcp_speed {
-            for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                let there = piece.at(share);
+            for eighth in 0..=8 {
+                let there = piece.at(f64::from(eighth) / 8.0);
                 factor = factor.max(arm.tcp_rate(&there.joints.0, &there.velocity) / tcp_speed);
             }
         }
