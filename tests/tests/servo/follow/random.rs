@@ -135,8 +135,17 @@ fn on_the_wire_they_stay_on_the_curve_and_within_the_limits() {
 fn follow_at_random(seed: u32) {
     let mut random = Random::new(seed);
     let (curve, trajectory) = random_curve(&mut random);
+    let (arm, end) = led_at_random(&mut random, &trajectory);
+    assert!(matches!(end.cause(), Cause::Reached | Cause::Stopped), "seed {seed}: {end}");
+    let set_points = judge(&arm, &curve, &end);
+    let last = set_points.last().expect("there are some");
+    assert!(apart(&curve.at(followed(&end).reached.as_secs_f64()), last) < 1e-6, "seed {seed}: {end:?}");
+}
+
+/// The end of a run with pauses, scales and stops at random.
+fn led_at_random(random: &mut Random, trajectory: &Trajectory) -> (Arm, End) {
     let (arm, mut robot) = ready();
-    let run = robot.start_follow(&trajectory, &config().speed_scale(random_scale(&mut random))).expect("it is there");
+    let run = robot.start_follow(trajectory, &config().speed_scale(random_scale(random))).expect("it is there");
     for number in 0.. {
         let told = match random.below(8) {
             0 | 1 => run.handle().pause(),
@@ -152,8 +161,80 @@ fn follow_at_random(seed: u32) {
     }
     let _ = run.handle().resume().and_then(|()| run.handle().set_speed_scale(1.0));
     let end = run.wait();
+    drop(robot);
+    (arm, end)
+}
+
+/// Points, the tolerance of each joint, and what is planned: through few points, or along a curve near many.
+fn random_planned(random: &mut Random) -> (Vec<[f64; 6]>, f64, Trajectory) {
+    let checker = Checker::new(limits(), Frames::new());
+    let planned = if random.one_in(2) {
+        let joints = (0..random.below(5) + 2).map(|_| turned(random.offsets::<6>(15.0)));
+        let points: Vec<_> = std::iter::once(START).chain(joints).collect();
+        let within = random.between(0.5, 4.0);
+        let trajectory = Trajectory::through(points.clone()).corner_deg(within).build(&checker);
+        (points, within, trajectory)
+    } else {
+        let (rates, turns) = (random.offsets::<6>(2.0), random.offsets::<6>(15.0));
+        let count = random.below(300) + 20;
+        let point = |index: u32| {
+            let share = f64::from(index) / f64::from(count);
+            turned(std::array::from_fn(|joint| turns[joint] * (rates[joint] * share * 3.0).sin()))
+        };
+        let (points, within) = ((0..=count).map(point).collect::<Vec<_>>(), random.between(0.05, 0.5));
+        let trajectory = Trajectory::curve(points.clone()).within_deg(within).build(&checker);
+        (points, within, trajectory)
+    };
+    (planned.0, planned.1, planned.2.expect("it is far from all limits"))
+}
+
+/// Largest difference of a joint from the ways straight between points, at the nearest place, by bisection on each way.
+fn off_ways(joints: &[f64; 6], points: &[[f64; 6]]) -> f64 {
+    let off = |pair: &[[f64; 6]], share: f64| {
+        let each = |joint: usize| pair[0][joint] + share * (pair[1][joint] - pair[0][joint]) - joints[joint];
+        (0..6).map(|joint| each(joint).abs()).fold(0.0, f64::max)
+    };
+    let on_way = |pair: &[[f64; 6]]| {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            // The largest difference is convex along the way.
+            let [one, other] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
+            if off(pair, one) < off(pair, other) { high = other } else { low = one }
+        }
+        off(pair, f64::midpoint(low, high))
+    };
+    points.windows(2).map(on_way).fold(f64::INFINITY, f64::min)
+}
+
+/// Trajectories without times: the set-points that came are within the tolerance of the ways between the points, and
+/// pass each point within it where the run is completed.
+#[test]
+fn what_is_planned_stays_on_the_wire_within_tolerance_and_limits() {
+    let all = count(10);
+    for first in (0..all).step_by(AT_ONCE as usize) {
+        thread::scope(|scope| {
+            for seed in first..all.min(first + AT_ONCE) {
+                scope.spawn(move || follow_planned(3_000_000 + seed));
+            }
+        });
+    }
+}
+
+fn follow_planned(seed: u32) {
+    let mut random = Random::new(seed);
+    let (points, within, trajectory) = random_planned(&mut random);
+    let (arm, end) = led_at_random(&mut random, &trajectory);
     assert!(matches!(end.cause(), Cause::Reached | Cause::Stopped), "seed {seed}: {end}");
-    let set_points = judge(&arm, &curve, &end);
-    let last = set_points.last().expect("there are some");
-    assert!(apart(&curve.at(followed(&end).reached.as_secs_f64()), last) < 1e-6, "seed {seed}: {end:?}");
+    assert!(end.rest.was_seen() && !followed(&end).has_left_curve, "seed {seed}: {end:?}");
+    let (set_points, _) = set_points(&arm);
+    assert_eq!(jump(START, &set_points), None, "seed {seed}: {end:?}");
+    for joints in &set_points {
+        let off = off_ways(joints, &points);
+        assert!(off <= within + 1e-6, "seed {seed}: {off} deg off the ways, {within} allowed");
+    }
+    let at_rest = &set_points[set_points.len() - 2..];
+    assert!(apart(&at_rest[0], &at_rest[1]) < 1e-9, "seed {seed}");
+    if end.cause() == Cause::Reached {
+        assert!(apart(points.last().expect("there are some"), &at_rest[1]) < 1e-6, "seed {seed}");
+    }
 }
