@@ -47,6 +47,7 @@ pub struct Model {
 jaka_proto::worded! {
     /// A point of the arm.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
     pub enum Point {
         /// The tool centre point.
         Tcp => "tool centre point",

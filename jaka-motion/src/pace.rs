@@ -28,6 +28,7 @@ pub struct TcpPace {
 /// How the tool centre point moves and the tool turns.
 #[cfg(feature = "generator")]
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TcpVelocity {
     /// Along x, y and z, in mm/s.
     pub linear_mm_s: [f64; 3],
@@ -40,6 +41,7 @@ pub struct TcpVelocity {
 /// Whose axes a velocity has.
 #[cfg(feature = "generator")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum VelocityFrame {
     /// The arm's own base, as [`Model::forward`](crate::Model::forward) has it.
     ArmBase,
@@ -71,6 +73,23 @@ impl TcpPace {
 
 #[cfg(feature = "generator")]
 impl TcpVelocity {
+    /// No motion, in the axes of a frame.
+    pub fn new(frame: VelocityFrame) -> Self {
+        Self { linear_mm_s: [0.0; 3], angular_deg_s: [0.0; 3], frame }
+    }
+
+    /// With this velocity of the tool centre point along x, y and z, in mm/s.
+    #[must_use]
+    pub fn with_linear(self, mm_s: [f64; 3]) -> Self {
+        Self { linear_mm_s: mm_s, ..self }
+    }
+
+    /// With this turn of the tool about x, y and z, in deg/s.
+    #[must_use]
+    pub fn with_angular(self, deg_s: [f64; 3]) -> Self {
+        Self { angular_deg_s: deg_s, ..self }
+    }
+
     pub(crate) fn linear(&self) -> Vector3<f64> {
         self.linear_mm_s.into()
     }

@@ -116,7 +116,7 @@ impl Trajectory {
     /// let trajectory = Trajectory::timed(&points, &checker)?;
     /// assert_eq!(trajectory.at(1.0).joints, points[1].joints);
     ///
-    /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint { time_s: point.time_s / 4.0, ..point }), &checker);
+    /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint::new(point.time_s / 4.0, point.joints)), &checker);
     /// let error = sudden.unwrap_err().to_string();
     /// assert_eq!(error, "after way-point 1, at 0.000 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
     /// # Ok::<(), jaka_motion::TrajectoryError>(())

@@ -30,7 +30,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let servo = ServoConfig::new().step_count(4);
     let stream = robot.stream(&StreamConfig::new().servo(servo))?;
     for mm_s in [20.0, -20.0] {
-        let up = TcpVelocity { linear_mm_s: [0.0, 0.0, mm_s], angular_deg_s: [0.0; 3], frame: VelocityFrame::User };
+        let up = TcpVelocity::new(VelocityFrame::User).with_linear([0.0, 0.0, mm_s]);
         for _ in 0..10 {
             stream.handle().set_tcp_velocity(up, Duration::from_millis(200))?;
             sleep(Duration::from_millis(100));

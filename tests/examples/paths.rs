@@ -177,6 +177,7 @@ impl Case {
             .map(|via| match via {
                 Via::Joints(joints) => json!(joints.0),
                 Via::Line(pose) => json!(<[f64; 6]>::from(*pose)),
+                other => panic!("{other:?} is in no case"),
             })
             .collect();
         json!({

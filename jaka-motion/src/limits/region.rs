@@ -22,6 +22,7 @@ pub struct Region {
 
 /// From where a region is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum RegionFrame {
     /// The arm's own base, as [`Model::forward`](crate::Model::forward) has it: it goes where the arm is mounted.
     ArmBase,

@@ -13,6 +13,7 @@ use crate::pace::TcpPace;
 
 /// A point of a trajectory, and the way to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Via {
     /// Straight in joint space to joint positions.
     Joints(JointPosition),

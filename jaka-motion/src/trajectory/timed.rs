@@ -12,6 +12,7 @@ use crate::piece::{Piece, Sample};
 
 /// Where the joints are at a time, and how they move there, if that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TimedPoint {
     /// The time in seconds from the start.
     pub time_s: f64,

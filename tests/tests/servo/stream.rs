@@ -115,8 +115,7 @@ fn a_stream_says_what_holds_it() {
     let (arm, mut robot) = ready();
     let stream = robot.stream(&config()).expect("the arm is ready");
     assert_eq!(stream.handle().bound(), None);
-    let upwards =
-        TcpVelocity { linear_mm_s: [0.0, 0.0, 300.0], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase };
+    let upwards = TcpVelocity::new(VelocityFrame::ArmBase).with_linear([0.0, 0.0, 300.0]);
     wait_until(arm.clock(), || {
         stream.handle().set_tcp_velocity(upwards, Duration::from_millis(500)).expect("it goes on");
         stream.handle().bound().is_some()
@@ -145,7 +144,10 @@ fn targets_and_velocities_of_many_threads_make_one_smooth_motion() {
                         let linear_mm_s = [0.0; 3].map(|_: f64| between(-200.0, 200.0));
                         let angular_deg_s = [0.0; 3].map(|_: f64| between(-30.0, 30.0));
                         let frame = VelocityFrame::User;
-                        handle.set_tcp_velocity(TcpVelocity { linear_mm_s, angular_deg_s, frame }, wait)
+                        handle.set_tcp_velocity(
+                            TcpVelocity::new(frame).with_linear(linear_mm_s).with_angular(angular_deg_s),
+                            wait,
+                        )
                     }
                     _ => handle.rest(),
                 };

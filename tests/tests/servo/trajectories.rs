@@ -146,6 +146,7 @@ impl Case {
                     let off = apart(self.tool(there.joints.0), frame(*pose));
                     (off, (mm + OFF_LINE.0, turn_deg * 1.01 + OFF_LINE.1))
                 }
+                other => panic!("{other:?} is in none"),
             };
             if off.0 > most.0 || off.1 > most.1 {
                 return Err(format!("{off:?} off {point:?}, at most {most:?}, {way_point:?}"));

@@ -158,7 +158,7 @@ fn step(cycle: u32) -> f64 {
 }
 
 fn give_goals(way: Way, stream: &StreamHandle, arm: &Arm, pose: Pose) -> Result<(), Error> {
-    let velocity = TcpVelocity { linear_mm_s: [0.0, 0.0, 15.0], angular_deg_s: [0.0; 3], frame: VelocityFrame::User };
+    let velocity = TcpVelocity::new(VelocityFrame::User).with_linear([0.0, 0.0, 15.0]);
     for _ in 0..20 {
         match way {
             Way::StreamPose => stream.set_pose(up(pose, 40.0))?,

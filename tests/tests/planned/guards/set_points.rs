@@ -94,7 +94,7 @@ fn top_speed(stream: &StreamHandle) -> f64 {
 }
 
 fn downwards(speed: f64) -> TcpVelocity {
-    TcpVelocity { linear_mm_s: [0.0, 0.0, -speed], angular_deg_s: [0.0; 3], frame: VelocityFrame::ArmBase }
+    TcpVelocity::new(VelocityFrame::ArmBase).with_linear([0.0, 0.0, -speed])
 }
 
 /// What a stream is told to do.

@@ -44,11 +44,9 @@ fn one_joint(random: &mut Random, rig: &Rig) -> Goal {
 fn tool(random: &mut Random) -> TcpVelocity {
     let (linear, angular) = (10_f64.powf(random.between(-1.0, 3.2)), 10_f64.powf(random.between(-1.0, 2.5)));
     let frames = [VelocityFrame::ArmBase, VelocityFrame::User, VelocityFrame::Tool];
-    TcpVelocity {
-        linear_mm_s: if random.one_in(6) { [0.0; 3] } else { random.offsets(linear) },
-        angular_deg_s: if random.one_in(2) { [0.0; 3] } else { random.offsets(angular) },
-        frame: frames[random.below(3) as usize],
-    }
+    let linear = if random.one_in(6) { [0.0; 3] } else { random.offsets(linear) };
+    let angular = if random.one_in(2) { [0.0; 3] } else { random.offsets(angular) };
+    TcpVelocity::new(frames[random.below(3) as usize]).with_linear(linear).with_angular(angular)
 }
 
 /// Beyond all ranges, or no number at all.
@@ -58,6 +56,6 @@ fn odd(random: &mut Random, mut numbers: [f64; 6]) -> Goal {
     match random.below(3) {
         0 => Goal::Joints(JointPosition(numbers)),
         1 => Goal::Velocity(numbers),
-        _ => Goal::TcpVelocity(TcpVelocity { linear_mm_s: [numbers[0], numbers[1], numbers[2]], ..tool(random) }),
+        _ => Goal::TcpVelocity(tool(random).with_linear([numbers[0], numbers[1], numbers[2]])),
     }
 }
