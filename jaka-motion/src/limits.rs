@@ -136,14 +136,13 @@ pub(crate) const START_ROUNDING: f64 = 1e-9;
 impl Limits {
     /// What is published for an arm, and where nothing is, careful defaults of ours.
     ///
-    /// - Joint ranges and speeds are the published ones. Of the Zu 12 and Zu 18, for which two sources differ, the tighter
-    ///   ranges count.
+    /// - Joint ranges and speeds are the published ones.
     /// - Joint accelerations are **not published** for these arms. The default is ours: a fifth of the joint's speed reached in 0.5 s, for example
     ///   72 deg/s² where the speed is 180 deg/s.
     /// - The least distance from a singularity, 0.01, is ours too.
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
-        let ((min, max), speeds) = (model.tighter_range(), *model.joint_speed());
+        let (min, max, speeds) = (*model.joint_min(), *model.joint_max(), *model.joint_speed());
         Self {
             axes: AxisLimits { min, max, speeds, accelerations: speeds.map(|speed| SPEED_GAINED * speed) },
             tcp_speed: None,
@@ -209,16 +208,14 @@ impl Limits {
     /// With this range of a joint, 1 to 6, in degrees.
     ///
     /// # Errors
-    /// There is no such joint, the range is empty, or it is wider than the published one: of the Zu 12 and Zu 18, than
-    /// the tighter of the two.
+    /// There is no such joint, the range is empty, or it is wider than that of the [`model`](Self::model).
     pub fn with_joint_range(mut self, joint: usize, min_deg: f64, max_deg: f64) -> Result<Self, InvalidLimit> {
         let index = index_of(joint)?;
         finite("joint range", &[min_deg, max_deg])?;
         if min_deg > max_deg {
             return Err(InvalidLimit::EmptyRange { joint, min_deg, max_deg });
         }
-        let (least, most) = self.model.tighter_range();
-        let (least, most) = (least[index], most[index]);
+        let (least, most) = (self.model.joint_min()[index], self.model.joint_max()[index]);
         for given in [min_deg, max_deg] {
             if !(least..=most).contains(&given) {
                 let (published, model) = (given.clamp(least, most), self.model.name());

@@ -308,11 +308,6 @@ impl Model {
         fit::fit(self, pairs, tolerance)
     }
 
-    /// The range of each joint in degrees, or that of the catalogue where it is tighter.
-    pub(crate) fn tighter_range(&self) -> ([f64; 6], [f64; 6]) {
-        published::tighter_range(self.name).unwrap_or((self.joint_min, self.joint_max))
-    }
-
     /// How far shoulder, elbow and wrist are from their singularities, for the frames of the joints.
     pub(crate) fn distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         self.signed_distances(frames).map(f64::abs)

@@ -9,8 +9,8 @@
 //! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
-//! - Zu 12 and Zu 18: the catalogue has tighter limits, 270 degrees for joints 1, 5 and 6 and on the Zu 18 -50 to 230
-//!   for joint 2 and 155 for joint 3. The models have those of the URDF, [`tighter_range`] these.
+//! - Zu 12 and Zu 18: the catalogue has tighter limits, followed here: 270 degrees for joints 1, 5 and 6, and on the Zu 18
+//!   -50 to 230 for joint 2 and 155 for joint 3.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
@@ -26,8 +26,14 @@ pub(super) static PUBLISHED: [Model; 20] = [
     arm("Zu 5", [120.15, 430.0, 368.5, 114.0, 113.5, 107.0], EVEN_180),
     arm("Zu 3", [150.55, 248.0, 228.0, 115.0, 117.5, 106.5], [180.0, 180.0, 180.0, 220.0, 220.0, 220.0]),
     arm("Zu 7", [120.15, 360.0, 303.5, 115.01, 113.5, 107.0], EVEN_180),
-    arm("Zu 12", [142.65, 595.0, 571.5, 131.5, 115.0, 103.5], SLOW_BASE),
-    arm("Zu 18", [142.65, 510.0, 400.0, 154.0, 115.0, 103.5], SLOW_SHOULDER),
+    within(
+        arm("Zu 12", [142.65, 595.0, 571.5, 131.5, 115.0, 103.5], SLOW_BASE),
+        [[-270.0, -85.0, -175.0, -85.0, -270.0, -270.0], [270.0, 265.0, 175.0, 265.0, 270.0, 270.0]],
+    ),
+    within(
+        arm("Zu 18", [142.65, 510.0, 400.0, 154.0, 115.0, 103.5], SLOW_SHOULDER),
+        [[-270.0, -50.0, -155.0, -85.0, -270.0, -270.0], [270.0, 230.0, 155.0, 265.0, 270.0, 270.0]],
+    ),
     arm("Zu 20", [196.5, 897.0, 744.5, 188.35, 138.5, 120.5], FAST_WRIST),
     arm("Zu 30", [196.5, 662.5, 549.0, 188.35, 138.5, 120.5], FAST_WRIST),
     arm("Pro 5", [120.15, 430.0, 368.5, 114.0, 113.5, 107.0], EVEN_180),
@@ -44,15 +50,6 @@ pub(super) static PUBLISHED: [Model; 20] = [
     arm("A5", [120.15, 430.0, 368.5, 115.0, 113.5, 107.0], [210.0; 6]),
     MINICOBO,
 ];
-
-/// Ranges of the joints of an arm in degrees that the catalogue has tighter.
-pub(super) fn tighter_range(name: &str) -> Option<([f64; 6], [f64; 6])> {
-    match name {
-        "Zu 12" => Some(([-270.0, -85.0, -175.0, -85.0, -270.0, -270.0], [270.0, 265.0, 175.0, 265.0, 270.0, 270.0])),
-        "Zu 18" => Some(([-270.0, -50.0, -155.0, -85.0, -270.0, -270.0], [270.0, 230.0, 155.0, 265.0, 270.0, 270.0])),
-        _ => None,
-    }
-}
 
 const EVEN_180: [f64; 6] = [180.0; 6];
 const SLOW_BASE: [f64; 6] = [120.0, 120.0, 120.0, 180.0, 180.0, 180.0];
@@ -77,6 +74,11 @@ const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Mo
         joint_max: [360.0, 265.0, 175.0, 265.0, 360.0, 360.0],
         joint_speed,
     }
+}
+
+/// An arm with other ranges of its joints, in degrees.
+const fn within(arm: Model, [joint_min, joint_max]: [[f64; 6]; 2]) -> Model {
+    Model { joint_min, joint_max, ..arm }
 }
 
 /// The small arm with a spherical wrist, which stands upright at zero.

@@ -11,9 +11,7 @@ fn the_defaults_are_the_published_figures() {
         let limits = Limits::of(model);
         assert_eq!(limits.joint_speeds().to_vec(), model.joint_speed());
         assert_eq!(limits.joint_accelerations().to_vec(), model.joint_speed().map(|speed| 0.4 * speed));
-        if !["Zu 12", "Zu 18"].contains(&model.name()) {
-            assert_eq!((limits.joint_min(), limits.joint_max()), (model.joint_min(), model.joint_max()));
-        }
+        assert_eq!((limits.joint_min(), limits.joint_max()), (model.joint_min(), model.joint_max()));
         assert_eq!((limits.tcp_speed(), limits.regions().len()), (None, 0));
     }
 }

@@ -49,6 +49,8 @@ struct Section<'g> {
     given: &'g Given<'g>,
     from: usize,
     to: usize,
+    /// Share of the tolerance that it takes.
+    share: f64,
     /// Number of parts of each way between two places.
     parts: Vec<usize>,
 }
@@ -61,6 +63,8 @@ const CORNER_ABOVE_DEG: f64 = 30.0;
 const SAME: f64 = 1e-6;
 /// Share of a tolerance that the spline takes: the rest is for polynomials near it.
 const OF_SPLINE: f64 = 0.9;
+/// The same where it is furthest between nodes.
+const OF_WAYS: f64 = 0.94;
 /// Share of a tolerance that polynomials of joints may be off the spline, and the most, in mm or degrees.
 const OF_POLYNOMIALS: f64 = 0.05;
 const MOST_OFF: f64 = 0.005;
@@ -164,11 +168,28 @@ impl Curve {
             let given = self.corner_above_deg;
             return Err(TrajectoryError::Setting { what: "corner_above_deg", given, expected: "above 0" });
         }
-        let legs = given.legs()?;
+        let beside_corners = self.share_beside(given.space, &corners);
+        let legs = given.legs(beside_corners)?;
+        // A corner is off a curve that is itself off the ways.
+        let less = |corner: f64, tolerance: f64| (corner - beside_corners * tolerance).max(0.0);
+        let corners = Tolerances {
+            mm: less(corners.mm, mm),
+            turn_deg: less(corners.turn_deg, turn_deg),
+            joint_deg: less(corners.joint_deg, joint_deg),
+        };
         let path = Path::of_legs(&legs, &corners, checker)?;
         let (pieces, passages) = timed(&path, &self.speeds.budget(checker), checker)?;
         let way_points = given.place_of.iter().map(|place| passages[*place]).collect();
         Trajectory::checked(pieces, way_points, checker)
+    }
+
+    /// Share of the tolerance that curves take beside corners: at most half of that of corners, all of it beside stops.
+    fn share_beside(&self, space: Space, corners: &Tolerances) -> f64 {
+        let least = match space {
+            Space::Joints => corners.joint_deg / self.tolerances.joint_deg,
+            Space::Tool => (corners.mm / self.tolerances.mm).min(corners.turn_deg / self.tolerances.turn_deg),
+        };
+        if least > 0.0 { 0.5 * least.min(1.0) } else { 1.0 }
     }
 
     fn corner_tolerances(&self) -> Tolerances {
@@ -239,8 +260,8 @@ impl<'c> Given<'c> {
         std::array::from_fn(|which| self.places[to][which] - self.places[from][which])
     }
 
-    /// Legs between corners.
-    fn legs(&self) -> Result<Vec<Leg>, TrajectoryError> {
+    /// Legs between corners, with a share of the tolerance beside these.
+    fn legs(&self, beside_corners: f64) -> Result<Vec<Leg>, TrajectoryError> {
         let Via::Joints(start) = self.curve.points[0] else { return Err(TrajectoryError::StartsWithPose) };
         let start = self.checker.arm().at_joints(&start.0).ok_or_else(|| TrajectoryError::lost(1, self.checker))?;
         let distances = self.checker.signed_distances(&start.joints);
@@ -249,7 +270,8 @@ impl<'c> Given<'c> {
         corners.push(self.places.len() - 1);
         let (mut legs, mut from) = (Vec::with_capacity(corners.len()), 0);
         while let Some(to) = corners.iter().find(|corner| **corner > from).copied() {
-            let mut section = Section::new(self, from, to);
+            let is_whole = from == 0 && to == self.places.len() - 1;
+            let mut section = Section::new(self, [from, to], if is_whole { 1.0 } else { beside_corners });
             match section.spline() {
                 Ok(spline) => {
                     legs.push(section.leg(&spline, &mut begin)?);
@@ -316,7 +338,7 @@ impl<'c> Given<'c> {
 }
 
 impl<'g> Section<'g> {
-    fn new(given: &'g Given<'g>, from: usize, to: usize) -> Self {
+    fn new(given: &'g Given<'g>, [from, to]: [usize; 2], share: f64) -> Self {
         let arc = |place: usize| if place > from && place < to { given.arc(place) } else { 0.0 };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 16")]
         let parts = (from..to)
@@ -325,7 +347,7 @@ impl<'g> Section<'g> {
                 (most.sqrt().ceil() as usize).clamp(1, MOST_PARTS[0])
             })
             .collect();
-        Self { given, from, to, parts }
+        Self { given, from, to, share, parts }
     }
 
     /// Spline within the tolerance of its ways.
@@ -335,7 +357,7 @@ impl<'g> Section<'g> {
     fn spline(&mut self) -> Result<Spline, Vec<usize>> {
         loop {
             let (at, places) = self.nodes();
-            let spline = Spline::near(at.clone(), &places, |off| self.given.off(off) / OF_SPLINE);
+            let spline = Spline::near(at.clone(), &places, |off| self.given.off(off) / (self.share * OF_SPLINE));
             let mut far = Vec::new();
             let mut node = 0;
             for (way, parts) in self.parts.iter().enumerate() {
@@ -346,7 +368,7 @@ impl<'g> Section<'g> {
                             let [one, other] = [places[node][which], places[node + 1][which]];
                             there[which] - one - share * (other - one)
                         });
-                        self.given.off(&off) > OF_SPLINE + (1.0 - OF_SPLINE) * 0.4
+                        self.given.off(&off) > self.share * OF_WAYS
                     })
                 });
                 node += parts;
@@ -399,7 +421,8 @@ impl<'g> Section<'g> {
         let Given { checker, space, curve, .. } = *self.given;
         let Tolerances { mm, turn_deg, joint_deg } = curve.tolerances;
         let deg = if space == Space::Tool { turn_deg } else { joint_deg };
-        let near = Nearness { mm: (OF_POLYNOMIALS * mm).min(MOST_OFF), deg: (OF_POLYNOMIALS * deg).min(MOST_OFF) };
+        let off = |tolerance: f64| (self.share * OF_POLYNOMIALS * tolerance).min(MOST_OFF);
+        let near = Nearness { mm: off(mm), deg: off(deg) };
         let mut node = 0;
         let points: Vec<f64> = self.parts[..self.parts.len() - 1]
             .iter()

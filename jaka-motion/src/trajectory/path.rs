@@ -256,9 +256,16 @@ impl<'l> Scaled<'l> {
 
     /// True where a corner is within the tolerances of both legs.
     fn is_within(&self, next: &Self, half: f64, corner: &Piece, tolerances: &Tolerances, checker: &Checker) -> bool {
-        if !(self.is_of_tool() || next.is_of_tool()) {
+        if let (LegPath::Joints(_), LegPath::Joints(_)) = (&self.leg.path, &next.leg.path) {
             // The bound of its length is exact.
             return true;
+        }
+        if !(self.is_of_tool() || next.is_of_tool()) {
+            return (1..16).map(|part| f64::from(part) / 16.0).all(|share| {
+                let along = (2.0 * share - 1.0) * half;
+                let wanted = if along < 0.0 { self.at(self.length() + along) } else { next.at(along) };
+                wanted.joints.max_distance(&corner.joints(share).into()) <= WITHIN * tolerances.joint_deg
+            });
         }
         let arm = checker.arm();
         let point = next.at(0.0);
