@@ -310,6 +310,13 @@ impl Checker {
         self.limits.clearance().is_kept(distances, &self.arm.radii().distances_change(turned))
     }
 
+    /// Joint positions for a pose, of all branches those nearest to others.
+    pub(crate) fn joints_at(&self, pose: Pose, near: JointPosition) -> Result<JointPosition, Beyond> {
+        self.checked(Way::Place, &[near], &[pose], || {
+            self.arm.nearest(&self.in_base(pose), &near.0).map(JointPosition).map_err(|exceeded| (exceeded, 1.0))
+        })
+    }
+
     /// Distances from singularities, with another sign on each side of one.
     pub(crate) fn signed_distances(&self, joints: &[f64; 6]) -> [f64; 3] {
         self.arm.signed_distances(joints)

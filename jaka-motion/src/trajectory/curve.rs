@@ -6,9 +6,10 @@ use super::curve_path::{Begin, CurvePath, Lost, Nearness, Space, TURN_UNITS, of_
 use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::path::Path;
 use super::smoothing::{Place, Spline};
+use super::through::{at_point, start};
 use super::timing::timed;
 use super::{Trajectory, TrajectoryError, Via};
-use crate::beyond::{Beyond, Exceeded};
+use crate::beyond::Exceeded;
 use crate::checker::Checker;
 
 /// Curve near dense points, to be built within an arm's limits. Made by [`Trajectory::curve`].
@@ -27,6 +28,7 @@ use crate::checker::Checker;
 #[must_use = "nothing is planned before it is built"]
 pub struct Curve {
     points: Vec<Via>,
+    near: Option<JointPosition>,
     tolerances: Tolerances,
     corners: Tolerances,
     corner_above_deg: f64,
@@ -38,6 +40,7 @@ struct Given<'c> {
     curve: &'c Curve,
     checker: &'c Checker,
     space: Space,
+    start: JointPosition,
     /// Places that differ, in their order.
     places: Vec<Place>,
     /// Place of each point.
@@ -84,7 +87,14 @@ impl Curve {
         let unset = Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 };
         let corners = Tolerances { mm: f64::NAN, turn_deg: f64::NAN, joint_deg: f64::NAN };
         let speeds = SpeedSettings::default();
-        Self { points, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
+        Self { points, near: None, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
+    }
+
+    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those of
+    /// the arm, reach it. They are the start of the trajectory.
+    pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
+        self.near = Some(joints.into());
+        self
     }
 
     /// Within so many millimetres of the points and the straight ways between them. Needed for poses.
@@ -204,27 +214,28 @@ impl Curve {
 
 impl<'c> Given<'c> {
     fn new(curve: &'c Curve, checker: &'c Checker) -> Result<Self, TrajectoryError> {
-        let [Via::Joints(_), second, ..] = curve.points.as_slice() else {
-            let given = curve.points.len();
-            return Err(if given < 2 { TrajectoryError::TooFew { given } } else { TrajectoryError::StartsWithPose });
+        let (start, rest) = start(&curve.points, curve.near, checker)?;
+        let is_of_tool = matches!(rest, [Via::Line(_), ..]);
+        let (space, first) = if is_of_tool {
+            (Space::Tool, of_tool(&checker.arm().tcp(&start.0), None))
+        } else {
+            (Space::Joints, of_joints(&start.0))
         };
-        let space = if matches!(second, Via::Line(_)) { Space::Tool } else { Space::Joints };
-        let mut made = Self { curve, checker, space, places: Vec::new(), place_of: Vec::new() };
-        for (way_point, via) in (1..).zip(&curve.points) {
-            let before = made.places.last();
+        let mut made = Self { curve, checker, space, start, places: vec![first], place_of: vec![0] };
+        for (way_point, via) in (2..).zip(rest) {
+            let before = &made.places[made.places.len() - 1];
             let place = match (via, space) {
-                (Via::Joints(joints), _) if way_point == 1 => made.start(*joints)?,
                 (Via::Joints(joints), Space::Joints) => {
                     checker.check_place(*joints).map_err(|beyond| at_point(way_point, beyond))?;
                     of_joints(&joints.0)
                 }
-                (Via::Line(pose), Space::Tool) => of_tool(&checker.in_base(*pose), before),
+                (Via::Line(pose), Space::Tool) => of_tool(&checker.in_base(*pose), Some(before)),
                 _ => return Err(TrajectoryError::Mixed { way_point }),
             };
             if !place.iter().all(|number| number.is_finite()) {
                 return Err(TrajectoryError::NotFinite { way_point, what: "position" });
             }
-            if before.is_none_or(|before| distance(before, &place) > SAME) {
+            if distance(before, &place) > SAME {
                 made.places.push(place);
             }
             made.place_of.push(made.places.len() - 1);
@@ -233,14 +244,6 @@ impl<'c> Given<'c> {
             return Err(TrajectoryError::NoWay);
         }
         Ok(made)
-    }
-
-    fn start(&self, joints: JointPosition) -> Result<Place, TrajectoryError> {
-        self.checker.check_place(joints).map_err(|beyond| at_point(1, beyond))?;
-        Ok(match self.space {
-            Space::Joints => of_joints(&joints.0),
-            Space::Tool => of_tool(&self.checker.arm().tcp(&joints.0), None),
-        })
     }
 
     /// Distance in tolerances.
@@ -262,8 +265,8 @@ impl<'c> Given<'c> {
 
     /// Legs between corners, with a share of the tolerance beside these.
     fn legs(&self, beside_corners: f64) -> Result<Vec<Leg>, TrajectoryError> {
-        let Via::Joints(start) = self.curve.points[0] else { return Err(TrajectoryError::StartsWithPose) };
-        let start = self.checker.arm().at_joints(&start.0).ok_or_else(|| TrajectoryError::lost(1, self.checker))?;
+        let start =
+            self.checker.arm().at_joints(&self.start.0).ok_or_else(|| TrajectoryError::lost(1, self.checker))?;
         let distances = self.checker.signed_distances(&start.joints);
         let mut begin = Begin { checker: self.checker, start, distances };
         let mut corners = self.corners();
@@ -440,10 +443,6 @@ impl<'g> Section<'g> {
         begin.start = end;
         Ok(Leg { after, length: path.length(), start, path: LegPath::Curve(path) })
     }
-}
-
-fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
-    TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
 }
 
 fn norm(place: &Place) -> f64 {

@@ -56,9 +56,9 @@ jaka_proto::worded! {
             "way-point {way_point}: joint {joint} turns at {speed_deg_s} deg/s; a trajectory {} at rest",
             if *way_point == 1 { "starts" } else { "ends" }
         )),
-        /// The first way-point is a pose, for which several joint positions can be.
+        /// The first way-point is a pose, which several joint positions reach, and [`near`](crate::Through::near) names none.
         StartsWithPose =>
-            "way-point 1 is a pose, which several joint positions reach; the first must be joint positions",
+            "way-point 1 is a pose, which several joint positions reach; name joint positions near it, or start with some",
         /// A curve goes through joint positions and poses.
         Mixed {
             /// First way-point of the other kind.

@@ -24,7 +24,7 @@ pub enum Via {
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
-/// It starts at the first point, which is joint positions, and ends at the last one, at rest. At the points between it
+/// It starts at the first point, which is joint positions unless [`near`](Self::near) says more, and ends at the last one, at rest. At the points between it
 /// goes on, rounding each corner within the tolerances that are named for it: that of joints between ways in joints, that
 /// of the tool between lines, and both where a line meets a way in joints. It stops where one of these is not named, and
 /// where the way turns back (by more than 177 degrees). Points nearer to each other than a millionth of a degree or
@@ -43,6 +43,7 @@ pub enum Via {
 #[must_use = "nothing is planned before it is built"]
 pub struct Through {
     points: Vec<Via>,
+    near: Option<JointPosition>,
     tolerances: Tolerances,
     speeds: SpeedSettings,
 }
@@ -62,9 +63,17 @@ impl Through {
     pub(super) fn new(points: Vec<Via>) -> Self {
         Self {
             points,
+            near: None,
             tolerances: Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 },
             speeds: SpeedSettings::default(),
         }
+    }
+
+    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those of
+    /// the arm, reach it. They are the start of the trajectory.
+    pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
+        self.near = Some(joints.into());
+        self
     }
 
     /// With the corners of lines rounded within so many millimetres; 0, as if nothing is said, to stop there.
@@ -132,15 +141,8 @@ impl Through {
 
     /// The legs, and for each point at which of their ends it is.
     fn legs(&self, checker: &Checker) -> Result<(Vec<Leg>, Vec<usize>), TrajectoryError> {
-        let [Via::Joints(start), rest @ ..] = self.points.as_slice() else {
-            let given = self.points.len();
-            return Err(if given == 0 { TrajectoryError::TooFew { given } } else { TrajectoryError::StartsWithPose });
-        };
-        if rest.is_empty() {
-            return Err(TrajectoryError::TooFew { given: 1 });
-        }
-        checker.check_place(*start).map_err(|beyond| at_point(1, beyond))?;
-        let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], Here::of(*start));
+        let (start, rest) = start(&self.points, self.near, checker)?;
+        let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], Here::of(start));
         for (after, via) in (1..).zip(rest) {
             let leg = match via {
                 Via::Joints(there) => here.go(after, *there, checker)?,
@@ -208,7 +210,26 @@ impl Here {
     }
 }
 
-fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
+/// Joint positions at which a trajectory starts, and the points after them.
+pub(super) fn start<'p>(
+    points: &'p [Via],
+    near: Option<JointPosition>,
+    checker: &Checker,
+) -> Result<(JointPosition, &'p [Via]), TrajectoryError> {
+    let [first, rest @ ..] = points else { return Err(TrajectoryError::TooFew { given: 0 }) };
+    let start = match (first, near) {
+        (Via::Joints(joints), _) => *joints,
+        (Via::Line(pose), Some(near)) => checker.joints_at(*pose, near).map_err(|beyond| at_point(1, beyond))?,
+        (Via::Line(_), None) => return Err(TrajectoryError::StartsWithPose),
+    };
+    if rest.is_empty() {
+        return Err(TrajectoryError::TooFew { given: 1 });
+    }
+    checker.check_place(start).map_err(|beyond| at_point(1, beyond))?;
+    Ok((start, rest))
+}
+
+pub(super) fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
     TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
 }
 

@@ -113,6 +113,28 @@ fn a_corner_between_a_line_and_a_way_in_joints_is_within_the_tolerances_of_both(
 }
 
 #[test]
+fn a_pose_is_a_start_where_joint_positions_near_it_are_named() {
+    let checker = checker();
+    let model = checker.limits().model();
+    let first = Pose::from(model.forward(HOME));
+    let down = Pose { z: first.z - 40.0, ..first };
+    let near = HOME.map(|joint| joint + 3.0);
+    let other = [-160.0, 120.0, 80.0, -10.0, 90.0, 180.0];
+    for (near, reaches_home) in [(near, true), (other, false)] {
+        let through = Trajectory::through([first, down]).near(near).build(&checker).expect("a way");
+        let curve = Trajectory::curve([first, down]).near(near).within_mm(0.1).build(&checker).expect("a way");
+        for trajectory in [through, curve] {
+            assert_eq!(trajectory.start().max_distance(&HOME.into()) < 1e-6, reaches_home);
+            let ends = [trajectory.start(), trajectory.end()].map(|joints| Pose::from(model.forward(joints)));
+            assert!((ends[0].z - first.z).abs() < 1e-6 && (ends[1].z - down.z).abs() < 1e-3, "{ends:?}");
+        }
+    }
+    let far = Pose { x: 2000.0, ..first };
+    let error = Trajectory::through([far, down]).near(HOME).build(&checker).unwrap_err().to_string();
+    assert!(error.starts_with("way-point 1: out of reach by "), "{error}");
+}
+
+#[test]
 fn points_in_a_row_are_passed_without_a_stop() {
     let checker = checker();
     let along = |turn: f64| HOME.map(|joint| joint + turn);
@@ -133,7 +155,8 @@ fn what_cannot_be_is_refused_and_named() {
     refused(through(&[]), "a trajectory takes at least 2 way-points; given 0");
     refused(through(&[start]), "a trajectory takes at least 2 way-points; given 1");
     refused(through(&[start, start, pose.into()]), "all way-points are at one place");
-    let text = "way-point 1 is a pose, which several joint positions reach; the first must be joint positions";
+    let text =
+        "way-point 1 is a pose, which several joint positions reach; name joint positions near it, or start with some";
     refused(through(&[pose.into(), start]), text);
     let two = through(&[start, [0.0; 6].into()]);
     refused(two.clone().corner_mm(-1.0), "corner_mm: -1 is not finite and at least 0");
