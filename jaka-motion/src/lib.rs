@@ -47,5 +47,7 @@ pub use text_file::FileError;
 pub use text_file::FileErrors as LimitsFileError;
 #[cfg(feature = "trajectory-files")]
 pub use text_file::FileErrors as TrajectoryFileError;
-pub use trajectory::{Curve, Passing, RateChange, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint};
+pub use trajectory::{
+    Curve, Passing, RateChange, SlowPlace, SlowedBy, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint,
+};
 pub use transform::Transform;

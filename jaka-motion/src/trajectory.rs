@@ -6,6 +6,7 @@ mod error;
 mod leg;
 mod line;
 mod path;
+mod slow;
 mod smoothing;
 mod speed;
 pub(crate) mod through;
@@ -21,6 +22,7 @@ use jaka_proto::messages::types::JointPosition;
 pub use self::curve::Curve;
 use self::error::LONGEST_S;
 pub use self::error::TrajectoryError;
+pub use self::slow::{SlowPlace, SlowedBy};
 pub use self::through::{Through, Via};
 pub use self::timed::TimedPoint;
 use crate::beyond::Way;
@@ -56,6 +58,7 @@ pub struct Trajectory(Arc<Shared>);
 struct Shared {
     pieces: Vec<Piece>,
     way_points: Vec<WayPoint>,
+    slow: Vec<SlowPlace>,
     checker: Checker,
 }
 
@@ -126,7 +129,7 @@ impl Trajectory {
     /// What is wrong with the points, or the first place that is beyond a limit.
     pub fn timed(points: &[TimedPoint], checker: &Checker) -> Result<Self, TrajectoryError> {
         let (pieces, way_points) = timed::parts(points)?;
-        Self::checked(pieces, way_points, checker)
+        Self::checked((pieces, way_points, Vec::new()), checker)
     }
 
     /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
@@ -173,6 +176,13 @@ impl Trajectory {
     /// ```
     pub fn curve<P: Into<Via>>(points: impl IntoIterator<Item = P>) -> Curve {
         Curve::new(points.into_iter().map(Into::into).collect())
+    }
+
+    /// Places at which the tool is slower than the speed that [`Through::tcp_speed`] or [`Curve::tcp_speed`] asked for, by
+    /// 3 % or more: the slowest first, 20 at most. Those from which the speed rises to both sides, but for stops; where the
+    /// speed is reached nowhere between two stops, the fastest place.
+    pub fn slow_places(&self) -> &[SlowPlace] {
+        &self.0.slow
     }
 
     /// How long it takes.
@@ -254,8 +264,7 @@ impl Trajectory {
 
     /// One that was checked; `pieces` are at least one.
     fn checked(
-        mut pieces: Vec<Piece>,
-        mut way_points: Vec<WayPoint>,
+        (mut pieces, mut way_points, slow): (Vec<Piece>, Vec<WayPoint>, Vec<SlowPlace>),
         checker: &Checker,
     ) -> Result<Self, TrajectoryError> {
         let duration_s = pieces.last().map_or(0.0, |piece| piece.start_s + piece.seconds);
@@ -264,7 +273,7 @@ impl Trajectory {
         }
         pieces.shrink_to_fit();
         way_points.shrink_to_fit();
-        let made = Shared { pieces, way_points, checker: checker.clone() };
+        let made = Shared { pieces, way_points, slow, checker: checker.clone() };
         made.check(checker).map(|()| Self(Arc::new(made)))
     }
 

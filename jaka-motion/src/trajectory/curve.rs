@@ -7,7 +7,7 @@ use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::path::Path;
 use super::smoothing::{Place, Spline};
 use super::through::{at_point, start};
-use super::timing::timed;
+use super::timing::{Timed, timed};
 use super::{Trajectory, TrajectoryError, Via};
 use crate::beyond::Exceeded;
 use crate::checker::Checker;
@@ -181,16 +181,16 @@ impl Curve {
         let beside_corners = self.share_beside(given.space, &corners);
         let legs = given.legs(beside_corners)?;
         // A corner is off a curve that is itself off the ways.
-        let less = |corner: f64, tolerance: f64| (corner - beside_corners * tolerance).max(0.0);
+        let left = |corner: f64, tolerance: f64| (corner - beside_corners * tolerance).max(0.0);
         let corners = Tolerances {
-            mm: less(corners.mm, mm),
-            turn_deg: less(corners.turn_deg, turn_deg),
-            joint_deg: less(corners.joint_deg, joint_deg),
+            mm: left(corners.mm, mm),
+            turn_deg: left(corners.turn_deg, turn_deg),
+            joint_deg: left(corners.joint_deg, joint_deg),
         };
         let path = Path::of_legs(&legs, &corners, checker)?;
-        let (pieces, passages) = timed(&path, &self.speeds.budget(checker), checker)?;
+        let Timed { pieces, passages, slow } = timed(&path, &self.speeds.budget(checker), checker)?;
         let way_points = given.place_of.iter().map(|place| passages[*place]).collect();
-        Trajectory::checked(pieces, way_points, checker)
+        Trajectory::checked((pieces, way_points, slow), checker)
     }
 
     /// Share of the tolerance that curves take beside corners: at most half of that of corners, all of it beside stops.

@@ -47,6 +47,8 @@ pub(super) struct Budget {
     pub(super) jerks: [f64; 6],
     /// In mm/s.
     pub(super) tcp_speed: f64,
+    /// What the caller asks for, in mm/s; infinite if that is nothing.
+    pub(super) tcp_asked: f64,
     /// Share of the accelerations for curves at a constant speed.
     pub(super) curving: f64,
 }
@@ -96,6 +98,7 @@ impl SpeedSettings {
             accelerations,
             jerks,
             curving: 1.0 - self.reserve,
+            tcp_asked: self.tcp_speed,
             tcp_speed: (TCP_ASKED * self.tcp_speed).min(limited),
         }
     }

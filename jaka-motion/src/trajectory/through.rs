@@ -5,7 +5,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::line::{Direction, LEAST, LONGEST, Line};
 use super::path::Path;
-use super::timing::timed;
+use super::timing::{Timed, timed};
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
 use crate::checker::{Checker, Solved};
@@ -135,8 +135,9 @@ impl Through {
             return Err(TrajectoryError::NoWay);
         }
         let path = Path::of_legs(&legs, &self.tolerances, checker)?;
-        let (pieces, passages) = timed(&path, &self.speeds.budget(checker), checker)?;
-        Trajectory::checked(pieces, places.into_iter().map(|place| passages[place]).collect(), checker)
+        let Timed { pieces, passages, slow } = timed(&path, &self.speeds.budget(checker), checker)?;
+        let way_points = places.into_iter().map(|place| passages[place]).collect();
+        Trajectory::checked((pieces, way_points, slow), checker)
     }
 
     /// The legs, and for each point at which of their ends it is.

@@ -2,6 +2,7 @@
 
 use super::leg::Budget;
 use super::path::{Path, PathPiece, PieceShape};
+use super::slow::{SlowPlace, SlowedBy};
 use super::speed::{PathLimits, Place, Speed, quickest};
 use super::{Passing, TrajectoryError, WayPoint};
 use crate::checker::Checker;
@@ -15,6 +16,14 @@ struct Stretch<'a> {
     places: Vec<Place>,
     budget: &'a Budget,
     checker: &'a Checker,
+}
+
+/// Motion along a stretch.
+struct Planned {
+    intervals: Vec<Interval>,
+    /// Factor by which all is slower.
+    factor: f64,
+    slow: Vec<SlowPlace>,
 }
 
 /// Motion between two places.
@@ -61,19 +70,23 @@ const OFF_JERK: f64 = 2.5e-5;
 /// Least share of an interval that one piece of time takes.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Pieces of time along a path, and its way-points.
-pub(super) fn timed(
-    path: &Path,
-    budget: &Budget,
-    checker: &Checker,
-) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
+/// Pieces of time along a path, its way-points, and places that are slower than asked for.
+pub(super) struct Timed {
+    pub(super) pieces: Vec<Piece>,
+    pub(super) passages: Vec<WayPoint>,
+    pub(super) slow: Vec<SlowPlace>,
+}
+
+pub(super) fn timed(path: &Path, budget: &Budget, checker: &Checker) -> Result<Timed, TrajectoryError> {
     let mut pieces: Vec<Piece> = Vec::with_capacity(6 * path.pieces.len());
     let mut way_points = vec![WayPoint { time_s: 0.0, passing: Passing::Stops }];
-    let mut marks = path.marks.iter().peekable();
+    let (mut marks, mut slow) = (path.marks.iter().peekable(), Vec::new());
     for stretch in path.pieces.split_inclusive(|piece| piece.stops) {
         let start_s = pieces.last().map_or(0.0, Piece::end_s);
         let end = stretch.last().map_or(0.0, |piece| piece.joints.end_s());
-        let (intervals, factor) = Stretch::new(stretch, budget, checker).planned(start_s, &mut pieces)?;
+        let Planned { intervals, factor, slow: places } =
+            Stretch::new(stretch, budget, checker).planned(start_s, &mut pieces)?;
+        slow.extend(places);
         let end_s = pieces.last().map_or(start_s, Piece::end_s);
         let last = |at: f64, passing: Passing| passing == Passing::Stops || at < end;
         let (mut intervals, mut before_s) = (intervals.iter().peekable(), 0.0);
@@ -93,7 +106,7 @@ pub(super) fn timed(
             way_points.push(WayPoint { time_s, passing: mark.passing });
         }
     }
-    Ok((pieces, way_points))
+    Ok(Timed { pieces, passages: way_points, slow: SlowPlace::sorted(slow) })
 }
 
 impl<'a> Stretch<'a> {
@@ -125,7 +138,7 @@ impl<'a> Stretch<'a> {
         let piece = &self.pieces[piece].joints;
         let there = piece.at(share);
         let (first, second, third) = (there.velocity, there.acceleration, piece.jerk(share));
-        let Budget { speeds, accelerations, jerks, tcp_speed, curving } = self.budget;
+        let Budget { speeds, accelerations, jerks, tcp_speed, curving, .. } = self.budget;
         let by_joints = (0..6).map(|joint| {
             let by_speed = (speeds[joint] / first[joint]).powi(2);
             let by_bend = curving * accelerations[joint] / second[joint].abs();
@@ -196,8 +209,8 @@ impl<'a> Stretch<'a> {
         (jerk * LAUNCH_S.powi(3) / 6.0).min(whole / 24.0).min(self.pieces[piece].joints.seconds / 6.0)
     }
 
-    /// Adds its pieces; the motion between places, and the factor by which it is slower.
-    fn planned(mut self, start_s: f64, pieces: &mut Vec<Piece>) -> Result<(Vec<Interval>, f64), TrajectoryError> {
+    /// Adds its pieces.
+    fn planned(mut self, start_s: f64, pieces: &mut Vec<Piece>) -> Result<Planned, TrajectoryError> {
         let share = |limits: &[f64; 6], share: f64| limits.map(|limit| share * limit);
         let limits = PathLimits {
             accelerations: share(&self.budget.accelerations, PLANNED[0]),
@@ -223,7 +236,8 @@ impl<'a> Stretch<'a> {
             }
             if slower.is_empty() || round == ROUNDS {
                 one_after_the_other(&mut pieces[before..], start_s, worst);
-                return Ok((intervals, worst));
+                let slow = self.slow(&speeds, &intervals, (start_s, worst));
+                return Ok(Planned { intervals, factor: worst, slow });
             }
             pieces.truncate(before);
             for (index, factor) in slower {
@@ -236,6 +250,45 @@ impl<'a> Stretch<'a> {
             }
             round += 1;
         }
+    }
+
+    /// Places at which the tool is slower than asked for; all is slower by a factor.
+    fn slow(&self, speeds: &[Speed], intervals: &[Interval], (start_s, factor): (f64, f64)) -> Vec<SlowPlace> {
+        let Budget { tcp_asked, .. } = *self.budget;
+        if !tcp_asked.is_finite() {
+            return Vec::new();
+        }
+        let (mut time_s, mut all) = (start_s, Vec::with_capacity(speeds.len()));
+        for (index, speed) in speeds.iter().enumerate() {
+            time_s += factor * intervals[index].seconds;
+            let (piece, share) = self.shares[index + 1];
+            let joints = self.pieces[piece].joints.joints(share);
+            let along = speed.squared.sqrt() / factor;
+            let tool = self.checker.arm().tcp_rate(&joints, &self.places[index + 1].first) * along;
+            let by = SlowedBy::of(self.used(index + 1, speed, &intervals[index + 1]));
+            all.push(SlowPlace { time_s, share: tool / tcp_asked, by });
+        }
+        SlowPlace::slowest(&all)
+    }
+
+    /// Shares of the limits of speeds, accelerations and jerks that are used at a place.
+    fn used(&self, place: usize, speed: &Speed, after: &Interval) -> [[f64; 6]; 3] {
+        let Budget { speeds, accelerations, jerks, curving, .. } = self.budget;
+        let Place { first, second, third, .. } = &self.places[place];
+        let (along, change) = (speed.squared.sqrt(), 0.5 * speed.slope);
+        let rounding = after.squared.map_or(0.0, |[_, _, bend]| bend);
+        [
+            std::array::from_fn(|joint| (first[joint] * along / speeds[joint]).abs()),
+            std::array::from_fn(|joint| {
+                let bent = second[joint] * speed.squared;
+                let all = (bent + first[joint] * change).abs() / accelerations[joint];
+                all.max(bent.abs() / (curving * accelerations[joint]))
+            }),
+            std::array::from_fn(|joint| {
+                let curved = third[1][joint] * speed.squared + 3.0 * second[joint] * change;
+                ((curved + first[joint] * rounding) * along / jerks[joint]).abs()
+            }),
+        ]
     }
 
     fn intervals(&self, speeds: &[Speed]) -> Vec<Interval> {

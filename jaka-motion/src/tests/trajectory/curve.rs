@@ -3,7 +3,7 @@
 use jaka_proto::messages::types::Pose;
 
 use super::{HOME, Random, checker, jerks_are_within, off_way, times, witness, zu5};
-use crate::{Checker, Curve, Frames, Model, Passing, Trajectory, Transform, Via};
+use crate::{Checker, Curve, Frames, Model, Passing, SlowedBy, Trajectory, Transform, Via};
 
 fn home() -> Pose {
     Pose::from(Model::named("Zu 5").expect("a published arm").forward(HOME))
@@ -206,4 +206,34 @@ fn no_numbers_make_it_panic() {
             assert!(trajectory.duration_s().is_finite());
         }
     }
+}
+
+/// The slowest places are those of the set-points, and name the joint that has no more.
+#[test]
+fn slow_places_are_told_with_what_slows_them() {
+    let poses = on_circle(1.0);
+    let limits = |joint_1: f64| {
+        let mut speeds = [180.0; 6];
+        speeds[0] = joint_1;
+        zu5().with_joint_speeds(speeds).expect("no faster than the arm").with_joint_accelerations([300.0; 6])
+    };
+    let fast = Checker::new(limits(180.0).expect("above 0"), Frames::new());
+    let curve = through_poses(&poses).within_mm(0.2).tcp_speed(100.0);
+    assert_eq!(curve.build(&fast).expect("a way").slow_places(), []);
+    let slow = Checker::new(limits(10.0).expect("above 0"), Frames::new());
+    let trajectory = curve.build(&slow).expect("a way");
+    let places = trajectory.slow_places();
+    assert!(!places.is_empty() && places.windows(2).all(|pair| pair[0].share <= pair[1].share), "{places:?}");
+    let speeds = tool_speeds(&trajectory, &slow);
+    for place in places {
+        assert_eq!(place.by, SlowedBy::Speed { joint: 1 }, "{place:?}");
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
+        let found = speeds[(place.time_s * 1000.0) as usize] / 100.0;
+        assert!((found - place.share).abs() < 0.02, "{found}: {place:?}");
+    }
+    // Never as fast as asked for.
+    let faster = through_poses(&poses).within_mm(0.2).tcp_speed(2000.0).build(&fast).expect("a way");
+    let fastest = tool_speeds(&faster, &fast).into_iter().fold(0.0, f64::max) / 2000.0;
+    assert!(faster.slow_places().iter().all(|place| place.share <= fastest + 1e-3), "{:?}", faster.slow_places());
+    assert!(!faster.slow_places().is_empty());
 }

@@ -1,0 +1,89 @@
+//! Places at which a trajectory is slower than was asked for.
+
+use std::fmt;
+
+/// Place at which the tool is slower than the speed that was asked for, between two others at which it is faster.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct SlowPlace {
+    /// Trajectory time, in seconds.
+    pub time_s: f64,
+    /// Share of the speed of the tool centre point that was asked for.
+    pub share: f64,
+    /// Limit that allows no more there.
+    pub by: SlowedBy,
+}
+
+/// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum SlowedBy {
+    /// The speed of a joint.
+    Speed {
+        /// Its number.
+        joint: usize,
+    },
+    /// The acceleration of a joint, without the reserve where the way bends.
+    Acceleration {
+        /// Its number.
+        joint: usize,
+    },
+    /// The jerk of a joint.
+    Jerk {
+        /// Its number.
+        joint: usize,
+    },
+}
+
+/// Shares of this and more are not slow.
+const FAST: f64 = 0.97;
+/// Most slow places that are kept.
+const MOST: usize = 20;
+
+impl SlowPlace {
+    /// The slowest of places along a stretch from stop to stop: those at which the speed rises to both sides, or its
+    /// fastest one if there are none.
+    pub(super) fn slowest(all: &[Self]) -> Vec<Self> {
+        let is_lowest =
+            |index: &usize| all[*index].share < all[index - 1].share && all[*index].share <= all[index + 1].share;
+        let mut found: Vec<_> = (1..all.len().saturating_sub(1)).filter(is_lowest).map(|index| all[index]).collect();
+        if found.is_empty() {
+            found.extend(all.iter().copied().max_by(|one, other| one.share.total_cmp(&other.share)));
+        }
+        found.retain(|place| place.share < FAST);
+        found
+    }
+
+    /// The first of all, the slowest first.
+    pub(super) fn sorted(mut all: Vec<Self>) -> Vec<Self> {
+        all.sort_by(|one, other| one.share.total_cmp(&other.share));
+        all.truncate(MOST);
+        all
+    }
+}
+
+impl SlowedBy {
+    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks.
+    pub(super) fn of(shares: [[f64; 6]; 3]) -> Self {
+        let all = shares.into_iter().enumerate().flat_map(|(which, joints)| {
+            joints.into_iter().enumerate().map(move |(joint, share)| (which, joint + 1, share))
+        });
+        let most = all.max_by(|one, other| one.2.total_cmp(&other.2));
+        match most {
+            Some((1, joint, _)) => Self::Acceleration { joint },
+            Some((2, joint, _)) => Self::Jerk { joint },
+            Some((_, joint, _)) => Self::Speed { joint },
+            None => Self::Speed { joint: 1 },
+        }
+    }
+}
+
+impl fmt::Display for SlowedBy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Speed { joint } => write!(f, "the speed of joint {joint}"),
+            Self::Acceleration { joint } => write!(f, "the acceleration of joint {joint}"),
+            Self::Jerk { joint } => write!(f, "the jerk of joint {joint}"),
+        }
+    }
+}
