@@ -2,10 +2,13 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
+use std::fmt::Write as _;
 use std::fs;
 use std::process::{Child, Stdio};
 
 use expect_test::expect;
+use jaka_motion::Model;
+use jaka_motion::proto::messages::types::Pose;
 use jaka_sim::Controller;
 use jaka_tests::Arm;
 use serde_json::Value;
@@ -47,6 +50,62 @@ fn run(controller: &Controller, file: &str, options: &str) -> Run {
 /// Whether anything was sent that moves the arm.
 fn has_moved(controller: &Controller) -> bool {
     controller.requests().iter().any(|request| request.contains("servo_move") || request.contains("servo_j"))
+}
+
+/// A file of this name with a quarter of a circle of the tool around the first pose's axis, each millimetre or so.
+fn seam(name: &str) -> String {
+    let path = scratch(name);
+    let arm = Model::named("Zu 5").expect("a published arm");
+    let first = Pose::from(arm.forward(SEAM_START));
+    let mut text = "# a seam\nx_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
+    for step in 0..=100 {
+        let (sin, cos) = (f64::from(step) * 0.0157).sin_cos();
+        let (x, y) = (first.x + 60.0 * (cos - 1.0), first.y + 60.0 * sin);
+        let _ = writeln!(text, "{x},{y},{},{},{},{}", first.z, first.rx, first.ry, first.rz);
+    }
+    fs::write(&path, text).expect("it can be written");
+    path.display().to_string()
+}
+
+const SEAM_START: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
+const NEAR: &str = "0,60,-80,190,-90,0";
+
+#[test]
+fn points_without_times_are_planned_and_followed() {
+    let file = seam("seam.csv");
+    let dry = |options: &str| {
+        let words = ["follow", &*file, "--model", "zu5", "--dry-run"].map(str::to_owned);
+        jaka(words.into_iter().chain(options.split_whitespace().map(str::to_owned)))
+    };
+    let known = dry(&format!("--within-mm 0.2 --tool-speed 50 --near {NEAR}"));
+    assert!(known.out.starts_with("101 way-points, 2.") && known.code == Some(0), "{}", known.text());
+    let slow = dry(&format!("--within-mm 0.2 --tool-speed 5000 --near {NEAR}"));
+    assert!(
+        slow.out.contains(" % of the tool's speed: the ") && slow.out.contains(" allows no more"),
+        "{}",
+        slow.text()
+    );
+    for (options, expected) in [
+        ("--within-mm 0.2", "name joint positions near it, or start with some (--near)"),
+        ("", "its points have no times: --within-mm or --within-deg lead along a smooth curve near them"),
+    ] {
+        let refused = dry(options);
+        assert!(refused.err.contains(expected) && refused.code == Some(2), "{}", refused.text());
+    }
+    let timed = way("timed.csv", 1.0);
+    let refused = jaka(["follow", &*timed, "--model", "zu5", "--dry-run", "--within-deg", "1"]);
+    assert!(refused.err.contains("its points have times: ") && refused.code == Some(2), "{}", refused.text());
+
+    let arm = Arm::real_time().at(SEAM_START).start();
+    let run = run(&arm, &file, "--within-mm 0.2 --tool-speed 100 --yes --json");
+    let said: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error}: {}", run.text()));
+    assert_eq!(said["outcome"], "reached", "{}", run.text());
+    let model = Model::named("Zu 5").expect("a published arm");
+    let wanted = Pose::from(model.forward(SEAM_START));
+    let there = Pose::from(model.forward(arm.state().joint_position));
+    let (sin, cos) = 1.57_f64.sin_cos();
+    let off = (there.x - wanted.x - 60.0 * (cos - 1.0)).hypot(there.y - wanted.y - 60.0 * sin);
+    assert!(off < 0.3, "{off} mm off the end");
 }
 
 #[test]

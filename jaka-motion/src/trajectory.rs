@@ -1,5 +1,7 @@
 //! Motions that are known from start to end.
 
+#[cfg(feature = "trajectory-files")]
+mod csv;
 mod curve;
 mod curve_path;
 mod error;
@@ -12,6 +14,8 @@ mod speed;
 pub(crate) mod through;
 mod timed;
 mod timing;
+#[cfg(feature = "trajectory-files")]
+mod via_file;
 
 use std::fmt;
 use std::sync::Arc;

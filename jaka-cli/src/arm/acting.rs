@@ -5,11 +5,12 @@ use std::time::Duration;
 
 use clap::Args;
 use jaka_dynamic::{Message, Translation};
-use jaka_motion::{Limits, Trajectory};
+use jaka_motion::{Checker, Frames, Limits, Trajectory};
 use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
 use jaka_robot::power::GetRobotState;
 use jaka_robot::proto::Command;
 use jaka_robot::servo::IsInServomove;
+use jaka_robot::types::JointPosition;
 use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
 use jaka_spec::{Effect, Role, Spec};
 
@@ -20,7 +21,7 @@ use crate::arm::motion;
 use crate::arm::motion::Form;
 use crate::builtin;
 use crate::failure::Failure;
-use crate::packets::packed_status::PackedRobot;
+use crate::packets::packed_status::{PackedRobot, PackedStatus};
 use crate::target::packs::{Protocol, SpecArgs};
 use crate::target::{RobotArgs, Target};
 
@@ -150,15 +151,22 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Follows a trajectory to its end, or wherever it ends.
+    /// Joints of the arm, by the status port alone; none where the packet does not show them.
+    pub(crate) fn joints(&self) -> Result<Option<JointPosition>, Failure> {
+        joints(&self.target)
+    }
+
+    /// Follows a trajectory to its end, or wherever it ends. It is planned with the frames that the controller has.
     pub(crate) fn follow(
         &self,
-        trajectory: &Trajectory,
+        plan: &dyn Fn(&Checker) -> Result<Trajectory, Failure>,
         limits: Limits,
         config: &FollowConfig,
     ) -> Result<End, Failure> {
         let mut robot: PackedRobot = self.target.robot()?;
+        let without_frames = Checker::new(limits.clone(), Frames::new());
         robot.configure(&RobotConfig::new().limits(limits))?;
+        let trajectory = &plan(robot.limits().unwrap_or(&without_frames))?;
         let stop = robot.stop_handle();
         self.under_way.set(Stage::Moving(stop.clone()));
         let ended = robot.start_follow(trajectory, config).map(|run| {
@@ -185,6 +193,11 @@ impl Act {
         let end = motion::end(&mut robot, |robot| robot.run(motion, patience), builtin::of_status(), &self.under_way)?;
         motion::print(M::INFO.name, end, form)
     }
+}
+
+/// Where the joints are, by the status port alone; none where the packet does not say.
+pub(super) fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
+    Ok(target.status::<PackedStatus>()?.joint_actual_position)
 }
 
 /// How long is waited for the packet that shows whether the arm moves.

@@ -4,15 +4,12 @@ use clap::Args;
 use jaka_motion::Limits;
 use jaka_robot::Motion;
 use jaka_robot::motion::{JointMove, MoveL};
-use jaka_robot::types::JointPosition;
 
-use crate::arm::acting::{ActArgs, QueueArgs, intent};
+use crate::arm::acting::{ActArgs, QueueArgs, intent, joints};
 use crate::arm::limits::{LimitsArgs, acceleration_deg_s2};
 use crate::arm::motion::Form;
 use crate::arm::planned::{MoveTarget, Planned, only_at};
 use crate::failure::Failure;
-use crate::packets::packed_status::PackedStatus;
-use crate::target::Target;
 use crate::terminal::output;
 
 /// The options of a motion that is waited for.
@@ -109,9 +106,4 @@ impl GoArgs {
         });
         Ok(())
     }
-}
-
-/// Where the joints are, by the status port alone; none where the packet does not say.
-fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
-    Ok(target.status::<PackedStatus>()?.joint_actual_position)
 }

@@ -1,32 +1,36 @@
 //! `jaka follow`: follow a trajectory from a file.
 
 mod picture;
+mod plan;
 mod report;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use jaka_motion::{Checker, Frames, Limits, TimedPoint, Trajectory};
+use jaka_motion::{Checker, Frames, Limits, Trajectory};
 use jaka_robot::FollowConfig;
 
+use self::plan::{Plan, PlanArgs};
 use self::report::Peaks;
 use crate::arm::acting::ActArgs;
 use crate::arm::limits::LimitsArgs;
 use crate::failure::Failure;
-use crate::target::packs;
 use crate::terminal::output;
 
 const EXAMPLES: &str = "\
 Examples:
   jaka follow weld.csv --model zu5 --dry-run -o weld.svg
   jaka follow weld.csv --model zu5 --sim --sim-powered --approach 20
-  jaka follow weld.csv -r cell1 --limits cell1.toml --approach 5 --scale 0.3";
+  jaka follow weld.csv -r cell1 --limits cell1.toml --approach 5 --scale 0.3
+  jaka follow seam.csv -r cell1 --model zu5 --within-mm 0.2 --tool-speed 15 --approach 10";
 
 /// Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the trajectory
 ///
-/// The file has times in seconds and joint positions, as CSV or JSON, with their units: the README shows it. All of it is compared with the arm's limits
+/// The file has times in seconds and joint positions, as CSV or JSON, with their units: the README shows it. A CSV file without
+/// times has joint positions, or poses of the tool: --within-mm and --within-deg lead along a smooth curve near them,
+/// --corner-mm and --corner-deg through them. All of it is compared with the arm's limits
 /// before anything is sent. Then a set-point goes out each 8 ms. Ctrl-C brakes the arm along the trajectory, and a second one also sends
 /// `stop_program`. It stops likewise where it takes longer than --timeout, if that is given. The exit code tells how it ended: `jaka --help`
 /// has them.
@@ -54,6 +58,8 @@ pub(crate) struct Follow {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    plan: PlanArgs,
+    #[command(flatten)]
     limits: LimitsArgs,
     #[command(flatten)]
     act: ActArgs,
@@ -64,9 +70,14 @@ impl Follow {
         let limits = self.limits.read()?.ok_or_else(|| {
             Failure::Usage("without limits it is not known what the arm can do: give --model or --limits".to_owned())
         })?;
+        let plan = self.plan.read(&self.file)?;
         let checker = Checker::new(limits.clone(), Frames::new());
-        let trajectory = read(&self.file, &checker)?;
-        if self.dry_run { self.show(&trajectory, &checker) } else { self.follow(&trajectory, &checker, limits) }
+        if self.dry_run {
+            return self.show(&plan.made(&checker, self.plan.near())?, &checker);
+        }
+        // What depends on no frame is refused before anything is asked.
+        let known = if plan.is_in_poses() { None } else { Some(plan.made(&checker, None)?) };
+        self.follow(&plan, known.as_ref(), (&checker, limits))
     }
 
     fn show(&self, trajectory: &Trajectory, checker: &Checker) -> Result<(), Failure> {
@@ -82,32 +93,37 @@ impl Follow {
         }
     }
 
-    fn follow(&self, trajectory: &Trajectory, checker: &Checker, limits: Limits) -> Result<(), Failure> {
-        let seconds = trajectory.duration_s() / self.scale;
+    fn follow(
+        &self,
+        plan: &Plan,
+        known: Option<&Trajectory>,
+        (checker, limits): (&Checker, Limits),
+    ) -> Result<(), Failure> {
         let before = self.approach.map_or_else(String::new, |speed| format!(" after an approach at {speed} deg/s"));
-        let speeds = Peaks::of(trajectory, checker).speeds.map(|speed| format!("{:.1}", speed * self.scale)).join(", ");
-        let what =
-            format!("follow {} for {seconds:.1} s, its joints at up to {speeds} deg/s{before}", self.file.display());
+        let file = self.file.display();
+        let what = match known {
+            Some(trajectory) => {
+                let seconds = trajectory.duration_s() / self.scale;
+                let speeds = Peaks::of(trajectory, checker).speeds;
+                let speeds = speeds.map(|speed| format!("{:.1}", speed * self.scale)).join(", ");
+                format!("follow {file} for {seconds:.1} s, its joints at up to {speeds} deg/s{before}")
+            }
+            None => format!("follow {file}, {}{before}", plan.told()),
+        };
         let act = self.act.begin(&what, &[])?;
         let mut config = FollowConfig::new().speed_scale(self.scale).deadline(act.patience(Duration::MAX));
         if let Some(speed) = self.approach {
             config = config.approach(speed);
         }
-        report::print(act.follow(trajectory, limits, &config)?, self.json)
+        if !plan.is_in_poses() {
+            config = config.in_joints();
+        }
+        let near = match self.plan.near() {
+            None if plan.is_in_poses() => act.joints()?,
+            near => near,
+        };
+        report::print(act.follow(&|checker| plan.made(checker, near), limits, &config)?, self.json)
     }
-}
-
-/// The trajectory of a file, by its name's end.
-fn read(path: &Path, checker: &Checker) -> Result<Trajectory, Failure> {
-    let (text, name) = (packs::read(path)?, path.display().to_string());
-    let is = |end: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(end));
-    let points = match () {
-        () if is("csv") => TimedPoint::from_csv(&text, &name),
-        () if is("json") => TimedPoint::from_json(&text, &name),
-        () => return Err(Failure::Usage(format!("{name}: a trajectory is a .csv or a .json file"))),
-    };
-    let points = points.map_err(|errors| Failure::Usage(errors.to_string()))?;
-    Trajectory::timed(&points, checker).map_err(|error| Failure::Usage(format!("{name}: {error}")))
 }
 
 /// More than 0, up to 1.

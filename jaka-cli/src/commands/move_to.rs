@@ -5,6 +5,7 @@ use clap::{ArgGroup, Args};
 use crate::arm::going::GoArgs;
 use crate::arm::planned::MoveTarget;
 use crate::failure::Failure;
+use crate::text::number::six;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,11 +39,4 @@ impl Move {
             (None, pose) => MoveTarget::Pose(pose.unwrap_or_default()),
         })
     }
-}
-
-/// Six numbers.
-fn six(text: &str) -> Result<[f64; 6], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
-    let six = numbers.ok().and_then(|numbers| numbers.try_into().ok());
-    six.ok_or_else(|| "six numbers with commas between them are needed, such as 0,90,90,90,-90,0".to_owned())
 }

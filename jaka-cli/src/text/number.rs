@@ -30,6 +30,13 @@ pub(crate) fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{plural}")
 }
 
+/// Six numbers.
+pub(crate) fn six(text: &str) -> Result<[f64; 6], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let six = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    six.ok_or_else(|| "six numbers with commas between them are needed, such as 0,90,90,90,-90,0".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,6 +14,9 @@ use crate::text::number::{fixed, milliseconds, seconds};
 const STEP_S: f64 = 0.001;
 const MOST_STEPS: f64 = 1e6;
 
+/// Slow places that are printed at most.
+const SLOW_PLACES: usize = 5;
+
 /// What a trajectory reaches.
 #[derive(Debug)]
 pub(super) struct Peaks {
@@ -68,6 +71,15 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     }
     let most = limits.tcp_speed().map_or_else(String::new, |most| format!(" of {most}"));
     let _ = writeln!(out, "{:10}{:>26}", "flange", format!("{}{most} mm/s", fixed(peaks.tool, 1)));
+    for place in trajectory.slow_places().iter().take(SLOW_PLACES) {
+        let percent = fixed(100.0 * place.share, 0);
+        let _ = writeln!(
+            out,
+            "at {} s {percent} % of the tool's speed: {} allows no more",
+            fixed(place.time_s, 3),
+            place.by
+        );
+    }
     out
 }
 
@@ -82,6 +94,9 @@ pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &
         "highest_speeds_deg_s": peaks.speeds,
         "largest_accelerations_deg_s2": peaks.accelerations,
         "highest_flange_speed_mm_s": peaks.tool,
+        "slow_places": trajectory.slow_places().iter().map(|place| {
+            json!({"time_s": place.time_s, "share": place.share, "by": place.by.to_string()})
+        }).collect::<Vec<_>>(),
     })
 }
 

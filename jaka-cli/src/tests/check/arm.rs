@@ -134,7 +134,7 @@ fn poses_that_the_controller_does_not_compute() {
     // Positions beyond the ranges of its arm may be refused: those of another model are asked for then.
     assert_found(refuse(1), &expect![[r#""#]]);
     assert_found(
-        refuse(2),
+        refuse(8),
         &expect![[r#"
         model: look: the controller refused `kine_forward` with code 2: call kine_forward failed
           look at it at the pendant: this controller does not answer the query

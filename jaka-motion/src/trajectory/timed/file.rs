@@ -154,8 +154,3 @@ fn angles(point: &TimedPoint) -> impl Iterator<Item = (Kind, [f64; 6])> {
     let all = [Some(point.joints.0), point.velocity, point.velocity.and(point.acceleration)];
     Kind::ALL.into_iter().zip(all).filter_map(|(kind, angles)| Some((kind, angles?)))
 }
-
-/// A finite number.
-fn number(text: &str) -> Option<f64> {
-    text.parse().ok().filter(|number: &f64| number.is_finite())
-}

@@ -2,12 +2,10 @@
 
 use std::fmt::Write;
 
-use super::{Column, Kind, Row, Rows, Unit, angles, kinds, number};
+use super::{Column, Kind, Row, Rows, Unit, angles, kinds};
 use crate::text_file::{Report, nearest};
+use crate::trajectory::csv::{fields, lines, number};
 use crate::trajectory::timed::TimedPoint;
-
-/// A field and its offset in the text.
-type Field<'t> = (usize, &'t str);
 
 pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     let mut lines = lines(text);
@@ -45,27 +43,6 @@ pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
         text.push('\n');
     }
     text
-}
-
-/// The lines that count, with their offsets.
-fn lines(text: &str) -> impl Iterator<Item = Field<'_>> {
-    // Some tools begin a file with a mark of its byte order.
-    let mark = text.len() - text.trim_start_matches('\u{feff}').len();
-    let mut next = mark;
-    let lines = text[mark..].split_inclusive('\n').map(move |line| {
-        let at = next;
-        next += line.len();
-        (at, line.trim_end_matches(['\n', '\r']))
-    });
-    lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
-}
-
-fn fields((mut next, line): Field<'_>) -> impl Iterator<Item = Field<'_>> {
-    line.split(',').map(move |field| {
-        let at = next + field.len() - field.trim_start().len();
-        next += field.len() + 1;
-        (at, field.trim())
-    })
 }
 
 /// What the columns are, by the header; none for one that is unknown.

@@ -5,8 +5,9 @@ use std::borrow::Cow;
 use jaka_proto::wire::{DecodeError, Reader};
 use serde_json::value::RawValue;
 
-use super::{Column, Kind, Row, Rows, Unit, angles, kinds, number};
+use super::{Column, Kind, Row, Rows, Unit, angles, kinds};
 use crate::text_file::{Report, nearest};
+use crate::trajectory::csv::number;
 use crate::trajectory::timed::TimedPoint;
 
 /// The entries of an object in their order, with the texts of their values.

@@ -1,0 +1,139 @@
+//! Points without times, from files.
+
+use jaka_proto::messages::types::Pose;
+
+use super::csv::{fields, lines, number};
+use super::through::Via;
+use crate::text_file::{FileErrors, Report, nearest};
+
+/// Number that a column has for each point: the place among six, and the factor to mm or degrees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Column {
+    kind: Kind,
+    place: usize,
+    factor: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Joints,
+    Pose,
+}
+
+impl Via {
+    /// Points of a CSV text; `file_name` is what errors name.
+    ///
+    /// The first line that is not blank names the columns, each with its unit and in any order: `joint_1_deg` to
+    /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the tool
+    /// in the user frame; `rad` in place of `deg` for radians. Each line after it is a point. Numbers are separated by
+    /// commas and not quoted; lines that are blank or start with `#` do not count.
+    ///
+    /// ```
+    /// use jaka_motion::Via;
+    ///
+    /// let text = "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n400,0,300,180,0,0\n400,50,300,180,0,0\n";
+    /// assert_eq!(Via::from_csv(text, "seam.csv")?.len(), 2);
+    ///
+    /// let errors = Via::from_csv(&text.replace("rx_deg", "rx_dge"), "seam.csv").unwrap_err();
+    /// assert_eq!(errors.to_string(), "\
+    ///     seam.csv:1:1: there is no column `rx_deg` or `rx_rad`\n\
+    ///     seam.csv:1:16: unknown column `rx_dge`; is it `rx_deg`?");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong, at its line and column.
+    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        let mut report = Report::new(text, file_name);
+        let points = read(text, &mut report);
+        report.finish(points)
+    }
+}
+
+fn read(text: &str, report: &mut Report<'_>) -> Vec<Via> {
+    let mut lines = lines(text);
+    let Some((at, header)) = lines.next() else {
+        report.error(0, "found no line, expected one that names the columns");
+        return Vec::new();
+    };
+    let columns = columns(at, header, report);
+    let kind = columns.iter().flatten().map(|(_, column)| column.kind).next().unwrap_or(Kind::Joints);
+    let mut points = Vec::new();
+    for (at, line) in lines {
+        let count = fields((at, line)).count();
+        if count != columns.len() {
+            report.error(at, format!("found {count} fields, expected {}, as many as columns", columns.len()));
+            continue;
+        }
+        let mut numbers = [0.0; 6];
+        for ((at, field), (name, column)) in
+            fields((at, line)).zip(&columns).filter_map(|(field, column)| Some((field, column.as_ref()?)))
+        {
+            match number(field) {
+                Some(number) => numbers[column.place] = number * column.factor,
+                None => report.found(at, name, field, "a finite number"),
+            }
+        }
+        points.push(if kind == Kind::Pose { Pose::from(numbers).into() } else { numbers.into() });
+    }
+    if points.len() < 2 {
+        report.error(at, format!("found {} points, expected at least 2", points.len()));
+    }
+    points
+}
+
+/// All columns that there can be, by name: in degrees or mm, and then in radians.
+fn known() -> Vec<(String, Column)> {
+    let joints = (0..6).map(|place| (Kind::Joints, place, format!("joint_{}", place + 1)));
+    let pose = ["x", "y", "z", "rx", "ry", "rz"].into_iter().enumerate();
+    let parts = joints.chain(pose.map(|(place, name)| (Kind::Pose, place, name.to_owned())));
+    parts
+        .flat_map(|(kind, place, name)| {
+            let is_length = kind == Kind::Pose && place < 3;
+            let units: &[(&str, f64)] =
+                if is_length { &[("mm", 1.0)] } else { &[("deg", 1.0), ("rad", 180.0 / std::f64::consts::PI)] };
+            let columns = units
+                .iter()
+                .map(move |(unit, factor)| (format!("{name}_{unit}"), Column { kind, place, factor: *factor }));
+            columns.collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+/// Columns by the header; none for one that is unknown.
+fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(String, Column)>> {
+    let known = known();
+    let mut columns: Vec<Option<(String, Column)>> = Vec::new();
+    for (at, name) in fields((at, header)) {
+        let column = known.iter().find(|(known, _)| known == name).cloned();
+        let first = columns.iter().flatten().map(|(_, column)| *column).next();
+        match &column {
+            None => report.error(at, unknown(name, &known)),
+            Some((_, column)) if first.is_some_and(|first| first.kind != column.kind) => {
+                report.error(at, format!("column `{name}`: a file has joint positions or poses"));
+            }
+            Some((_, column)) if columns.iter().flatten().any(|(_, other)| other.place == column.place) => {
+                report.error(at, format!("column `{name}`: there is one of this already"));
+            }
+            Some(_) => {}
+        }
+        columns.push(column);
+    }
+    let kind = columns.iter().flatten().map(|(_, column)| column.kind).next().unwrap_or(Kind::Joints);
+    for place in 0..6 {
+        if columns.iter().flatten().any(|(_, column)| column.place == place) {
+            continue;
+        }
+        let names = known.iter().filter(|(_, column)| (column.kind, column.place) == (kind, place));
+        let names: Vec<_> = names.map(|(name, _)| format!("`{name}`")).collect();
+        report.error(at, format!("there is no column {}", names.join(" or ")));
+    }
+    columns
+}
+
+fn unknown(name: &str, known: &[(String, Column)]) -> String {
+    match nearest(name, known.iter().map(|(known, _)| known.as_str())) {
+        Some(near) => format!("unknown column `{name}`; is it `{near}`?"),
+        None => format!("unknown column `{name}`; they are `joint_1_deg`, `x_mm`, `rx_deg` and the like"),
+    }
+}
