@@ -26,7 +26,7 @@ use crate::program::{jaka, scratch};
 use crate::pseudo;
 
 /// Lines that may end otherwise than with 0, and how.
-const OTHER_CODES: [(&str, &[i32]); 4] = [
+const OTHER_CODES: [(&str, &[i32]); 5] = [
     // The controller does not know it.
     ("jaka call new_command --raw", &[1]),
     // There may be something to look at: an arm without power, a machine that is slow.
@@ -34,6 +34,7 @@ const OTHER_CODES: [(&str, &[i32]); 4] = [
     // A machine that holds up the program or the controller ends it otherwise.
     ("jaka follow weld.csv --model zu5 --sim", &[0, 4, 28, 30]),
     ("jaka follow weld.csv -r", &[0, 4, 28, 30]),
+    ("jaka follow seam.csv -r", &[0, 4, 28, 30]),
 ];
 
 const PACK: &str = include_str!("guide/newer.toml");
@@ -92,12 +93,12 @@ fn folder() -> PathBuf {
         fs::write(folder.join("spec").join(name), source.text).expect("it can be written");
     }
     let limits = include_str!("../../jaka-robot/examples/limits.toml");
-    let way = README
-        .split_once("\n```csv\n")
-        .and_then(|(_, rest)| rest.split_once("```"))
-        .expect("the README has a trajectory")
-        .0;
-    for (name, text) in [("limits.toml", limits), ("cell1.toml", limits), ("weld.csv", way), ("way.csv", way)] {
+    let mut blocks = README.split("\n```csv\n").skip(1).filter_map(|rest| Some(rest.split_once("```")?.0));
+    let mut block = || blocks.next().expect("the README has two trajectories");
+    let (way, seam) = (block(), block());
+    let files =
+        [("limits.toml", limits), ("cell1.toml", limits), ("weld.csv", way), ("way.csv", way), ("seam.csv", seam)];
+    for (name, text) in files {
         write(name, text);
     }
     let line = r#"{"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,1,0,0,0],"speed":20,"accel":100,"tol":0}"#;

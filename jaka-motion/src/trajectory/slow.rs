@@ -1,7 +1,5 @@
 //! Places at which a trajectory is slower than was asked for.
 
-use std::fmt;
-
 /// Place at which the tool is slower than the speed that was asked for, between two others at which it is faster.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -14,25 +12,27 @@ pub struct SlowPlace {
     pub by: SlowedBy,
 }
 
-/// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum SlowedBy {
-    /// The speed of a joint.
-    Speed {
-        /// Its number.
-        joint: usize,
-    },
-    /// The acceleration of a joint, without the reserve where the way bends.
-    Acceleration {
-        /// Its number.
-        joint: usize,
-    },
-    /// The jerk of a joint.
-    Jerk {
-        /// Its number.
-        joint: usize,
-    },
+jaka_proto::worded! {
+    /// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum SlowedBy {
+        /// The speed of a joint.
+        Speed {
+            /// Its number.
+            joint: usize,
+        } => "the speed of joint {joint}",
+        /// The acceleration of a joint, without the reserve where the way bends.
+        Acceleration {
+            /// Its number.
+            joint: usize,
+        } => "the acceleration of joint {joint}",
+        /// The jerk of a joint.
+        Jerk {
+            /// Its number.
+            joint: usize,
+        } => "the jerk of joint {joint}",
+    }
 }
 
 /// Shares of this and more are not slow.
@@ -74,16 +74,6 @@ impl SlowedBy {
             Some((2, joint, _)) => Self::Jerk { joint },
             Some((_, joint, _)) => Self::Speed { joint },
             None => Self::Speed { joint: 1 },
-        }
-    }
-}
-
-impl fmt::Display for SlowedBy {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Speed { joint } => write!(f, "the speed of joint {joint}"),
-            Self::Acceleration { joint } => write!(f, "the acceleration of joint {joint}"),
-            Self::Jerk { joint } => write!(f, "the jerk of joint {joint}"),
         }
     }
 }
