@@ -48,7 +48,9 @@ pub fn goal(number: u32) -> Goal {
         _ => {
             let (linear_mm_s, angular_deg_s) =
                 ([0, 1, 2].map(|axis| 200.0 * wave(axis)), [3, 4, 5].map(|axis| 20.0 * wave(axis)));
-            Goal::TcpVelocity(TcpVelocity::new(VelocityFrame::ArmBase).with_linear(linear_mm_s).with_angular(angular_deg_s))
+            Goal::TcpVelocity(
+                TcpVelocity::new(VelocityFrame::ArmBase).with_linear(linear_mm_s).with_angular(angular_deg_s),
+            )
         }
     }
 }
