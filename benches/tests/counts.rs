@@ -126,13 +126,16 @@ fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
     assert_eq!(count.count_total, 0);
 }
 
-/// What is held goes with the number of way-points: for each a piece between points with times, two or three on ways without times and at their corners; and when it is passed. What they were planned with is gone.
+/// What is held goes with the number of pieces: one between two points with times, some 50 for each second of a plan.
+/// What they were planned with is gone.
 #[test]
 fn trajectories_hold_no_more_than_their_pieces() {
     let checker = beginning::checker();
-    for ((name, points), most) in beginning::KINDS.into_iter().zip([320, 320, 320, 1000, 1000, 1000]) {
+    let (timed, planned): (&[_], &[_]) = (&[201, 1001, beginning::WAY_POINTS], &[201, 1001]);
+    let expected = [(320, timed), (320, timed), (320, timed), (2200, planned), (1500, planned), (3500, planned)];
+    for ((name, points), (most, counts)) in beginning::KINDS.into_iter().zip(expected) {
         // At each 200th the joints turn round, and can end.
-        for count in [201, 1001, beginning::WAY_POINTS] {
+        for count in counts.iter().copied() {
             let points = points(count);
             let mut follower = None;
             let held = measure(|| {
