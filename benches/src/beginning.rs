@@ -126,7 +126,7 @@ pub fn report() -> String {
         let time = |_| {
             let since = Instant::now();
             let trajectory = points.trajectory(&checker).expect("within the limits");
-            std::hint::black_box(Follower::new(trajectory, checker.limits(), PERIOD));
+            std::hint::black_box(Follower::new(trajectory, &checker, PERIOD));
             since.elapsed().as_secs_f64() * 1e3
         };
         let mut times: Vec<f64> = (0..RUNS).map(time).collect();

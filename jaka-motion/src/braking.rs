@@ -1,4 +1,4 @@
-//! One joint in motion, and how it stops.
+//! Joints in motion, and how they stop.
 
 /// Where a joint is, in degrees, and how it moves, in deg/s and deg/s².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,17 +18,60 @@ pub(crate) struct JointLimits {
 
 /// What rounding may add to a speed or an acceleration, as a share of its limit.
 const ROUNDING: f64 = 1e-9;
+/// What rounding may add to the number of periods: a stop that takes just as many does not take one more.
+const PERIODS_ROUNDING: f64 = 1e-6;
 
-/// How a joint comes to rest as soon as it can: its acceleration goes to the most that is needed, is held, and goes to
-/// zero.
-///
-/// What remains of a stop is the stop of the state that is reached: a joint may go on from each state on the way as if
-/// it began there.
+/// How a joint comes to rest: an acceleration that does not brake goes to zero, then it goes to the most that braking
+/// needs, is held, and goes to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
     from: JointState,
     /// Durations in seconds, and jerks.
-    phases: [(f64, f64); 3],
+    phases: [(f64, f64); 4],
+    /// Greatest acceleration on the way.
+    top_acceleration: f64,
+}
+
+/// Deceleration of all joints along their velocity: the velocity falls by these shares of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct StopRates {
+    /// Share a second.
+    pub(crate) share: f64,
+    /// In how many seconds it is reached.
+    pub(crate) ramp_s: f64,
+    pub(crate) bound: StopBound,
+}
+
+/// Bound of the deceleration with which an arm stops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StopBound {
+    /// The stop acceleration of a joint ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
+    Joints,
+    /// The stop acceleration of the tool centre point
+    /// ([`Limits::stop_tcp_acceleration`](crate::Limits::stop_tcp_acceleration)).
+    Tool,
+    /// The acceleration of motions ([`Limits::joint_accelerations`](crate::Limits::joint_accelerations)): a stop is never
+    /// gentler, so that the tool may be braked harder than its own bound says.
+    Motion,
+}
+
+/// Stop of an arm straight on in joint space, in which the step between set-points becomes smaller: see
+/// [`Checker::straight_stop`](crate::Checker::straight_stop).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StraightStop {
+    course: StopCourse,
+    period_s: f64,
+    bound: StopBound,
+}
+
+/// How the steps of a stop become smaller.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum StopCourse {
+    /// Evenly, in so many periods.
+    Even(f64),
+    /// By the positions of this stop, in seconds at the speed before.
+    Smooth(Stop),
 }
 
 impl JointState {
@@ -47,7 +90,7 @@ impl JointState {
     }
 
     /// The speed it gets to if its acceleration goes to zero as soon as it can.
-    fn coasting_speed(self, jerk: f64) -> f64 {
+    pub(crate) fn coasting_speed(self, jerk: f64) -> f64 {
         self.speed + self.acceleration * self.acceleration.abs() / (2.0 * jerk)
     }
 
@@ -88,20 +131,57 @@ impl JointState {
     }
 }
 
+impl StopRates {
+    /// Stop along a velocity, whose positions are how far the joints go on, in seconds at that velocity.
+    pub(crate) fn stop(self) -> Stop {
+        let jerk = self.share / self.ramp_s;
+        Stop::within(JointState { speed: 1.0, ..JointState::default() }, [self.share, jerk, jerk])
+    }
+
+    /// How far the joints go on at most, in seconds at their velocity.
+    pub(crate) fn length_s(self) -> f64 {
+        0.5 * (1.0 / self.share + self.ramp_s)
+    }
+}
+
 impl Stop {
+    /// Stop as soon as the limits of a joint allow.
     pub(crate) fn of(from: JointState, limits: JointLimits) -> Self {
-        let JointLimits { acceleration: most, jerk, .. } = limits;
-        let sign = if from.coasting_speed(jerk) < 0.0 { -1.0 } else { 1.0 };
-        let (speed, acceleration) = (sign * from.speed, sign * from.acceleration);
-        let needed = (jerk * speed + 0.5 * acceleration * acceleration).max(0.0).sqrt();
-        let peak = needed.min(most);
-        let held = if needed > most {
-            ((speed + 0.5 * acceleration * acceleration / jerk) / most - most / jerk).max(0.0)
-        } else {
-            0.0
-        };
-        let slows = ((acceleration + peak) / jerk).max(0.0);
-        Self { from, phases: [(slows, -sign * jerk), (held, 0.0), (peak / jerk, sign * jerk)] }
+        Self::within(from, [limits.acceleration, limits.jerk, limits.jerk])
+    }
+
+    /// Stop with these accelerations and jerks; with the last of them an acceleration that does not brake goes to zero.
+    ///
+    /// A joint that brakes by more already goes on so, and its acceleration goes to zero within its speed.
+    pub(crate) fn within(from: JointState, [most, jerk, release]: [f64; 3]) -> Self {
+        let sign = if from.coasting_speed(release) < 0.0 { -1.0 } else { 1.0 };
+        let releases = (sign * from.acceleration / release).max(0.0);
+        let then = from.after(releases, -sign * release);
+        let (speed, braking) = ((sign * then.speed).max(0.0), (-sign * then.acceleration).max(0.0));
+        let jerk = if speed > 0.0 { jerk.max(0.5 * braking * braking / speed) } else { jerk };
+        let needed = (jerk * speed + 0.5 * braking * braking).sqrt();
+        let most = most.max(braking);
+        let peak = needed.clamp(braking, most);
+        let held =
+            if needed > most { ((speed + 0.5 * braking * braking / jerk) / most - most / jerk).max(0.0) } else { 0.0 };
+        let phases = [
+            (releases, -sign * release),
+            ((peak - braking) / jerk, -sign * jerk),
+            (held, 0.0),
+            (peak / jerk, sign * jerk),
+        ];
+        Self { from, phases, top_acceleration: from.acceleration.abs().max(peak) }
+    }
+
+    /// What is left of it after some seconds.
+    pub(crate) fn after(&self, seconds: f64) -> Self {
+        let mut left = seconds;
+        let phases = self.phases.map(|(duration, jerk)| {
+            let passed = left.min(duration);
+            left -= passed;
+            (duration - passed, jerk)
+        });
+        Self { from: self.at(seconds), phases, ..*self }
     }
 
     /// How long it takes, in seconds.
@@ -135,20 +215,18 @@ impl Stop {
 
     /// The highest speed on the way.
     pub(crate) fn top_speed(&self) -> f64 {
-        let (ramp, jerk) = self.phases[0];
-        let turning = if jerk == 0.0 { 0.0 } else { (-self.from.acceleration / jerk).clamp(0.0, ramp) };
-        self.from.speed.abs().max(self.from.after(turning, jerk).speed.abs())
+        let (releases, jerk) = self.phases[0];
+        self.from.speed.abs().max(self.from.after(releases, jerk).speed.abs())
     }
 
     /// The largest acceleration on the way.
     pub(crate) fn top_acceleration(&self) -> f64 {
-        let (ramp, jerk) = self.phases[0];
-        self.from.acceleration.abs().max(self.from.after(ramp, jerk).acceleration.abs())
+        self.top_acceleration
     }
 
     /// Where it turns back, if its acceleration is against its motion and more than it needs to stop.
     fn turn(&self) -> Option<f64> {
-        let (ramp, jerk) = self.phases[0];
+        let (releases, jerk) = self.phases[0];
         let JointState { speed, acceleration, .. } = self.from;
         if speed * jerk <= 0.0 || acceleration * jerk >= 0.0 {
             return None;
@@ -156,7 +234,53 @@ impl Stop {
         // The speed is zero first where the acceleration still has its sign.
         let root = (acceleration * acceleration - 2.0 * jerk * speed).max(0.0).sqrt();
         let seconds = (-acceleration - root.copysign(-acceleration)) / jerk;
-        (0.0..=ramp).contains(&seconds).then(|| self.from.after(seconds, jerk).position)
+        (0.0..=releases).contains(&seconds).then(|| self.from.after(seconds, jerk).position)
+    }
+}
+
+impl StraightStop {
+    /// Shorter one of a stop at these rates and one that slows down evenly by a share a second, from the first period on.
+    pub(crate) fn new(smooth: StopRates, even_share: f64, period_s: f64) -> Self {
+        let (stop, count) = (smooth.stop(), (1.0 / (even_share * period_s) - PERIODS_ROUNDING).ceil().max(1.0));
+        if 0.5 * (count - 1.0) * period_s <= stop.end() {
+            return Self { course: StopCourse::Even(count), period_s, bound: StopBound::Motion };
+        }
+        Self { course: StopCourse::Smooth(stop), period_s, bound: smooth.bound }
+    }
+
+    /// Number of set-points until the arm rests.
+    pub fn periods(&self) -> u32 {
+        let periods = match self.course {
+            StopCourse::Even(count) => count,
+            StopCourse::Smooth(stop) => (stop.seconds() / self.period_s - PERIODS_ROUNDING).ceil(),
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the cast takes the nearest")]
+        let periods = periods as u32;
+        periods
+    }
+
+    /// Step of the n-th set-point of the stop, from 1, as a share of the step before the stop.
+    pub fn step(&self, n: u32) -> f64 {
+        match self.course {
+            StopCourse::Even(count) => (1.0 - f64::from(n) / count).max(0.0),
+            StopCourse::Smooth(stop) => {
+                let gone = |n: u32| stop.at(f64::from(n) * self.period_s).position;
+                (gone(n) - gone(n.saturating_sub(1))) / self.period_s
+            }
+        }
+    }
+
+    /// How far the arm goes on in all, as a multiple of the step before the stop.
+    pub fn steps(&self) -> f64 {
+        match self.course {
+            StopCourse::Even(count) => 0.5 * (count - 1.0),
+            StopCourse::Smooth(stop) => stop.end() / self.period_s,
+        }
+    }
+
+    /// Bound of its deceleration.
+    pub fn bound(&self) -> StopBound {
+        self.bound
     }
 }
 

@@ -27,6 +27,7 @@ use crate::arc::Arc;
 use crate::beyond::{Beyond, Exceeded, Found, Way};
 #[cfg(feature = "generator")]
 use crate::braking::Stop;
+use crate::braking::{StopRates, StraightStop};
 use crate::frames::Frames;
 use crate::limits::Limits;
 #[cfg(feature = "generator")]
@@ -76,6 +77,12 @@ pub struct Checker {
     /// The model of the limits with the tool of the frames.
     arm: Arm,
 }
+
+/// Of the acceleration of the tool centre point in a stop, what is planned: the rest is for how the speed of the tool
+/// changes between the places that are looked at.
+const TOOL_USED: f64 = 0.98;
+/// Shares of the way to rest at which the speed of the tool is looked at.
+const PLACES_TO_REST: [f64; 3] = [0.25, 0.55, 0.9];
 
 /// By how much a limit may be exceeded without notice, somewhere between the places on a way that are computed.
 impl Checker {
@@ -172,10 +179,10 @@ impl Checker {
     /// period, and regions, also on the way from the last one. Within the period the tool centre point can be faster
     /// than in the mean: it goes on a bend, of which the straight way is shorter.
     ///
-    /// And there must be room to stop. After the set-point the arm could land straight on in joint space, all joints in
-    /// proportion, in the N periods in which the joint that takes the longest slows down as much as it may: by steps of
-    /// the set-point's own times 1 - k/N. Joint ranges and regions hold on that way too. For example, 175 deg/s at 300
-    /// deg/s² take 51 degrees.
+    /// A joint that slows down may do so with the acceleration of stops ([`Limits::stop_accelerations`]).
+    ///
+    /// And there must be room to stop: straight on in joint space by [`straight_stop`](Self::straight_stop). Joint ranges
+    /// and regions hold on that way too. For example, 175 deg/s at 570 deg/s² take 36 degrees.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],
@@ -184,6 +191,15 @@ impl Checker {
     ) -> Result<(), Beyond> {
         let check = || self.set_point([&before[0].0, &before[1].0], &target.0, period_s);
         self.checked(Way::SetPoint, &[before[0], before[1], target], &[], check)
+    }
+
+    /// Stop straight on in joint space after two set-points, all joints in proportion: by steps that become smaller within
+    /// the accelerations and jerks of stops ([`Limits::stop_accelerations`]), or evenly within the accelerations of
+    /// motions where that is shorter.
+    pub fn straight_stop(&self, before: [JointPosition; 2], period_s: f64) -> StraightStop {
+        let velocity = std::array::from_fn(|index| (before[1].0[index] - before[0].0[index]) / period_s);
+        let smooth = self.stop_rates(&before[1].0, &velocity, self.limits.stop_jerks());
+        StraightStop::new(smooth, self.limits.axes().motion_share(&velocity), period_s)
     }
 
     /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from
@@ -232,6 +248,26 @@ impl Checker {
     /// The arm with its tool.
     pub(crate) fn arm(&self) -> &Arm {
         &self.arm
+    }
+
+    /// Deceleration of a stop along a velocity of the joints in deg/s, reached within these jerks.
+    ///
+    /// How fast the tool moves with the joints is looked at in some places on the way to rest.
+    pub(crate) fn stop_rates(&self, joints: &[f64; 6], velocity: &[f64; 6], jerks: &[f64; 6]) -> StopRates {
+        let axes = self.limits.axes();
+        let of_joints = axes.stop_rates(velocity, jerks, f64::INFINITY);
+        let Some(most) = self.limits.stop_tcp_acceleration().map(|most| TOOL_USED * most) else { return of_joints };
+        if self.arm.radii().tcp_rate_at_most(velocity) * of_joints.share <= most {
+            return of_joints;
+        }
+        let rate_at = |length_s: f64| {
+            let place = std::array::from_fn(|index| joints[index] + length_s * velocity[index]);
+            self.arm.tcp_rate(&place, velocity)
+        };
+        let here = rate_at(0.0);
+        let length_s = axes.stop_rates(velocity, jerks, most / here).length_s();
+        let fastest = PLACES_TO_REST.iter().map(|share| rate_at(share * length_s)).fold(here, f64::max);
+        axes.stop_rates(velocity, jerks, most / fastest)
     }
 
     /// A pose of the tool, seen from the arm's base.
@@ -417,7 +453,7 @@ impl Checker {
     }
 
     fn room_to_stop(&self) -> RoomToStop<'_> {
-        RoomToStop { axes: self.limits.axes(), points: self.points() }
+        RoomToStop { checker: self, points: self.points() }
     }
 
     /// What a check of a way finds, if all of its numbers are finite.

@@ -7,7 +7,6 @@ use jaka_proto::messages::types::JointPosition;
 pub use self::overtravel::Overtravel;
 use self::overtravel::Travel;
 use crate::checker::Checker;
-use crate::limits::Limits;
 use crate::trajectory::{RateChange, Trajectory};
 
 /// Makes one set-point a period along a [`Trajectory`], and can pause, slow down, go on and stop on its curve at any
@@ -25,9 +24,11 @@ use crate::trajectory::{RateChange, Trajectory};
 ///   of the limits if those of the trajectory are. Which change of the rate leaves room for that,
 ///   [`Trajectory::rate_change`] says, and each set-point is compared before it is returned.
 /// - The rate's own change goes up to that in 0.1 s, which is ours; it goes down faster only where the curve leaves
-///   less room, and by [`brake`](Self::brake).
+///   less room.
+/// - By [`brake`](Self::brake) a joint that slows down may have the acceleration of stops
+///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
 ///
-/// Where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room:
+/// But for a brake, where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room:
 /// [`periods_to_rest`](Self::periods_to_rest) says how long a stop takes.
 ///
 /// Nothing is allocated but in `new`. It shares the trajectory's pieces with it, and holds some hundred bytes in
@@ -36,8 +37,7 @@ use crate::trajectory::{RateChange, Trajectory};
 pub struct Follower {
     trajectory: Trajectory,
     duration_s: f64,
-    /// Of each joint, in deg/s².
-    accelerations: [f64; 6],
+    checker: Checker,
     period_s: f64,
     scale: f64,
     haste: Haste,
@@ -58,11 +58,13 @@ struct State {
     step: [f64; 6],
 }
 
-/// How fast the change of the rate may itself change.
+/// Accelerations within which the rate changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Haste {
-    Smooth,
-    AtOnce,
+    /// Of motions.
+    Motion,
+    /// Of stops.
+    Stop,
 }
 
 /// A stop along the curve, looked at before it is made. Made by [`Follower::stopping`].
@@ -87,11 +89,11 @@ const ROUNDING: f64 = 1e-6;
 impl Follower {
     /// For an arm at rest where the trajectory starts, with a set-point each so many seconds, at the scale 1.
     ///
-    /// Accelerations are compared with those of the limits.
-    pub fn new(trajectory: Trajectory, limits: &Limits, period_s: f64) -> Self {
+    /// Accelerations are compared with those of the checker's limits.
+    pub fn new(trajectory: Trajectory, checker: &Checker, period_s: f64) -> Self {
         let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
-        let (duration_s, accelerations) = (trajectory.duration_s(), *limits.joint_accelerations());
-        Self { trajectory, duration_s, accelerations, period_s, scale: 1.0, haste: Haste::Smooth, state, before: state }
+        let (duration_s, checker) = (trajectory.duration_s(), checker.clone());
+        Self { trajectory, duration_s, checker, period_s, scale: 1.0, haste: Haste::Motion, state, before: state }
     }
 
     /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and
@@ -99,24 +101,27 @@ impl Follower {
     ///
     /// Before the first set-point the rate is this at once.
     pub fn set_scale(&mut self, scale: f64) {
-        self.haste = Haste::Smooth;
+        self.haste = Haste::Motion;
         self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
         if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step.iter().all(|step| *step == 0.0) {
             self.state.rate = self.scale;
         }
     }
 
-    /// Asks for a standstill as soon as the joints' accelerations allow, until another scale is asked for: the change
-    /// of the rate does not take 0.1 s to reach what the curve allows.
+    /// Asks for a standstill by a stop, until another scale is asked for.
+    ///
+    /// The arm is braked along the trajectory within the accelerations and jerks of stops, and at once by as much as the
+    /// trajectory leaves of the accelerations of motions.
     pub fn brake(&mut self) {
         self.set_scale(0.0);
-        self.haste = Haste::AtOnce;
+        self.haste = Haste::Stop;
     }
 
     /// The set-point a period after the last one.
     pub fn advance(&mut self) -> JointPosition {
         self.before = self.state;
-        self.state = self.within_accelerations(self.wanted_change());
+        let [wanted, fallback] = self.wanted_changes();
+        self.state = self.within_accelerations(wanted, fallback);
         self.state.joints
     }
 
@@ -196,30 +201,49 @@ impl Follower {
         self.period_s
     }
 
-    /// By how much the rate is to change in the next period.
-    fn wanted_change(&self) -> f64 {
-        let State { time_s, rate, change, .. } = self.state;
+    /// By how much the rate is to change in the next period, and where a joint does not allow that.
+    fn wanted_changes(&self) -> [f64; 2] {
+        let State { time_s, rate, .. } = self.state;
         let (from_s, to_s) = (time_s - rate * self.period_s, time_s + self.period_s);
         let RateChange { fall, rise, .. } = self.trajectory.rate_change_between(from_s, to_s, rate);
         // From 0 to 1 in one period is the most that there is.
         let [fall, rise] = [fall, rise].map(|allowed| (allowed * self.period_s).min(1.0));
-        if self.haste == Haste::AtOnce {
-            return -rate.min(fall);
+        if self.haste == Haste::Stop {
+            let at_once = -rate.min(fall);
+            return [self.stop_change().min(at_once), at_once];
         }
         let most = if self.scale < rate { fall } else { rise };
-        let jerk = most * (self.period_s / CHANGE_REACHED_S).min(1.0);
-        let wanted = change_towards(self.scale - rate, jerk);
-        wanted.clamp(change - jerk, change + jerk).clamp(-fall, rise).clamp(-rate, 1.0 - rate)
+        let wanted = self.change_within(most * (self.period_s / CHANGE_REACHED_S).min(1.0));
+        [wanted.clamp(-fall, rise).clamp(-rate, 1.0 - rate), 0.0]
+    }
+
+    /// Change of the rate of a stop along the trajectory.
+    fn stop_change(&self) -> f64 {
+        let State { rate, joints, step, .. } = &self.state;
+        let velocity = step.map(|step| step / self.period_s);
+        let stop = self.checker.stop_rates(&joints.0, &velocity, self.checker.limits().stop_jerks());
+        let most = (stop.share * rate * self.period_s).min(1.0);
+        self.change_within(most * (self.period_s / stop.ramp_s).min(1.0)).clamp(-most.min(*rate), 0.0)
+    }
+
+    /// Change of the rate towards the scale that itself changes by no more than `jerk` from the last one.
+    fn change_within(&self, jerk: f64) -> f64 {
+        let State { rate, change, .. } = self.state;
+        change_towards(self.scale - rate, jerk).clamp(change - jerk, change + jerk)
     }
 
     /// The next state with as much of a change of the rate as leaves each joint within its acceleration.
-    fn within_accelerations(&self, wanted: f64) -> State {
+    fn within_accelerations(&self, wanted: f64, fallback: f64) -> State {
         let next = self.changed(wanted);
         if self.fits(&next) {
             return next;
         }
         // As fast as before: then the accelerations are means of those of the trajectory.
         let (mut fitting, mut least, mut most) = (self.changed(0.0), 0.0, wanted);
+        let sure = self.changed(fallback);
+        if self.fits(&sure) {
+            (fitting, least) = (sure, fallback);
+        }
         for _ in 0..HALVINGS {
             let change = f64::midpoint(least, most);
             let next = self.changed(change);
@@ -243,10 +267,13 @@ impl Follower {
     }
 
     fn fits(&self, next: &State) -> bool {
-        let squared = self.period_s * self.period_s;
+        if self.haste == Haste::Stop {
+            return self.checker.limits().axes().check_change(&next.step, &self.state.step, self.period_s).is_ok();
+        }
+        let (squared, limits) = (self.period_s * self.period_s, self.checker.limits().joint_accelerations());
         (0..6).all(|joint| {
             let acceleration = (next.step[joint] - self.state.step[joint]).abs() / squared;
-            acceleration <= self.accelerations[joint] * (1.0 + 1e-9) + ROUNDING
+            acceleration <= limits[joint] * (1.0 + 1e-9) + ROUNDING
         })
     }
 }

@@ -10,7 +10,7 @@ use self::constraints::{Constraints, is_at_rest, positions};
 pub use self::dynamics::Dynamics;
 use self::plan::Plan;
 use crate::beyond::{Beyond, Exceeded};
-use crate::braking::{JointState, Stop, longest_stop};
+use crate::braking::{JointLimits, JointState, Stop, StopBound, longest_stop};
 use crate::checker::Checker;
 use crate::limits::InvalidLimit;
 use crate::pace::TcpVelocity;
@@ -44,8 +44,12 @@ use crate::pace::TcpVelocity;
 ///   second ones, divided by its square, within the accelerations, and the third ones, divided by its cube, within the
 ///   jerks, but for rounding: a billionth of the limit, and what some 1e-13 degrees make of a difference. After
 ///   [`paused`](Self::paused) they start again, as if the arm had been at the last set-point for long.
-/// - From each set-point the arm can be brought to rest within speeds, accelerations, jerks, joint ranges, regions, and
-///   the speed of the tool centre point: each joint as soon as it can. [`landing`](Self::landing) says where and when.
+/// - Stops are an exception: a joint that slows down may do so with the acceleration and the jerk of stops
+///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)), where these are higher. That is so with
+///   [`Goal::Rest`], and in front of a limit that the goal does not respect.
+/// - From each set-point the arm can be brought to rest so, along the velocity of its joints but for what accelerations
+///   they have, within joint ranges, regions, and the speed of the tool centre point. [`landing`](Self::landing) says
+///   where and when.
 ///
 /// # Why it holds
 /// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third
@@ -53,9 +57,10 @@ use crate::pace::TcpVelocity;
 /// limits and integrated here, from the state of the last set-point; the new state is taken only if speeds and
 /// accelerations have stayed within their limits, and if the way to rest from there stays within all limits. Where the
 /// tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried
-/// in the same way. Otherwise the set-point is the next one on the way to rest from the last state, which was compared
-/// with the limits when that state was taken. The arm starts at rest, within the limits. So each state has a way to
-/// rest.
+/// in the same way; elsewhere, slowing down within the accelerations of the [`Dynamics`]. Otherwise the set-point is the
+/// next one on the way to rest that was compared with the limits when the last state was taken. The arm starts at rest,
+/// within the limits. So each state has a way to rest. Once a joint brakes by more than the dynamics allow to take back
+/// before it would turn round, the arm goes on to rest.
 ///
 /// # What remains
 /// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front
@@ -74,12 +79,22 @@ use crate::pace::TcpVelocity;
 #[derive(Debug, Clone)]
 pub struct Generator {
     constraints: Constraints,
-    state: [JointState; 6],
+    led: Led,
     /// That of the set-point before.
-    before: [JointState; 6],
+    before: Led,
     goal: Goal,
     plan: Plan,
     rejections: u64,
+}
+
+/// State of the joints at a set-point, and the way to rest from there, which is within all limits.
+#[derive(Debug, Clone, Copy)]
+struct Led {
+    state: [JointState; 6],
+    stops: [Stop; 6],
+    bound: StopBound,
+    /// True on the way to rest.
+    stops_already: bool,
 }
 
 /// What a [`Generator`] is on the way to.
@@ -94,7 +109,7 @@ pub enum Goal {
     Velocity([f64; 6]),
     /// A velocity of the tool.
     TcpVelocity(TcpVelocity),
-    /// Standstill, as soon as each joint can.
+    /// Standstill by a stop. For one within the [`Dynamics`], there is a velocity of zero.
     Rest,
 }
 
@@ -126,6 +141,8 @@ pub struct Landing {
     pub joints: JointPosition,
     /// In how many seconds, 0 for an arm at rest.
     pub time_s: f64,
+    /// Bound of the deceleration.
+    pub bound: StopBound,
 }
 
 jaka_proto::worded! {
@@ -193,15 +210,9 @@ impl Generator {
         }
         dynamics.check(checker.limits())?;
         checker.check_place(start).map_err(GeneratorError::Start)?;
-        let limits = dynamics.joint_limits(period_s);
-        Ok(Self {
-            constraints: Constraints { checker: checker.clone(), limits, period_s, stopping_mm: f64::INFINITY },
-            state: start.0.map(JointState::at_rest),
-            before: start.0.map(JointState::at_rest),
-            goal: Goal::Rest,
-            plan: Plan::new(),
-            rejections: 0,
-        })
+        let constraints = Constraints::new(checker.clone(), dynamics.joint_limits(period_s), period_s);
+        let led = constraints.at_rest(&start.0);
+        Ok(Self { constraints, led, before: led, goal: Goal::Rest, plan: Plan::new(), rejections: 0 })
     }
 
     /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s
@@ -240,59 +251,68 @@ impl Generator {
             self.goal = *goal;
             self.plan.drop_way();
         }
-        let (proposed, mut bound) = self.proposed();
+        let (proposed, mut bound) =
+            if self.led.must_stop(&self.constraints.limits) { (None, None) } else { self.proposed() };
         if let Some(proposed) = proposed {
-            let Err(exceeded) = self.constraints.check(&self.state, &proposed) else {
-                self.plan.pass(self.constraints.period_s);
-                return self.take(proposed, bound);
+            let exceeded = match self.constraints.led(&self.led.state, proposed) {
+                Ok(led) => {
+                    self.plan.pass(self.constraints.period_s);
+                    return self.take(&led, bound);
+                }
+                Err(exceeded) => exceeded,
             };
             self.plan.drop_way();
             let is_too_fast = matches!(exceeded, Exceeded::TcpSpeed { .. } | Exceeded::LandingWay { .. });
             bound = Some(Bound::Limit(self.constraints.beyond(exceeded)));
-            if is_too_fast {
-                return self.take(self.constraints.slower(&self.state, &proposed), bound);
+            let slower = if is_too_fast {
+                self.constraints.slower(&self.led.state, &proposed)
+            } else {
+                self.constraints.slowed(&self.led.state)
+            };
+            if let Some(led) = slower {
+                return self.take(&led, bound);
             }
         }
-        let stops = self.constraints.stops(&self.state);
-        self.take(stops.map(|stop| stop.at(self.constraints.period_s)), bound)
+        let stopped = self.led.stopped(self.constraints.period_s);
+        self.take(&stopped, bound)
     }
 
     /// No set-point has come when one was due: what comes next starts from standstill at the last one.
     pub fn paused(&mut self) {
-        self.state = self.state.map(|state| JointState::at_rest(state.position));
+        self.led = self.constraints.at_rest(&positions(&self.led.state));
         self.plan.drop_way();
     }
 
     /// The last set-point was not sent: what comes next follows the one before. Once after each [`next`](Self::next).
     pub fn take_back(&mut self) {
-        self.state = self.before;
+        self.led = self.before;
         self.plan.drop_way();
     }
 
     /// The last set-point.
     pub fn joints(&self) -> JointPosition {
-        JointPosition(positions(&self.state))
+        JointPosition(positions(&self.led.state))
     }
 
     /// The speeds of the joints at the last set-point, in deg/s.
     pub fn velocity(&self) -> [f64; 6] {
-        self.state.map(|state| state.speed)
+        self.led.state.map(|state| state.speed)
     }
 
     /// The accelerations of the joints at the last set-point, in deg/s².
     pub fn acceleration(&self) -> [f64; 6] {
-        self.state.map(|state| state.acceleration)
+        self.led.state.map(|state| state.acceleration)
     }
 
     /// Whether no joint moves.
     pub fn is_at_rest(&self) -> bool {
-        is_at_rest(&self.state)
+        is_at_rest(&self.led.state)
     }
 
     /// Where the arm would come to rest with the goal [`Goal::Rest`], and when.
     pub fn landing(&self) -> Landing {
-        let stops = self.constraints.stops(&self.state);
-        Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops) }
+        let Led { stops, bound, .. } = self.led;
+        Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops), bound }
     }
 
     /// How often what was computed for a goal did not pass the check of speeds, accelerations and jerks, or nothing was
@@ -319,35 +339,35 @@ impl Generator {
                 if self.is_there(&target) {
                     return (None, None);
                 }
-                let pace = self.constraints.tool_pace_to(&self.state, &target);
+                let pace = self.constraints.tool_pace_to(&self.led.state, &target);
                 if let Some(pace) = &pace {
-                    self.plan.lead_to_joints(&self.state, &pace.limits, &target);
+                    self.plan.lead_to_joints(&self.led.state, &pace.limits, &target);
                 } else if self.plan.is_done() {
-                    self.plan.lead_to_joints(&self.state, &self.constraints.limits, &target);
+                    self.plan.lead_to_joints(&self.led.state, &self.constraints.limits, &target);
                 }
                 pace.and_then(|pace| pace.exceeded)
             }
             Goal::Velocity(speeds) if finite(speeds) => {
                 let limits = self.constraints.checker.limits();
                 let ranges = [limits.joint_min(), limits.joint_max()];
-                let pace = self.constraints.tool_pace(&self.state, &speeds, 1.0);
+                let pace = self.constraints.tool_pace(&self.led.state, &speeds, 1.0);
                 let share = pace.as_ref().map_or(1.0, |pace| pace.share);
                 let speeds = speeds.map(|speed| share * speed);
                 if let Some(pace) = &pace {
-                    self.plan.lead_to_speeds(&self.state, &pace.limits, &speeds, ranges);
+                    self.plan.lead_to_speeds(&self.led.state, &pace.limits, &speeds, ranges);
                 } else if !self.plan.is_fresh() {
-                    self.plan.lead_to_speeds(&self.state, &self.constraints.limits, &speeds, ranges);
+                    self.plan.lead_to_speeds(&self.led.state, &self.constraints.limits, &speeds, ranges);
                 }
-                self.constraints.held_in_range(&self.state, &speeds).or(pace.and_then(|pace| pace.exceeded))
+                self.constraints.held_in_range(&self.led.state, &speeds).or(pace.and_then(|pace| pace.exceeded))
             }
             Goal::TcpVelocity(velocity) if velocity.numbers().all(|number| number.abs() <= MOST) => {
-                let (speeds, exceeded) = self.constraints.speeds_for(&self.state, &velocity);
-                self.plan.lead_to_speeds_together(&self.state, &self.constraints.limits, &speeds);
+                let (speeds, exceeded) = self.constraints.speeds_for(&self.led.state, &velocity);
+                self.plan.lead_to_speeds_together(&self.led.state, &self.constraints.limits, &speeds);
                 exceeded
             }
             _ => return (None, None),
         };
-        let proposed = self.plan.next(&self.state, &self.constraints.limits, self.constraints.period_s);
+        let proposed = self.plan.next(&self.led.state, &self.constraints.limits, self.constraints.period_s);
         if proposed.is_none() {
             self.rejections += 1;
             self.plan.drop_way();
@@ -356,15 +376,32 @@ impl Generator {
         (proposed, slowed.map(|exceeded| Bound::Limit(self.constraints.beyond(exceeded))))
     }
 
-    fn take(&mut self, next: [JointState; 6], bound: Option<Bound>) -> Step {
-        self.before = std::mem::replace(&mut self.state, next);
+    fn take(&mut self, next: &Led, bound: Option<Bound>) -> Step {
+        self.before = std::mem::replace(&mut self.led, *next);
         Step { joints: self.joints(), bound }
     }
 
     /// Whether the way is at its end and the rest of it not worth a motion.
     fn is_there(&self, target: &[f64; 6]) -> bool {
         let is_near = |(stop, target): (&Stop, &f64)| (stop.end() - target).abs() < THERE;
-        self.plan.is_done() && self.constraints.stops(&self.state).iter().zip(target).all(is_near)
+        self.plan.is_done() && self.led.stops.iter().zip(target).all(is_near)
+    }
+}
+
+impl Led {
+    /// The next state on the way to rest.
+    fn stopped(&self, period_s: f64) -> Self {
+        let stops = self.stops.map(|stop| stop.after(period_s));
+        Self { state: stops.map(|stop| stop.at(0.0)), stops, stops_already: true, ..*self }
+    }
+
+    /// True on a way to rest on which a joint brakes by more than these limits allow, or than they allow to take back
+    /// before it would turn round.
+    fn must_stop(&self, limits: &[JointLimits; 6]) -> bool {
+        let is_hard = |(state, limits): (&JointState, &JointLimits)| {
+            !state.is_within(*limits) || state.coasting_speed(limits.jerk) * state.speed < 0.0
+        };
+        self.stops_already && self.state.iter().zip(limits).any(is_hard)
     }
 }
 

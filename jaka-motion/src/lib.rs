@@ -2,7 +2,7 @@
 
 mod arc;
 mod beyond;
-#[cfg(feature = "generator")]
+#[cfg_attr(not(feature = "generator"), expect(dead_code, reason = "stops from any state are those of the generator"))]
 mod braking;
 mod checker;
 mod closed_form;
@@ -26,6 +26,7 @@ mod tests;
 
 pub use arc::Arc;
 pub use beyond::{Beyond, Exceeded, Way};
+pub use braking::{StopBound, StraightStop};
 pub use checker::Checker;
 pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;

@@ -40,6 +40,8 @@ pub struct Limits {
     model: Model,
     axes: AxisLimits,
     tcp_speed: Option<f64>,
+    /// Of stops.
+    tcp_acceleration: Option<f64>,
     clearance: SingularityClearance,
     regions: Vec<Region>,
 }
@@ -123,6 +125,13 @@ jaka_proto::worded! {
 /// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has
 /// accelerations of these arms.
 const SPEED_GAINED: f64 = 0.2 / 0.5;
+/// Acceleration of a stop by default, in deg/s², and in how many seconds it is reached. Ours: no source has either. It is
+/// below the 720 deg/s² that the document advises for motions of joints (4.7).
+const STOP_ACCELERATION: f64 = 570.0;
+const STOP_REACHED_S: f64 = 0.1;
+/// Acceleration of the tool centre point in a stop by default, in mm/s²: the most that the document advises for lines
+/// (4.9).
+const STOP_TCP_ACCELERATION: f64 = 8000.0;
 /// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a
 /// hundred times as fast as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
@@ -139,13 +148,24 @@ impl Limits {
     /// - Joint ranges and speeds are the published ones.
     /// - Joint accelerations are **not published** for these arms. The default is ours: a fifth of the joint's speed reached in 0.5 s, for example
     ///   72 deg/s² where the speed is 180 deg/s.
+    /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its way. The first
+    ///   is ours, the second is what the document advises at most for lines (4.9). No source shows an arm that follows
+    ///   set-points that brake so hard.
     /// - The least distance from a singularity, 0.01, is ours too.
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
         let (min, max, speeds) = (*model.joint_min(), *model.joint_max(), *model.joint_speed());
         Self {
-            axes: AxisLimits { min, max, speeds, accelerations: speeds.map(|speed| SPEED_GAINED * speed) },
+            axes: AxisLimits {
+                min,
+                max,
+                speeds,
+                accelerations: speeds.map(|speed| SPEED_GAINED * speed),
+                stop_accelerations: [STOP_ACCELERATION; 6],
+                stop_jerks: [STOP_ACCELERATION / STOP_REACHED_S; 6],
+            },
             tcp_speed: None,
+            tcp_acceleration: Some(STOP_TCP_ACCELERATION),
             clearance: SINGULARITY_DISTANCE,
             regions: Vec::new(),
             model: model.clone(),
@@ -171,6 +191,11 @@ impl Limits {
     ///
     /// [tcp]
     /// speed_mm_s = 250
+    ///
+    /// [stop]
+    /// joint_acceleration_deg_s2 = 400 # not published for these arms
+    /// joint_jerk_deg_s3 = 8000        # by default so that the acceleration is reached in 0.1 s
+    /// tcp_acceleration_mm_s2 = 5000
     ///
     /// [singularity]
     /// least_distance = 0.05
@@ -251,6 +276,50 @@ impl Limits {
         Ok(self)
     }
 
+    /// With these accelerations of joints 1 to 6 in a stop, in deg/s², each reached in 0.1 s.
+    ///
+    /// A stop is never gentler than a motion: where one is below that of
+    /// [`joint_accelerations`](Self::joint_accelerations), that one counts.
+    ///
+    /// # Errors
+    /// One is not above 0.
+    pub fn with_stop_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
+        positive("joint acceleration of a stop", &deg_s2)?;
+        self.axes.stop_accelerations = deg_s2;
+        self.axes.stop_jerks = deg_s2.map(|acceleration| acceleration / STOP_REACHED_S);
+        Ok(self)
+    }
+
+    /// With these jerks of joints 1 to 6 in a stop, in deg/s³.
+    ///
+    /// # Errors
+    /// One is not above 0.
+    pub fn with_stop_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
+        positive("joint jerk of a stop", &deg_s3)?;
+        self.axes.stop_jerks = deg_s3;
+        Ok(self)
+    }
+
+    /// With this acceleration of the tool centre point along its way in a stop, in mm/s².
+    ///
+    /// It is that which braking adds: what the tool loses of its speed on a curve of joints that do not slow down is not
+    /// counted. The [`joint_accelerations`](Self::joint_accelerations) of motions win over it.
+    ///
+    /// # Errors
+    /// It is not above 0.
+    pub fn with_stop_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
+        positive("acceleration of the tool centre point in a stop", &[mm_s2])?;
+        self.tcp_acceleration = Some(mm_s2);
+        Ok(self)
+    }
+
+    /// With stops that the joints alone bound.
+    #[must_use]
+    pub fn without_stop_tcp_acceleration(mut self) -> Self {
+        self.tcp_acceleration = None;
+        self
+    }
+
     /// With this highest speed of the tool centre point, in mm/s.
     ///
     /// # Errors
@@ -312,6 +381,21 @@ impl Limits {
     /// The highest acceleration of each joint in deg/s².
     pub fn joint_accelerations(&self) -> &[f64; 6] {
         &self.axes.accelerations
+    }
+
+    /// Acceleration of each joint in a stop, in deg/s².
+    pub fn stop_accelerations(&self) -> &[f64; 6] {
+        &self.axes.stop_accelerations
+    }
+
+    /// Jerk of each joint in a stop, in deg/s³.
+    pub fn stop_jerks(&self) -> &[f64; 6] {
+        &self.axes.stop_jerks
+    }
+
+    /// Acceleration of the tool centre point along its way in a stop, in mm/s², if it is limited.
+    pub fn stop_tcp_acceleration(&self) -> Option<f64> {
+        self.tcp_acceleration
     }
 
     /// The highest speed of the tool centre point in mm/s, if it is limited.

@@ -129,11 +129,6 @@ impl LimitChecks {
         framed.or_else(|error| limited.judged(error))
     }
 
-    /// The greatest accelerations of the joints, in deg/s², if the robot has limits.
-    pub(crate) fn joint_accelerations(&self) -> Option<[f64; 6]> {
-        self.checker().map(|checker| *checker.limits().joint_accelerations())
-    }
-
     /// True if the robot has limits, and sends nothing that is beyond them.
     pub(crate) fn refuses_beyond_limits(&self) -> bool {
         self.0.as_ref().is_some_and(|limited| limited.policy == LimitPolicy::Refuse)

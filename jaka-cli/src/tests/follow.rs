@@ -87,7 +87,7 @@ fn an_interrupt_stops_the_arm_on_the_trajectory() {
     });
     expect![[r"
         note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too
-        error: the motion was stopped before its target (7.837 s of 60.000 s of the trajectory), and the arm is at rest
+        error: the motion was stopped before its target (7.816 s of 60.000 s of the trajectory), and the arm is at rest
         hint: look at the arm before it moves again
         exit code 22
     "]]

@@ -1,7 +1,9 @@
 //! Points of the arm compared with regions, where the joints move.
 
+use jaka_proto::messages::types::JointPosition;
 use nalgebra::Point3;
 
+use super::Checker;
 use super::arm::Arm;
 use super::placed_regions::PlacedRegions;
 use super::radii::{PieceEnd, PointMotion};
@@ -9,7 +11,6 @@ use super::solved::Solved;
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
 use crate::braking::{Stop, longest_stop};
-use crate::limits::AxisLimits;
 use crate::model::Point;
 use crate::piece::{Hull, Piece};
 
@@ -23,7 +24,7 @@ pub(super) struct LimitedPoints<'a> {
 /// Joint ranges and regions within which an arm must be able to stop, straight on in joint space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RoomToStop<'a> {
-    pub(super) axes: &'a AxisLimits,
+    pub(super) checker: &'a Checker,
     pub(super) points: LimitedPoints<'a>,
 }
 
@@ -108,14 +109,9 @@ impl LimitedPoints<'_> {
 impl RoomToStop<'_> {
     /// Checks the way to a stop after a set-point.
     pub(super) fn check_step(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
-        let count = self.axes.periods_to_stop(last, target, period_s);
-        if count <= 1.0 {
-            return Ok(());
-        }
-        // The steps are those of the set-point times 1 - k/N, for k from 1 to N.
-        let steps = 0.5 * (count - 1.0);
+        let steps = self.checker.straight_stop([JointPosition(*last), JointPosition(*target)], period_s).steps();
         let end = std::array::from_fn(|index| target[index] + steps * (target[index] - last[index]));
-        self.axes.check_positions(&end, target).map_err(Exceeded::at_stop)?;
+        self.checker.limits().axes().check_positions(&end, target).map_err(Exceeded::at_stop)?;
         let on_way = self.points.check_joint_way(target, &end);
         on_way.map_err(|(exceeded, _)| self.points.further_at(&end, exceeded).at_stop())
     }
@@ -133,8 +129,13 @@ impl RoomToStop<'_> {
         })
     }
 
-    /// Seconds for which a joint could go on with its speed on the way that it may take to stop from a piece.
+    /// Seconds for which joints could go on with their speed on the way that they may take to stop from a piece.
     pub(super) fn seconds(&self, hull: &Hull) -> f64 {
-        self.axes.seconds_to_stop(hull) + PERIOD_S
+        let (limits, velocity) = (self.checker.limits(), &hull.speeds);
+        let tool = limits.stop_tcp_acceleration().map_or(f64::INFINITY, |most| {
+            // Each joint may be slower than its speed here.
+            most / self.points.arm.radii().tcp_rate_at_most(velocity)
+        });
+        limits.axes().stop_rates(velocity, limits.stop_jerks(), tool).length_s() + PERIOD_S
     }
 }

@@ -88,7 +88,7 @@ impl<'a> Travel<'a> {
     /// that is known: in each one the rate falls by as much as it may all the while.
     fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
         let limits = self.follower.trajectory.joint_accelerations();
-        if (0..6).any(|joint| self.follower.accelerations[joint] < limits[joint]) {
+        if (0..6).any(|joint| self.follower.checker.limits().joint_accelerations()[joint] < limits[joint]) {
             return None;
         }
         AHEAD.into_iter().find_map(|ahead| {
@@ -117,7 +117,7 @@ impl<'a> Travel<'a> {
         let step = std::array::from_fn(|joint| joints.0[joint] - before.0[joint]);
         let mut braking = self.follower.clone();
         braking.state = State { time_s, rate: 1.0, change: 0.0, joints, step };
-        (braking.scale, braking.haste) = (0.0, Haste::AtOnce);
+        (braking.scale, braking.haste) = (0.0, Haste::Stop);
         for _ in 0..=periods(LONGEST_S, self.follower.period_s) {
             if braking.is_at_rest() {
                 return Some(periods(braking.time_s(), self.follower.period_s));

@@ -3,9 +3,9 @@
 use jaka_proto::messages::types::JointPosition;
 
 use super::dynamics::LEAST;
-use super::finite;
+use super::{Led, finite};
 use crate::beyond::{Beyond, Exceeded, Way};
-use crate::braking::{JointLimits, JointState, Stop};
+use crate::braking::{JointLimits, JointState, Stop, StopBound};
 use crate::checker::Checker;
 use crate::pace::TcpVelocity;
 
@@ -16,6 +16,8 @@ use crate::pace::TcpVelocity;
 pub(super) struct Constraints {
     pub(super) checker: Checker,
     pub(super) limits: [JointLimits; 6],
+    /// The most of each joint in a stop, in deg/s³.
+    stop_jerks: [f64; 6],
     pub(super) period_s: f64,
     /// How far the tool may go on until the arm stops, in mm.
     pub(super) stopping_mm: f64,
@@ -54,21 +56,49 @@ const COUNTED_ON: f64 = 0.5;
 const CREEP_PERIODS: f64 = 10.0;
 /// A joint is fast near a singularity where its distance is below this.
 const NEAR: f64 = 0.1;
+/// Of the acceleration of a motion, what a joint stops with at least, however slow it is beside others.
+const LEAST_STOP: f64 = 1e-3;
 /// A share of the speeds below which the motion counts as slowed.
 const SLOWED: f64 = 0.98;
 
 impl Constraints {
-    /// Whether the arm may go to these states: what comes after them is the way to rest.
-    pub(super) fn check(&self, state: &[JointState; 6], next: &[JointState; 6]) -> Result<(), Exceeded> {
-        let stops = self.stops(next);
-        let last = positions(state);
-        let rested = is_at_rest(state).then_some(&last);
-        self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))
+    pub(super) fn new(checker: Checker, limits: [JointLimits; 6], period_s: f64) -> Self {
+        let stop_jerks = std::array::from_fn(|index| limits[index].jerk.max(checker.limits().stop_jerks()[index]));
+        Self { checker, limits, stop_jerks, period_s, stopping_mm: f64::INFINITY }
     }
 
-    /// The ways to rest of the joints from these states.
-    pub(super) fn stops(&self, state: &[JointState; 6]) -> [Stop; 6] {
-        std::array::from_fn(|index| Stop::of(state[index], self.limits[index]))
+    pub(super) fn at_rest(&self, joints: &[f64; 6]) -> Led {
+        let state = joints.map(JointState::at_rest);
+        let (stops, bound) = self.stops(&state);
+        Led { state, stops, bound, stops_already: false }
+    }
+
+    /// The arm led to these states, from which it can stop.
+    pub(super) fn led(&self, state: &[JointState; 6], next: [JointState; 6]) -> Result<Led, Exceeded> {
+        let (stops, bound) = self.stops(&next);
+        let last = positions(state);
+        let rested = is_at_rest(state).then_some(&last);
+        self.checker.check_stops(rested, &last, &stops, (self.period_s, self.stopping_mm))?;
+        Ok(Led { state: next, stops, bound, stops_already: false })
+    }
+
+    /// The arm led on to rest within the dynamics, if it can stop from the next state.
+    pub(super) fn slowed(&self, state: &[JointState; 6]) -> Option<Led> {
+        let stops: [Stop; 6] = std::array::from_fn(|index| Stop::of(state[index], self.limits[index]));
+        self.may_be(state, stops.map(|stop| stop.at(self.period_s)))
+    }
+
+    /// The ways of the joints to rest by a stop from these states, along the velocity that they have without the
+    /// accelerations that do not brake.
+    fn stops(&self, state: &[JointState; 6]) -> ([Stop; 6], StopBound) {
+        let velocity = std::array::from_fn(|index| state[index].coasting_speed(self.stop_jerks[index]));
+        let rates = self.checker.stop_rates(&positions(state), &velocity, &self.stop_jerks);
+        let stops = std::array::from_fn(|index| {
+            let most = (rates.share * velocity[index].abs()).max(LEAST_STOP * self.limits[index].acceleration);
+            let jerks = [most / rates.ramp_s, self.stop_jerks[index]];
+            Stop::within(state[index], [most, jerks[0].min(jerks[1]), jerks[1]])
+        });
+        (stops, rates.bound)
     }
 
     /// The nearest joint positions within the joints' ranges.
@@ -134,10 +164,10 @@ impl Constraints {
     ///
     /// The jerks that lead there are means of those of both ends, and so are accelerations and speeds: they keep their
     /// limits.
-    pub(super) fn slower(&self, state: &[JointState; 6], proposed: &[JointState; 6]) -> [JointState; 6] {
+    pub(super) fn slower(&self, state: &[JointState; 6], proposed: &[JointState; 6]) -> Option<Led> {
         let coasted = self.coasted(state);
-        let base =
-            if self.may_be(state, &coasted) { coasted } else { self.stops(state).map(|stop| stop.at(self.period_s)) };
+        let led = self.may_be(state, coasted).or_else(|| self.slowed(state))?;
+        let base = led.state;
         let after = |halvings: f64| {
             let share = (-halvings).exp2();
             std::array::from_fn(|index| base[index].towards(proposed[index], share))
@@ -152,10 +182,10 @@ impl Constraints {
             }
         }
         if most >= HALVINGS {
-            return base;
+            return Some(led);
         }
         let mut tries = (0..TRIES).map(|tried| after(most + 2.0 * f64::from(tried)));
-        tries.find(|next| self.may_be(state, next)).unwrap_or(base)
+        tries.find_map(|next| self.may_be(state, next)).or(Some(led))
     }
 
     /// How fast the joints should go, all scaled by one factor, and what made it less than 1.
@@ -192,11 +222,9 @@ impl Constraints {
         if self.stopping_mm.is_infinite() {
             return 0.0;
         }
-        let ends: [f64; 6] = std::array::from_fn(|index| {
-            let from = JointState { speed: share * rates[index], ..JointState::default() };
-            Stop::of(from, self.limits[index]).end()
-        });
-        share * rate_mm * self.period_s + self.checker.arm().tcp_rate(here, &ends)
+        let speeds = rates.map(|rate| share * rate);
+        let stop = self.checker.stop_rates(here, &speeds, &self.stop_jerks).stop();
+        share * rate_mm * (self.period_s + stop.end())
     }
 
     /// Limits for these speeds, or those that the joints have.
@@ -226,8 +254,10 @@ impl Constraints {
         each.fold(0.0, f64::max)
     }
 
-    fn may_be(&self, state: &[JointState; 6], next: &[JointState; 6]) -> bool {
-        next.iter().zip(&self.limits).all(|(next, limits)| next.is_within(*limits)) && self.check(state, next).is_ok()
+    /// The arm led to these states, where the dynamics allow them and it can stop from them.
+    fn may_be(&self, state: &[JointState; 6], next: [JointState; 6]) -> Option<Led> {
+        let is_within = next.iter().zip(&self.limits).all(|(next, limits)| next.is_within(*limits));
+        if is_within { self.led(state, next).ok() } else { None }
     }
 
     /// Whether the tool is slow enough, as far as a few places tell, on the way to these states and where it goes on as
@@ -246,7 +276,7 @@ impl Constraints {
 
     /// How far the tool gets from these states to rest, as the crow flies, in mm.
     fn stop_mm(&self, from: &[JointState; 6]) -> f64 {
-        self.checker.arm().tcp_distance(&positions(from), &self.stops(from).map(|stop| stop.end()))
+        self.checker.arm().tcp_distance(&positions(from), &self.stops(from).0.map(|stop| stop.end()))
     }
 
     /// The share of the velocity that speeds allow, and what allows no more.

@@ -4,27 +4,31 @@ use super::{ROUNDING, START_ROUNDING, rounded_up};
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
 use crate::braking::Stop;
+use crate::braking::{StopBound, StopRates};
 use crate::pace::{JointPace, longest};
 use crate::piece::bernstein::beyond;
 use crate::piece::{Hull, Piece};
 
-/// Range, speed and acceleration of each joint, in degrees, deg/s and deg/s².
+/// Range, speed and acceleration of each joint, in degrees, deg/s and deg/s², and acceleration and jerk of its stops, in
+/// deg/s² and deg/s³.
 ///
-/// Each range is within that of the model, and not empty; speeds and accelerations are above 0.
+/// Each range is within that of the model, and not empty; the others are above 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AxisLimits {
     pub(super) min: [f64; 6],
     pub(super) max: [f64; 6],
     pub(super) speeds: [f64; 6],
     pub(super) accelerations: [f64; 6],
+    pub(super) stop_accelerations: [f64; 6],
+    pub(super) stop_jerks: [f64; 6],
 }
 
+/// Least time in which a stop reaches its acceleration, in seconds.
+const LEAST_RAMP_S: f64 = 1e-4;
 /// What rounding may add to the acceleration of a set-point, in deg/s²: the joint positions have some 16 digits.
 const STEP_ROUNDING: f64 = 1e-6;
 /// What rounding may add to the acceleration on a piece, in deg/s².
 const PIECE_ROUNDING: f64 = 1e-7;
-/// What rounding may add to the number of periods: a stop that takes just as many does not take one more.
-const PERIODS_ROUNDING: f64 = 1e-6;
 
 impl AxisLimits {
     /// Checks that all joints are within their ranges, or no further beyond than where the motion started.
@@ -65,17 +69,52 @@ impl AxisLimits {
         Ok(())
     }
 
-    /// Checks the mean speed of each joint over the period of a set-point, and the change of it from the period before.
+    /// Checks the mean speed of each joint over the period of a set-point, and the change of it from the period before:
+    /// by the acceleration of motions, and where a joint slows down, by that of stops.
     pub(crate) fn check_step(&self, moved: &[f64; 6], before: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
         let speeds = moved.map(|moved| moved.abs() / period_s);
         if let Some((joint, speed_deg_s, limit_deg_s)) = first_above(&speeds, &self.speeds, 0.0) {
             return Err(Exceeded::JointSpeed { joint, speed_deg_s, limit_deg_s, near: None });
         }
+        self.check_change(moved, before, period_s)
+    }
+
+    /// Checks how much the mean speed of each joint changes from one period to the next.
+    pub(crate) fn check_change(&self, moved: &[f64; 6], before: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
         let changes: [f64; 6] = std::array::from_fn(|index| (moved[index] - before[index]).abs() / period_s / period_s);
-        let above = first_above(&changes, &self.accelerations, STEP_ROUNDING);
+        let limits = std::array::from_fn(|index| {
+            let turned = (moved[index] * before[index].signum()).min(0.0).abs() / period_s / period_s;
+            let slows = moved[index].abs() < before[index].abs() && turned <= self.accelerations[index];
+            if slows { self.most(index) } else { self.accelerations[index] }
+        });
+        let above = first_above(&changes, &limits, STEP_ROUNDING);
         above.map_or(Ok(()), |(joint, acceleration_deg_s2, limit_deg_s2)| {
             Err(Exceeded::JointAcceleration { joint, acceleration_deg_s2, limit_deg_s2 })
         })
+    }
+
+    /// Deceleration of a stop along a velocity of the joints in deg/s, where the tool centre point has an acceleration of
+    /// its own. It is within those of stops, reached within these jerks, and never below that of motions.
+    ///
+    /// `tool` is the greatest share of the velocity by which the tool may slow down each second.
+    pub(crate) fn stop_rates(&self, velocity: &[f64; 6], jerks: &[f64; 6], tool: f64) -> StopRates {
+        let [joints, motion] = [least_share(&self.stop_accelerations, velocity), self.motion_share(velocity)];
+        let (share, bound) = match joints.min(tool) {
+            stop if stop <= motion => (motion, StopBound::Motion),
+            stop if stop < joints => (stop, StopBound::Tool),
+            stop => (stop, StopBound::Joints),
+        };
+        StopRates { share, ramp_s: (share / least_share(jerks, velocity)).max(LEAST_RAMP_S), bound }
+    }
+
+    /// Share of a velocity by which it may change in a second within the accelerations of motions.
+    pub(crate) fn motion_share(&self, velocity: &[f64; 6]) -> f64 {
+        least_share(&self.accelerations, velocity)
+    }
+
+    /// Greatest acceleration of a joint: of motions or of stops.
+    fn most(&self, index: usize) -> f64 {
+        self.accelerations[index].max(self.stop_accelerations[index])
     }
 
     /// Checks ranges, speeds and accelerations on a piece, by its hull where that suffices.
@@ -157,20 +196,6 @@ impl AxisLimits {
         hull.is_between(&least, &std::array::from_fn(|joint| self.max[joint] - room[joint]))
     }
 
-    /// Seconds for which a joint could go on with its speed on the way that it takes to stop from a piece.
-    pub(crate) fn seconds_to_stop(&self, hull: &Hull) -> f64 {
-        let needed = hull.speeds.iter().zip(&self.accelerations);
-        0.5 * needed.map(|(speed, acceleration)| speed / acceleration).fold(0.0, f64::max)
-    }
-
-    /// Number of periods in which the joints stop after a step, where the one that takes the longest slows down as much
-    /// as it may, and the others in proportion.
-    pub(crate) fn periods_to_stop(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> f64 {
-        let needed =
-            |index: usize| (target[index] - last[index]).abs() / period_s / period_s / self.accelerations[index];
-        ((0..6).map(needed).fold(0.0, f64::max) - PERIODS_ROUNDING).ceil()
-    }
-
     /// Seconds at a rate until a joint is at the end of its range, and what it would exceed; none where it does not
     /// move.
     #[cfg(feature = "generator")]
@@ -180,6 +205,10 @@ impl AxisLimits {
         let exceeded = Exceeded::LandingRange { joint: index + 1, end_deg: position, limit_deg };
         room.is_finite().then_some((room.max(0.0), exceeded))
     }
+}
+
+fn least_share(of: &[f64; 6], velocity: &[f64; 6]) -> f64 {
+    (0..6).map(|index| of[index] / velocity[index].abs()).fold(f64::MAX, f64::min)
 }
 
 /// The joint that is above its limit by the largest factor, with both.

@@ -23,6 +23,7 @@ fn limits(file: &Table<'_, '_>) -> Limits {
         }
         tcp.finish();
     }
+    stops(file, &mut limits);
     if let Some(singularity) = file.table("singularity") {
         if let Some(least) = singularity.number("least_distance") {
             apply(file, least.at, &mut limits, |limits| limits.with_singularity_distance(least.value));
@@ -58,8 +59,8 @@ fn model(file: &Table<'_, '_>) -> Option<&'static Model> {
 /// Ranges and speeds are compared with the model's, if it is known.
 fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
     let Some(table) = file.table("joints") else { return };
-    let six = |key| table.numbers(key, "a finite number, or a list of six", |one| Some([one; 6]));
-    let [min, max, speeds, accelerations] = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"].map(six);
+    let keys = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"];
+    let [min, max, speeds, accelerations] = keys.map(|key| six(&table, key));
     table.finish();
     if !known {
         return;
@@ -79,6 +80,28 @@ fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
     }
     each(file, speeds.as_ref(), limits, |limits| limits.axes.speeds, Limits::with_joint_speeds);
     each(file, accelerations.as_ref(), limits, |limits| limits.axes.accelerations, Limits::with_joint_accelerations);
+}
+
+fn stops(file: &Table<'_, '_>, limits: &mut Limits) {
+    let Some(table) = file.table("stop") else { return };
+    let accelerations = six(&table, "joint_acceleration_deg_s2");
+    each(
+        file,
+        accelerations.as_ref(),
+        limits,
+        |limits| limits.axes.stop_accelerations,
+        Limits::with_stop_accelerations,
+    );
+    let jerks = six(&table, "joint_jerk_deg_s3");
+    each(file, jerks.as_ref(), limits, |limits| limits.axes.stop_jerks, Limits::with_stop_jerks);
+    if let Some(tcp) = table.number("tcp_acceleration_mm_s2") {
+        apply(file, tcp.at, limits, |limits| limits.with_stop_tcp_acceleration(tcp.value));
+    }
+    table.finish();
+}
+
+fn six(table: &Table<'_, '_>, key: &'static str) -> Option<Six> {
+    table.numbers(key, "a finite number, or a list of six", |one| Some([one; 6]))
 }
 
 /// One number for each joint.

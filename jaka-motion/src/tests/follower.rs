@@ -10,16 +10,20 @@ fn limits() -> Limits {
     Limits::of(Model::named("Zu 5").expect("a published arm"))
 }
 
+fn checker() -> Checker {
+    Checker::new(limits(), Frames::new())
+}
+
 /// To and fro, with peaks of some 60 % of what a Zu 5 may do.
 fn trajectory() -> Trajectory {
     let at =
         |time_s: f64, joint_1: f64, joint_6: f64| TimedPoint::new(time_s, [joint_1, 100.0, 80.0, 90.0, -90.0, joint_6]);
     let points = [at(0.0, 0.0, 0.0), at(2.0, 20.0, -15.0), at(4.0, 0.0, 15.0), at(6.0, 10.0, 0.0)];
-    Trajectory::timed(&points, &Checker::new(limits(), Frames::new())).expect("within the limits")
+    Trajectory::timed(&points, &checker()).expect("within the limits")
 }
 
 fn follower() -> Follower {
-    Follower::new(trajectory(), &limits(), PERIOD)
+    Follower::new(trajectory(), &checker(), PERIOD)
 }
 
 /// Follows until the end, with the scale that is asked for at each set-point; the set-points, and the rate at each.
@@ -128,8 +132,8 @@ fn a_stop_is_looked_at_bit_by_bit() {
     };
     for count in [20, 20_000] {
         let points: Vec<_> = (0..count).map(to_and_fro).collect();
-        let trajectory = Trajectory::timed(&points, &Checker::new(limits(), Frames::new())).expect("within the limits");
-        let mut follower = Follower::new(trajectory, &limits(), PERIOD);
+        let trajectory = Trajectory::timed(&points, &checker()).expect("within the limits");
+        let mut follower = Follower::new(trajectory, &checker(), PERIOD);
         (0..600).for_each(|_| _ = follower.advance());
         let (mut stopping, mut looks) = (follower.stopping(), 0);
         let found = loop {

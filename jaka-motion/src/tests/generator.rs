@@ -3,6 +3,7 @@
 mod goals;
 mod hostile;
 mod retargeting;
+mod stops;
 mod tool;
 mod tool_stop;
 
@@ -24,7 +25,12 @@ struct Watched {
     generator: Generator,
     dynamics: Dynamics,
     last: [[f64; 6]; 3],
+    /// Set-points that keep the dynamics since one that was part of a stop.
+    since_stop: u32,
 }
+
+/// Set-points after a stop in whose third difference it still is.
+const STOP_SEEN: u32 = 3;
 
 impl Watched {
     fn new(limits: Limits, start: [f64; 6]) -> Self {
@@ -34,25 +40,44 @@ impl Watched {
 
     fn with(checker: &Checker, dynamics: Dynamics, start: [f64; 6], period_s: f64) -> Self {
         let generator = Generator::new(checker, dynamics, start.into(), period_s).expect("within its limits");
-        Self { generator, dynamics, last: [start; 3] }
+        Self { generator, dynamics, last: [start; 3], since_stop: STOP_SEEN }
     }
 
-    /// The next set-point, which keeps speeds, accelerations and jerks.
+    /// The next set-point, which keeps speeds, accelerations and jerks; those of stops on the way to rest and where a
+    /// limit is in the way.
     fn next(&mut self, goal: &Goal) -> Step {
         let step = self.generator.next(goal);
-        let (here, period_s) = (step.joints.0, self.generator.period_s());
+        let limits = [*self.dynamics.speeds(), *self.dynamics.accelerations(), *self.dynamics.jerks()];
+        let (kept, begins_stop) = (self.keeps(step.joints.0, &limits), means_rest(goal) || step.bound.is_some());
+        if kept.is_err() || begins_stop {
+            assert!(begins_stop || self.since_stop < STOP_SEEN, "{kept:?}, {goal:?}");
+            self.since_stop = 0;
+            let limits = self.generator.checker().limits();
+            let larger = |one: &[f64; 6], other: &[f64; 6]| std::array::from_fn(|joint| one[joint].max(other[joint]));
+            let accelerations = larger(self.dynamics.accelerations(), limits.stop_accelerations());
+            let of_stops = [*self.dynamics.speeds(), accelerations, larger(self.dynamics.jerks(), limits.stop_jerks())];
+            assert_eq!(self.keeps(step.joints.0, &of_stops), Ok(()), "{goal:?}");
+        }
+        self.since_stop = self.since_stop.saturating_add(1);
+        self.last = [self.last[1], self.last[2], step.joints.0];
+        step
+    }
+
+    /// Compares the differences with speeds, accelerations and jerks.
+    fn keeps(&self, here: [f64; 6], limits: &[[f64; 6]; 3]) -> Result<(), String> {
+        let period_s = self.generator.period_s();
         for (joint, position) in here.iter().enumerate() {
             let [third, second, first] = self.last.map(|joints| joints[joint]);
             let by = [position - first, position - 2.0 * first + second, position - 3.0 * first + 3.0 * second - third];
-            let limits = [self.dynamics.speeds(), self.dynamics.accelerations(), self.dynamics.jerks()];
             for (order, (by, limit)) in (1..).zip(by.into_iter().zip(limits)) {
                 let rounding = 1e-12 + limit[joint] * period_s.powi(order) * 1e-8;
                 let most = limit[joint] * period_s.powi(order) + rounding;
-                assert!(by.abs() <= most, "joint {}, difference {order}: {by} beyond {most}, {goal:?}", joint + 1);
+                if by.abs() > most {
+                    return Err(format!("joint {}, difference {order}: {by} beyond {most}", joint + 1));
+                }
             }
         }
-        self.last = [self.last[1], self.last[2], here];
-        step
+        Ok(())
     }
 
     fn paused(&mut self) {
@@ -69,6 +94,17 @@ impl Watched {
             }
         }
         panic!("no rest after {most} set-points: {:?}", self.generator);
+    }
+}
+
+fn means_rest(goal: &Goal) -> bool {
+    match goal {
+        Goal::Rest => true,
+        Goal::Joints(joints) => !joints.0.iter().all(|joint| joint.is_finite()),
+        Goal::Velocity(speeds) => !speeds.iter().all(|speed| speed.is_finite()),
+        Goal::TcpVelocity(velocity) => {
+            !velocity.linear_mm_s.iter().chain(&velocity.angular_deg_s).all(|number| number.abs() <= 1e6)
+        }
     }
 }
 

@@ -70,7 +70,7 @@ impl FollowConfig {
     /// it says where, and how much).
     ///
     /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked as soon as the joints' accelerations allow, also
+    /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked also
     /// where packets stay away for three of their periods, 100 ms at least. All of the trajectory is looked at, at its
     /// own speed, which is the most that a handle can ask for: wherever something were touched, the tool must rest
     /// within the overtravel, [computed](jaka_motion::Follower::worst_overtravel) with the set-points that brake it. An

@@ -64,7 +64,6 @@ pub(super) fn run(
 
 /// The way to where the trajectory starts, and then the trajectory.
 struct Way<'o> {
-    guard: Option<&'o SetPointGuard>,
     /// None once the arm has been at the start.
     approach: Option<Approach>,
     follower: Follower,
@@ -90,9 +89,8 @@ impl<'o> Way<'o> {
             start::check_limits(checker, trajectory, config, guard)?;
         }
         Ok(Self {
-            guard,
             approach: Some(start::check_start(checker, at, trajectory, (config, guard))?),
-            follower: Follower::new(trajectory.clone(), checker.limits(), config.servo.period().as_secs_f64()),
+            follower: Follower::new(trajectory.clone(), checker, config.servo.period().as_secs_f64()),
             given_in: config.given_in,
             orders,
             is_overdue: false,
@@ -134,7 +132,7 @@ impl<'o> Way<'o> {
     fn braked(&mut self, session: &mut ServoSession<'_>, error: Error) -> (Error, bool) {
         let (mut straight_on, state) = (session.straight_on(), Arc::clone(&session.arm.state));
         let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
-        self.slow_down();
+        self.leading().brake();
         let error = session.end_by(error, &mut |course| {
             let left = state.time_to_brake();
             if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
@@ -183,17 +181,8 @@ impl<'o> Way<'o> {
         if is_at_rest {
             return None;
         }
-        self.slow_down();
+        self.leading().brake();
         Some(SetPoint::Joints(self.advance()))
-    }
-
-    /// To a standstill on the trajectory, or on the way to it; under a limit of force, as soon as it can be done.
-    fn slow_down(&mut self) {
-        if self.guard.is_some_and(SetPointGuard::has_force_limits) {
-            self.leading().brake();
-        } else {
-            self.leading().set_scale(0.0);
-        }
     }
 
     /// Follower of the approach, as long as there is one, and then that of the trajectory.
@@ -256,10 +245,14 @@ impl SetPoints for Way<'_> {
     }
 
     fn next(&mut self) -> JointPosition {
-        let scale = self.orders.scale();
-        // An approach has its own speed, whatever that of the trajectory.
-        let scale = if self.approach.is_some() && scale > 0.0 { 1.0 } else { scale };
-        self.leading().set_scale(scale);
+        if self.orders.is_to_brake() {
+            self.leading().brake();
+        } else {
+            let scale = self.orders.scale();
+            // An approach has its own speed, whatever that of the trajectory.
+            let scale = if self.approach.is_some() && scale > 0.0 { 1.0 } else { scale };
+            self.leading().set_scale(scale);
+        }
         self.last = self.advance();
         self.last
     }

@@ -28,12 +28,22 @@ pub struct FollowProgress {
 }
 
 impl FollowHandle {
-    /// Slows down to a standstill on the trajectory, and stays there until [`resume`](Self::resume).
+    /// Slows down to a standstill on the trajectory, within the accelerations of motions, and stays there until
+    /// [`resume`](Self::resume).
     ///
     /// # Errors
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the run has ended.
     pub fn pause(&self) -> Result<(), Error> {
-        self.check_open().map(|()| self.orders.set_paused(true))
+        self.check_open().map(|()| self.orders.pause())
+    }
+
+    /// Brakes to a standstill on the trajectory as [`stop`](Self::stop) does, and stays there until
+    /// [`resume`](Self::resume).
+    ///
+    /// # Errors
+    /// As [`pause`](Self::pause).
+    pub fn pause_by_stop(&self) -> Result<(), Error> {
+        self.check_open().map(|()| self.orders.pause_by_stop())
     }
 
     /// Goes on after a [`pause`](Self::pause), up to the speed scale.
@@ -41,7 +51,7 @@ impl FollowHandle {
     /// # Errors
     /// As [`pause`](Self::pause).
     pub fn resume(&self) -> Result<(), Error> {
-        self.check_open().map(|()| self.orders.set_paused(false))
+        self.check_open().map(|()| self.orders.resume())
     }
 
     /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
@@ -54,7 +64,8 @@ impl FollowHandle {
         self.check_open().map(|()| self.orders.set_scale(scale))
     }
 
-    /// Slows down to a standstill on the trajectory, and ends the run there.
+    /// Brakes to a standstill on the trajectory, within the accelerations of stops
+    /// ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)), and ends the run there.
     ///
     /// It returns at once; [`FollowRun::wait`](super::FollowRun::wait) returns when the arm is at rest. It is none of the robot's stops: nothing must be acknowledged
     /// after it, and where set-points do not reach the controller it has no effect. [`RobotStop`](crate::RobotStop) brakes likewise, and then sends `stop_program`.

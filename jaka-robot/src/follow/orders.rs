@@ -12,6 +12,8 @@ pub(super) struct Orders {
     /// The bits of a number from 0 to 1.
     scale: AtomicU64,
     is_paused: AtomicBool,
+    /// True if a pause begins by a stop.
+    pauses_by_stop: AtomicBool,
     is_stopped: AtomicBool,
     deadline: Option<Instant>,
     /// The bits of the trajectory time of the last set-point in seconds, and those of the rate.
@@ -25,6 +27,7 @@ impl Orders {
         Self {
             scale: AtomicU64::new(scale.to_bits()),
             is_paused: AtomicBool::new(false),
+            pauses_by_stop: AtomicBool::new(false),
             is_stopped: AtomicBool::new(false),
             deadline,
             time_s: AtomicU64::new(0),
@@ -37,8 +40,18 @@ impl Orders {
         self.scale.store(scale.to_bits(), Ordering::SeqCst);
     }
 
-    pub(super) fn set_paused(&self, is_paused: bool) {
-        self.is_paused.store(is_paused, Ordering::SeqCst);
+    pub(super) fn pause(&self) {
+        self.pauses_by_stop.store(false, Ordering::SeqCst);
+        self.is_paused.store(true, Ordering::SeqCst);
+    }
+
+    pub(super) fn pause_by_stop(&self) {
+        self.pauses_by_stop.store(true, Ordering::SeqCst);
+        self.is_paused.store(true, Ordering::SeqCst);
+    }
+
+    pub(super) fn resume(&self) {
+        self.is_paused.store(false, Ordering::SeqCst);
     }
 
     pub(super) fn stop(&self) {
@@ -53,10 +66,14 @@ impl Orders {
         self.deadline.is_some_and(|deadline| now >= deadline)
     }
 
-    /// The scale that is asked for: 0 in a pause, and for a stop.
+    /// True if a stop is asked for.
+    pub(super) fn is_to_brake(&self) -> bool {
+        self.is_stopped() || self.is_paused.load(Ordering::SeqCst) && self.pauses_by_stop.load(Ordering::SeqCst)
+    }
+
+    /// The scale that is asked for: 0 in a pause.
     pub(super) fn scale(&self) -> f64 {
-        let stands = self.is_paused.load(Ordering::SeqCst) || self.is_stopped();
-        if stands { 0.0 } else { f64::from_bits(self.scale.load(Ordering::SeqCst)) }
+        if self.is_paused.load(Ordering::SeqCst) { 0.0 } else { f64::from_bits(self.scale.load(Ordering::SeqCst)) }
     }
 
     pub(super) fn followed(&self, time_s: f64, rate: f64) {

@@ -45,7 +45,7 @@ pub(super) fn check_limits(
 ) -> Result<(), Error> {
     trajectory.check(checker).map_err(|source| ErrorKind::Trajectory { source })?;
     let Some(guard) = guard else { return Ok(()) };
-    let follower = Follower::new(trajectory.clone(), checker.limits(), config.servo.period().as_secs_f64());
+    let follower = Follower::new(trajectory.clone(), checker, config.servo.period().as_secs_f64());
     guard.check_trajectory(&follower, checker)
 }
 

@@ -199,7 +199,7 @@ impl ForceLimit {
             return NotGuarded::CannotBrake { after, time_s };
         }
         let (overtravel_mm, reaction) = (self.overtravel_mm, self.reaction);
-        let permitted_mm_s = self.permitted(unbraked_s, braking_mm_s2);
+        let permitted_mm_s = self.permitted_along(unbraked_s, [speed_mm_s, braking_mm_s2]);
         NotGuarded::TooFastAlong {
             after,
             time_s,
@@ -213,6 +213,26 @@ impl ForceLimit {
         }
     }
 }
+
+impl ForceLimit {
+    /// The speed in mm/s at which the overtravel is used up where braking from a higher speed takes this deceleration.
+    ///
+    /// The slower the tool, the less of a stop is at its full deceleration: the way from a speed is taken to be in
+    /// proportion to the power 1.5 of it, as it is where the jerk alone bounds the stop.
+    fn permitted_along(&self, unbraked_s: f64, [speed_mm_s, braking_mm_s2]: [f64; 2]) -> f64 {
+        let braking_s = 0.5 * speed_mm_s / braking_mm_s2;
+        let way_mm = |speed: f64| speed * (unbraked_s + braking_s * (speed / speed_mm_s).sqrt());
+        let (mut low, mut high) = (0.0, speed_mm_s);
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if way_mm(middle) > self.overtravel_mm { high = middle } else { low = middle }
+        }
+        low
+    }
+}
+
+/// How often a range of speeds is halved.
+const HALVINGS: u32 = 40;
 
 /// What the sensor reads, if it works.
 pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {

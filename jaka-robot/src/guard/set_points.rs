@@ -37,7 +37,7 @@ struct Force {
 
 /// Part of the overtravel that is left for braking: the way of the tool at its highest speed in this time, in seconds.
 /// Ours.
-const BRAKING_S: f64 = 0.1;
+const BRAKING_S: f64 = 0.05;
 
 impl SetPointGuard {
     /// Arms a guard for set-points, if there is one. Fails if it has tripped already or cannot be judged.
@@ -112,11 +112,6 @@ impl SetPointGuard {
     /// True if a condition is about the tool centre point, or may be.
     pub(crate) fn depends_on_frames(&self) -> bool {
         self.depends_on_frames
-    }
-
-    /// True if the arm is to be braked as soon as it can be.
-    pub(crate) fn has_force_limits(&self) -> bool {
-        self.force.is_some()
     }
 
     /// Fails where the tool goes on for too long after a contact somewhere on a trajectory.

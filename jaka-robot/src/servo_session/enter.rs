@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use jaka_motion::Checker;
 use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
 use jaka_proto::{Command, Role};
@@ -106,8 +107,10 @@ impl<'r> ServoSession<'r> {
         let start = self.arm.client().get_joint_pos()?.joint_position;
         let pose = self.arm.position.tcp_pose(timeout)?;
         self.limits.prepare_set_points(self.arm, (start, pose), timeout)?;
-        if let Some(accelerations) = self.limits.joint_accelerations() {
-            self.rates.joint_acceleration = accelerations;
+        if let Some(limits) = self.limits.checker().map(Checker::limits) {
+            let (motions, stops) = (*limits.joint_accelerations(), limits.stop_accelerations());
+            self.rates.joint_acceleration = motions;
+            self.rates.joint_deceleration = std::array::from_fn(|joint| motions[joint].max(stops[joint]));
         }
         Ok(Course::at(start, pose))
     }

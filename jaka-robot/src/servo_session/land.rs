@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use jaka_motion::{Checker, StraightStop};
 use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 
@@ -21,42 +22,71 @@ const BLIND: Duration = Duration::from_millis(200);
 /// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
 pub(crate) type BrakingPath<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
 
-/// Brakes an arm straight on, by a step that becomes smaller evenly.
+/// Brakes an arm straight on: in joint space by the stop of its limits where it has some and its joints are known, else
+/// by a step that becomes smaller evenly.
 #[derive(Debug)]
 pub(crate) struct StraightOn {
+    checker: Option<Checker>,
     rates: Rates,
     period: Duration,
-    /// The step before it was braked, in how many periods it is, and how many of them are left; none before the first
-    /// one.
-    begun: Option<(Option<SetPointStep>, u32, u32)>,
+    /// None before the first set-point.
+    begun: Option<Begun>,
+}
+
+/// Braking under way.
+#[derive(Debug, Clone, Copy)]
+struct Begun {
+    /// Step before it; none where the arm stands, or that is not known.
+    step: Option<SetPointStep>,
+    braking: StepsToRest,
+    /// Number of set-points that were given.
+    given: u32,
+}
+
+/// How a step becomes smaller.
+#[derive(Debug, Clone, Copy)]
+enum StepsToRest {
+    /// Evenly, in so many periods.
+    Even(u32),
+    Stop(StraightStop),
 }
 
 impl StraightOn {
     /// In how many periods the arm is braked from the last set-point.
     pub(crate) fn periods(&self, course: &Course) -> u32 {
-        self.step(course).map_or(0, |step| self.rates.periods_to_brake(&step, self.period))
+        match self.begin(course).braking {
+            StepsToRest::Even(count) => count,
+            StepsToRest::Stop(stop) => stop.periods(),
+        }
     }
 
     /// The next set-point, unless the arm is to be held at the last one.
     pub(crate) fn next(&mut self, course: &Course) -> Option<SetPoint> {
-        let (step, count, left) = self.begun.unwrap_or_else(|| {
-            let count = self.periods(course);
-            (self.step(course), count, count)
-        });
-        let left = left.saturating_sub(1);
-        self.begun = Some((step, count, left));
-        if left == 0 { None } else { course.after(&step?.scaled(f64::from(left) / f64::from(count))) }
+        let mut begun = self.begun.unwrap_or_else(|| self.begin(course));
+        begun.given = begun.given.saturating_add(1);
+        self.begun = Some(begun);
+        let share = match begun.braking {
+            StepsToRest::Even(count) => (1.0 - f64::from(begun.given) / f64::from(count)).max(0.0),
+            StepsToRest::Stop(stop) => stop.step(begun.given),
+        };
+        if share == 0.0 { None } else { course.after(&begun.step?.scaled(share)) }
     }
 
-    /// A set-point that no arm reaches in a period is not a speed.
-    fn step(&self, course: &Course) -> Option<SetPointStep> {
-        course.step().filter(|step| self.rates.is_reachable(step, self.period))
+    fn begin(&self, course: &Course) -> Begun {
+        // A set-point that no arm reaches in a period is not a speed.
+        let step = course.step().filter(|step| self.rates.is_reachable(step, self.period));
+        let braking = match (&self.checker, step, course.last_joints()) {
+            (Some(checker), Some(SetPointStep::Joints(_)), Some(before)) => {
+                StepsToRest::Stop(checker.straight_stop(before, self.period.as_secs_f64()))
+            }
+            _ => StepsToRest::Even(step.map_or(0, |step| self.rates.periods_to_brake(&step, self.period))),
+        };
+        Begun { step, braking, given: 0 }
     }
 }
 
 impl ServoSession<'_> {
-    /// Brakes the arm straight on, by a step that becomes smaller evenly, and holds it until the status shows it at
-    /// rest.
+    /// Brakes the arm straight on, and holds it until the status shows it at rest.
     ///
     /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
@@ -65,11 +95,12 @@ impl ServoSession<'_> {
     }
 
     pub(crate) fn straight_on(&mut self) -> StraightOn {
-        if self.limits.joint_accelerations().is_some() {
+        let checker = self.limits.checker().cloned();
+        if checker.is_some() {
             // The way on in joints was checked, not that along the line of the poses.
             self.course.go_on_in_joints();
         }
-        StraightOn { rates: self.rates, period: self.config.period(), begun: None }
+        StraightOn { checker, rates: self.rates, period: self.config.period(), begun: None }
     }
 
     /// Brakes the arm, and holds it until the status shows it at rest.

@@ -18,6 +18,8 @@ pub(crate) struct Rates {
     pub(super) are_checked: bool,
     /// Of each joint, in deg/s².
     pub(super) joint_acceleration: [f64; 6],
+    /// Of a joint that slows down, in deg/s².
+    pub(super) joint_deceleration: [f64; 6],
     /// Of the tool centre point, in mm/s.
     pub(super) tcp_speed: f64,
     /// In mm/s².
@@ -42,7 +44,14 @@ type Sizes = [f64; 6];
 /// is ours.
 impl Default for Rates {
     fn default() -> Self {
-        Self { are_checked: true, joint_acceleration: [720.0; 6], tcp_speed: 3000.0, tcp_acceleration: 8000.0 }
+        let all_joints = [720.0; 6];
+        Self {
+            are_checked: true,
+            joint_acceleration: all_joints,
+            joint_deceleration: all_joints,
+            tcp_speed: 3000.0,
+            tcp_acceleration: 8000.0,
+        }
     }
 }
 
@@ -67,6 +76,7 @@ impl Rates {
             return Err(refused(step, index, value, allowed));
         }
         let Some(change) = step.change_from(before) else { return Ok(()) };
+        let accelerations = self.slowing(step, before).unwrap_or(accelerations);
         let most = accelerations.map(|acceleration| acceleration * time * time);
         let Some((index, size, most)) = first_beyond(&sizes(&change), &most) else { return Ok(()) };
         let unit = unit(step, index);
@@ -75,6 +85,15 @@ impl Rates {
         let allowed =
             format!("a change of at most {most:.3} {unit} each {period:?} ({} {unit}/s²)", accelerations[index]);
         Err(refused(step, index, value, allowed))
+    }
+
+    /// Greatest accelerations of joints of which some slow down; none for poses.
+    fn slowing(&self, step: &SetPointStep, before: &SetPointStep) -> Option<Sizes> {
+        let (SetPointStep::Joints(step), SetPointStep::Joints(before)) = (step, before) else { return None };
+        Some(std::array::from_fn(|joint| {
+            let slows = step[joint].abs() < before[joint].abs() && step[joint] * before[joint] >= 0.0;
+            if slows { self.joint_deceleration[joint] } else { self.joint_acceleration[joint] }
+        }))
     }
 
     /// Refuses a set-point of which it is not known how far it is from the one before.

@@ -49,7 +49,8 @@ pub(super) fn run(
     let _ends = OnDrop(|| targets.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     begun.send(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
-    let lag = guard.filter(|guard| guard.has_force_limits()).map(|_| LagFit::new(clock.now(), start, period));
+    let has_force_limit = guard.is_some_and(|guard| guard.tool_stop(period.as_secs_f64()).is_some());
+    let lag = has_force_limit.then(|| LagFit::new(clock.now(), start, period));
     let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
     let mut set_points = StreamSetPoints { generator: &mut generator, targets: &targets, order: None, last: None };
     let ended = session.send_all(&mut set_points, &mut supervision);

@@ -25,6 +25,8 @@ const PERIOD: f64 = 0.032;
 
 /// In deg/s²; ours.
 const ACCELERATION: f64 = 300.0;
+/// In deg/s²; the default.
+const STOP_ACCELERATION: f64 = 570.0;
 
 pub(crate) fn limits() -> Limits {
     let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
@@ -104,7 +106,9 @@ pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
         (0..6).any(|joint| {
             let first = (three[2][joint] - three[1][joint]) / PERIOD;
             let second = (three[2][joint] - 2.0 * three[1][joint] + three[0][joint]) / PERIOD.powi(2);
-            first.abs() > speeds[joint] + 1e-6 || second.abs() > ACCELERATION + 1e-3
+            let slows = first.abs() < (three[1][joint] - three[0][joint]).abs() / PERIOD;
+            let most = if slows { STOP_ACCELERATION } else { ACCELERATION };
+            first.abs() > speeds[joint] + 1e-6 || second.abs() > most + 1e-3
         })
     })
 }

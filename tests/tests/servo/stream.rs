@@ -61,17 +61,20 @@ fn assert_smooth(set_points: &[[f64; 6]]) {
     assert_eq!(jump, None, "{:?}", jump.map(|index| &set_points[..=index]));
 }
 
-/// The first set-point after standstill at which a joint is faster, or becomes so sooner, than it may.
+/// The first set-point after standstill at which a joint is faster, or becomes so sooner, than it may. A joint that is
+/// braked may have the acceleration and the jerk of stops.
 pub(crate) fn jump(start: [f64; 6], set_points: &[[f64; 6]]) -> Option<usize> {
     let mut all = vec![start; 3];
     all.extend(set_points);
     all.windows(4).position(|four| {
         let [a, b, c, d] = four else { unreachable!("windows of four") };
         (0..6).any(|joint| {
-            let first = (d[joint] - c[joint]) / PERIOD;
-            let second = (d[joint] - 2.0 * c[joint] + b[joint]) / PERIOD.powi(2);
-            let third = (d[joint] - 3.0 * c[joint] + 3.0 * b[joint] - a[joint]) / PERIOD.powi(3);
-            [(first, SPEED), (second, ACCELERATION), (third, JERK)].iter().any(|(is, most)| is.abs() > most + 1e-6)
+            let [oldest, before, now] = [b[joint] - a[joint], c[joint] - b[joint], d[joint] - c[joint]];
+            let (first, second) = (now / PERIOD, (now - before) / PERIOD.powi(2));
+            let third = (now - 2.0 * before + oldest) / PERIOD.powi(3);
+            let is_braked = now.abs() < before.abs() || before.abs() < oldest.abs() || third * now < 0.0;
+            let most = if is_braked { [SPEED, 570.0, 5700.0] } else { [SPEED, ACCELERATION, JERK] };
+            [first, second, third].iter().zip(most).any(|(is, most)| is.abs() > most + 1e-6)
         })
     })
 }

@@ -108,7 +108,7 @@ impl Case {
         let limits = &self.rig.limits;
         let accelerations = *limits.joint_accelerations();
         let jerks = accelerations.map(|most| if self.tolerances.is_some() { 10.0 * most } else { f64::INFINITY });
-        let moves = Moves { limits: [*limits.joint_speeds(), accelerations, jerks], period };
+        let moves = Moves { limits: [*limits.joint_speeds(), accelerations, jerks], stops: None, period };
         let start = self.trajectory.start();
         let (mut judge, checker) = (Judge::new(self.rig.bounds.clone(), moves, start.0), self.rig.checker());
         let mut last = [start; 2];

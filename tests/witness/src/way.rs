@@ -77,6 +77,10 @@ pub enum Path {
     Arc(Frame, Frame),
 }
 
+/// Acceleration and jerk of stops by default, in deg/s² and deg/s³.
+const STOP_ACCELERATION: f64 = 570.0;
+const STOP_JERK: f64 = 5700.0;
+
 /// The steps in which ways are followed: degrees of a joint, and mm of a point.
 #[derive(Debug, Clone, Copy)]
 pub struct Steps {
@@ -222,7 +226,9 @@ impl Bounds {
             let (moved, moved_before) = (to[joint] - last[joint], last[joint] - earlier[joint]);
             excess.speed = excess.speed.max(moved.abs() / period / self.speeds[joint] - 1.0);
             let acceleration = (moved - moved_before).abs() / period / period;
-            excess.acceleration = excess.acceleration.max(acceleration / self.accelerations[joint] - 1.0);
+            let slows = moved.abs() < moved_before.abs() && moved * moved_before >= 0.0;
+            let most = if slows { self.accelerations[joint].max(STOP_ACCELERATION) } else { self.accelerations[joint] };
+            excess.acceleration = excess.acceleration.max(acceleration / most - 1.0);
         }
         let (here, there) = (self.points(last)[2], self.points(to)[2]);
         excess.speed = excess.speed.max(distance(here, there) / period / self.tcp_speed - 1.0);
@@ -232,7 +238,8 @@ impl Bounds {
         excess.or(way).or(self.landing(last, to, period, steps))
     }
 
-    /// On the way to a stop after a set-point: step after step, each shorter than the one before by as much as the first allows.
+    /// On the way to a stop after a set-point. Either step after step, each shorter than the one before by as much as the
+    /// first allows; or the fastest joint with the acceleration and the jerk of a stop, whichever is shorter.
     fn landing(&self, last: [f64; 6], to: [f64; 6], period: f64, steps: Steps) -> Excess {
         let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - last[joint]);
         let mut count = 1_u32;
@@ -243,11 +250,16 @@ impl Bounds {
         while !is_soft(count) && count < 100_000 {
             count += 1;
         }
-        let mut end = to;
-        for step in 1..count {
-            let share = 1.0 - f64::from(step) / f64::from(count);
-            end = std::array::from_fn(|joint| end[joint] + moved[joint] * share);
-        }
+        let even = (1..count).map(|step| 1.0 - f64::from(step) / f64::from(count)).sum::<f64>();
+        let fastest = moved.iter().fold(0.0, |most: f64, moved| most.max(moved.abs())) / period;
+        // What braking takes is as long again as its first half, at the mean of both speeds.
+        let seconds = if fastest * STOP_JERK < STOP_ACCELERATION * STOP_ACCELERATION {
+            2.0 * (fastest / STOP_JERK).sqrt()
+        } else {
+            fastest / STOP_ACCELERATION + STOP_ACCELERATION / STOP_JERK
+        };
+        let share = even.min(0.5 * seconds / period);
+        let end = std::array::from_fn(|joint| to[joint] + share * moved[joint]);
         let mut way = self.joint_way(to, end, 1e-9, 1e-9, steps);
         (way.speed, way.acceleration) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         way

@@ -54,7 +54,7 @@ fn the_tool_moves_as_it_is_told() {
 /// At each set-point: how fast the tool came there, and how far it goes on until it rests.
 #[test]
 fn a_tool_that_is_to_stop_soon_can_whatever_the_goals_are() {
-    let (speed, within) = (20.0, 1.0);
+    let (speed, within) = (20.0, 0.7);
     let checker = Checker::new(zu5(), Frames::new());
     let generator = Generator::new(&checker, Dynamics::of(&zu5()), ELBOW_UP.into(), CYCLE).expect("at rest");
     let mut generator = generator.with_tool_stop(speed, within).expect("above 0");

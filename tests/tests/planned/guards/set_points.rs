@@ -219,9 +219,8 @@ fn without_packets_in_time_an_arm_under_a_limit_of_force_is_braked() {
     assert!(!followed(&end).has_left_curve && arm.state().at_rest, "{end}");
 }
 
-/// A limit of force permits speeds by the shortest way to rest; other guards stop as gently as a pause does.
 #[test]
-fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
+fn an_arm_is_braked_as_soon_by_one_guard_as_by_another() {
     let rest_after = |is_limited: bool| {
         let (arm, mut robot) = bench(Duration::from_millis(30), 25.0);
         let trajectory = down(&arm, &robot, 10.0);
@@ -236,7 +235,7 @@ fn an_arm_under_a_limit_of_force_is_braked_sooner_than_under_another_guard() {
         arm.clock().elapsed().saturating_sub(since)
     };
     let [limited, other] = [true, false].map(rest_after);
-    assert!(limited < other, "{limited:?}, {other:?}");
+    assert!(limited == other && limited < Duration::from_millis(200), "{limited:?}, {other:?}");
 }
 
 /// The trip that has ended something.
@@ -250,7 +249,7 @@ fn trip(error: &Error) -> &GuardTrip {
 #[test]
 fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
     let ms = Duration::from_millis;
-    for (lag, reaction, is_longer) in [(ms(60), ms(20), true), (ms(100), ms(20), true), (ms(60), ms(120), false)] {
+    for (lag, reaction, is_longer) in [(ms(80), ms(20), true), (ms(100), ms(20), true), (ms(60), ms(120), false)] {
         let limit = force(1.0).reaction(reaction);
         let (arm, mut robot) = lagging_above_a_plane(lag, ms(8), 15.0);
         robot = limited(robot);

@@ -110,7 +110,9 @@ fn arcs() {
 #[test]
 fn set_points() {
     let (mut tally, period) = (Tally::default(), 0.008);
-    for (seed, mut random, rig, from) in rigs(3_000_000) {
+    for (seed, mut random, mut rig, from) in rigs(3_000_000) {
+        // The witness brakes with the joints alone.
+        rig.limits = rig.limits.without_stop_tcp_acceleration();
         let speed = random.mostly_small(250.0);
         let last = by(&mut random, from, speed * period);
         let change = random.between(0.0, 1.3) * rig.bounds.accelerations[0] * period * period;

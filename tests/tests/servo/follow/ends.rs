@@ -214,6 +214,7 @@ fn hump(time_s: f64, start_s: f64, half_s: f64, acceleration: f64) -> [f64; 2] {
 /// at 2 s and before the end, joints 4 and 5 in between.
 fn without_reserve() -> (Limits, Vec<TimedPoint>) {
     let limits = limits().with_joint_accelerations([25.0; 6]).expect("above 0");
+    let limits = limits.with_stop_accelerations([25.0; 6]).expect("above 0");
     let at = |time_s: f64| {
         let ([there, gone], [back, come]) = (hump(time_s, 0.0, 1.0, 25.0), hump(time_s, 2.0, 1.0, 25.0));
         let ([fourth, fourth_speed], [fifth, fifth_speed]) =
@@ -258,11 +259,11 @@ fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_go
     );
 }
 
-/// A stop of the robot finds a run in which joint 1 slows down and joint 6 gets faster: braking along the trajectory
-/// would take longer than the stop waits, and not much longer than braking straight on.
-#[test]
-fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_trajectory_brakes_it_straight_on() {
+/// A stop of the robot finds a run in which joint 1 slows down and joint 6 gets faster, with all of their acceleration.
+/// How it ended, the set-points that came, and how many of these came before the stop.
+fn stopped_in_between(stop_deg_s2: f64) -> (End, Vec<[f64; 6]>, usize) {
     let limits = limits().with_joint_accelerations([70.0; 6]).expect("above 0");
+    let limits = limits.with_stop_accelerations([stop_deg_s2; 6]).expect("above 0");
     let points = [0.0, 2.2, 2.5, 4.7, 5.0, 7.2].map(|time_s| {
         let ([first, first_speed], [last, last_speed]) = (hump(time_s, 0.0, 2.5, 70.0), hump(time_s, 2.2, 2.5, 70.0));
         let mut joints = START;
@@ -274,12 +275,30 @@ fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_traj
     let stop = robot.stop_handle();
     let run = robot.start_follow(&trajectory, &config()).expect("the arm is at its start");
     wait_for(&arm, &run.handle(), 3.8);
+    let before = set_points(&arm).0.len();
     stop.stop().expect("the controller takes it");
-    let (end, (set_points, _)) = (run.wait(), set_points(&arm));
+    (run.wait(), set_points(&arm).0, before)
+}
+
+/// Braking along the trajectory would take longer than the stop waits, and not much longer than braking straight on.
+#[test]
+fn a_stop_of_the_robot_that_would_go_out_before_the_arm_is_braked_along_the_trajectory_brakes_it_straight_on() {
+    let (end, set_points, _) = stopped_in_between(70.0);
     assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, true), "{end:?}");
     let speeds: Vec<f64> = set_points.windows(2).map(|two| (two[1][5] - two[0][5]) / PERIOD).collect();
     let (fastest, last) = (speeds.iter().copied().fold(0.0, f64::max), speeds[speeds.len() - 1]);
     assert!(end.rest.was_seen() && fastest > 100.0 && last < 70.0 * PERIOD * 1.01, "from {fastest} to {last}: {end:?}");
+}
+
+/// From some 115 deg/s.
+#[test]
+fn a_stop_with_its_own_acceleration_brakes_along_a_trajectory_that_leaves_motions_none() {
+    let (end, set_points, before) = stopped_in_between(570.0);
+    assert_eq!((end.cause(), followed(&end).has_left_curve), (Cause::Stopped, false), "{end:?}");
+    assert!(end.rest.was_seen(), "{end:?}");
+    assert_eq!(jump(set_points[0], &set_points), None);
+    let braked_s = f64::from(u32::try_from(set_points.len() - before).expect("some")) * PERIOD;
+    assert!((0.2..0.5).contains(&braked_s), "{braked_s} s: {end:?}");
 }
 
 #[test]

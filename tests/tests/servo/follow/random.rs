@@ -18,7 +18,7 @@ fn count(usual: u32) -> u32 {
 
 /// Through two to six points, as fast as it may be or up to three times as slow.
 fn random_curve(random: &mut Random) -> (Curve, Trajectory) {
-    let checker = Checker::new(limits(), Frames::new());
+    let checker = checker();
     let mut time_s = 0.0;
     let mut points = vec![(0.0, START)];
     for _ in 0..=random.below(5) {
@@ -37,6 +37,10 @@ fn random_curve(random: &mut Random) -> (Curve, Trajectory) {
 }
 
 /// The scale for some time: mostly another speed, often a pause, seldom the trajectory's own.
+fn checker() -> Checker {
+    Checker::new(limits(), Frames::new())
+}
+
 fn random_scale(random: &mut Random) -> f64 {
     match random.below(6) {
         0 | 1 => 0.0,
@@ -60,7 +64,7 @@ fn encoded(joints: JointPosition) -> String {
 
 /// Set-points at random scales until the end, or until it has come to rest where it was stopped.
 fn followed_at_random(random: &mut Random, trajectory: &Trajectory) -> Vec<[f64; 6]> {
-    let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+    let mut follower = Follower::new(trajectory.clone(), &checker(), PERIOD);
     let stops_at = if random.one_in(3) { random.between(0.0, trajectory.duration_s()) } else { f64::INFINITY };
     let (mut set_points, mut left) = (vec![START], 0);
     while !follower.is_at_end() {
@@ -97,7 +101,7 @@ fn through_bytes_in_memory_they_stay_on_the_curve_and_within_the_limits() {
 /// What is planned here leaves a share of the accelerations, so that a stop does not take long.
 #[test]
 fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
-    let checker = Checker::new(limits(), Frames::new());
+    let checker = checker();
     for seed in 0..count(30) {
         let mut random = Random::new(2_000_000 + seed);
         let joints = (0..random.below(5) + 2).map(|_| Via::Joints(turned(random.offsets::<6>(15.0)).into()));
@@ -108,7 +112,7 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
         let at = |time_s: f64| trajectory.at(time_s).joints.0;
         are_on(&at, trajectory.duration_s(), &set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
         assert_eq!(jump(START, &set_points), None, "seed {seed}: {set_points:?}");
-        let mut follower = Follower::new(trajectory.clone(), &limits(), PERIOD);
+        let mut follower = Follower::new(trajectory.clone(), &checker, PERIOD);
         while !follower.is_at_end() {
             follower.advance();
             // 180 deg/s at 300 deg/s² take 0.6 s straight on.
@@ -167,7 +171,7 @@ fn led_at_random(random: &mut Random, trajectory: &Trajectory) -> (Arm, End) {
 
 /// Points, the tolerance of each joint, and what is planned: through few points, or along a curve near many.
 fn random_planned(random: &mut Random) -> (Vec<[f64; 6]>, f64, Trajectory) {
-    let checker = Checker::new(limits(), Frames::new());
+    let checker = checker();
     let planned = if random.one_in(2) {
         let joints = (0..random.below(5) + 2).map(|_| turned(random.offsets::<6>(15.0)));
         let points: Vec<_> = std::iter::once(START).chain(joints).collect();

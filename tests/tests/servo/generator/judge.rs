@@ -7,12 +7,15 @@ use jaka_tests::witness::way::Bounds;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moves {
     pub(crate) limits: [[f64; 6]; 3],
+    /// Acceleration and jerk of a joint that is braked; none where nothing stops.
+    pub(crate) stops: Option<[f64; 2]>,
     pub(crate) period: f64,
 }
 
 impl Moves {
     pub(crate) fn of(dynamics: &Dynamics, period: f64) -> Self {
-        Self { limits: [*dynamics.speeds(), *dynamics.accelerations(), *dynamics.jerks()], period }
+        let limits = [*dynamics.speeds(), *dynamics.accelerations(), *dynamics.jerks()];
+        Self { limits, stops: Some(STOPS), period }
     }
 }
 
@@ -25,6 +28,8 @@ pub(crate) struct Judge {
     tool: [f64; 3],
 }
 
+/// Acceleration and jerk of stops by default, in deg/s² and deg/s³.
+const STOPS: [f64; 2] = [570.0, 5700.0];
 /// What rounding may add to a limit, as a share of it.
 const SHARE: f64 = 2e-9;
 /// What rounding may add to a difference, in degrees: positions of some hundred degrees have steps of 6e-14.
@@ -54,13 +59,19 @@ impl Judge {
                 here[joint] - 2.0 * first[joint] + second[joint],
                 here[joint] - 3.0 * first[joint] + 3.0 * second[joint] - third[joint],
             ];
+            let [now, before, oldest] = [by[0], first[joint] - second[joint], second[joint] - third[joint]];
+            // Its acceleration may also go to zero first.
+            let is_braked = now.abs() < before.abs() || before.abs() < oldest.abs() || by[2] * now < 0.0;
+            let mut limits = self.moves.limits.map(|limits| limits[joint]);
+            if let Some([acceleration, jerk]) = self.moves.stops.filter(|_| is_braked) {
+                (limits[1], limits[2]) = (limits[1].max(acceleration), limits[2].max(jerk));
+            }
             let mut duration = 1.0;
-            for (kind, by) in by.into_iter().enumerate() {
+            for ((by, limit), name) in by.into_iter().zip(limits).zip(NAMES) {
                 duration *= self.moves.period;
-                let most = self.moves.limits[kind][joint] * duration * (1.0 + SHARE) + DEGREES;
+                let most = limit * duration * (1.0 + SHARE) + DEGREES;
                 if by.is_nan() || by.abs() > most {
-                    let (value, limit) = (by / duration, self.moves.limits[kind][joint]);
-                    return Err(format!("{} of joint {}: {value}, limit {limit}", NAMES[kind], joint + 1));
+                    return Err(format!("{name} of joint {}: {}, limit {limit}", joint + 1, by / duration));
                 }
             }
         }
