@@ -12,9 +12,9 @@ use crate::chart::{self, Chart, Drawn, TEXT};
 
 /// Width and height on a page, in pixels.
 const SHOWN: (u32, u32) = (800, 840);
-/// How high a panel is, where 1 is the limit.
+/// How high a panel is, where 1 is the limit, or the largest value where that is larger.
 const HEIGHT: f64 = 1.35;
-/// At which height names stand, between limit and edge.
+/// At which height names stand, between that and the edge.
 const NAMES: f64 = 1.17;
 const LIMIT: RGBColor = RGBColor(190, 30, 30);
 const MOMENT: RGBColor = RGBColor(120, 120, 120);
@@ -29,7 +29,7 @@ pub fn svg() -> Result<String, Box<dyn Error>> {
     let quantities = script::quantities()?;
     let drawn = chart::page(SHOWN, |page| {
         for (panel, quantity) in page.split_evenly((3, 1)).iter().zip(&quantities) {
-            let height = HEIGHT * quantity.limit;
+            let height = HEIGHT * quantity.most();
             let mut chart = ChartBuilder::on(panel)
                 .margin(48)
                 .margin_right(120)
@@ -48,11 +48,11 @@ pub fn svg() -> Result<String, Box<dyn Error>> {
 
 /// A line where the goal changes, and above the limit what to.
 fn draw_moments(chart: &mut Chart, quantity: &Quantity) -> Drawn {
-    let height = HEIGHT * quantity.limit;
+    let height = HEIGHT * quantity.most();
     for moment in &MOMENTS {
         let since = moment.at_s();
         chart::line(chart, vec![(since, -height), (since, height)], MOMENT, 6)?;
-        chart::text(chart, moment.name, (since + 0.05, NAMES * quantity.limit), HPos::Left, TEXT)?;
+        chart::text(chart, moment.name, (since + 0.05, NAMES * quantity.most()), HPos::Left, TEXT)?;
     }
     Ok(())
 }
@@ -62,12 +62,12 @@ fn draw_limits(chart: &mut Chart, quantity: &Quantity) -> Drawn {
         chart::line(chart, vec![(0.0, limit), (END_S, limit)], LIMIT, 6)?;
     }
     let text = format!("limit {:.0} {}", quantity.limit, quantity.unit);
-    chart::text(chart, &text, (END_S - 0.05, -NAMES * quantity.limit), HPos::Right, LIMIT)
+    chart::text(chart, &text, (END_S - 0.05, -NAMES * quantity.most()), HPos::Right, LIMIT)
 }
 
 /// The curves, and below the limit which is which.
 fn draw_curves(chart: &mut Chart, quantity: &Quantity) -> Drawn {
-    let at = -NAMES * quantity.limit;
+    let at = -NAMES * quantity.most();
     let mut since = 1.7;
     for ((joint, curve), (color, width)) in JOINTS.iter().zip(&quantity.curves).zip(CURVES) {
         chart::line(chart, curve.clone(), color, width)?;
