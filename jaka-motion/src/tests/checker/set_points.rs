@@ -136,6 +136,26 @@ fn a_pose_does_not_leap_over_a_singularity() {
     }
 }
 
+/// Motions have 72 deg/s², stops 570.
+#[test]
+fn a_joint_may_slow_down_by_the_acceleration_of_stops_and_speed_up_by_that_of_motions() {
+    let checker = bare(zu5());
+    let at = |speed: f64| turned(speed * CYCLE);
+    let set = |before: f64, deg_s2: f64| {
+        let target = before + (before + deg_s2 * CYCLE);
+        checker.check_set_point([turned(0.0), at(before)], at(target), CYCLE)
+    };
+    for (before, deg_s2) in [(60.0, 71.9), (60.0, -569.0), (-60.0, 569.0), (1.0, -190.0)] {
+        assert_eq!(set(before, deg_s2), Ok(()), "from {before} deg/s by {deg_s2} deg/s²");
+    }
+    // From 1 deg/s a joint turns round: by more than 72 deg/s² from standstill.
+    for (before, deg_s2, limit) in [(60.0, 73.0, 72.0), (60.0, -571.0, 570.0), (1.0, -199.0, 72.0), (-1.0, 199.0, 72.0)] {
+        let found = set(before, deg_s2).expect_err("it is beyond").exceeded;
+        let told = matches!(found, Exceeded::JointAcceleration { limit_deg_s2, .. } if limit_deg_s2 == limit);
+        assert!(told, "from {before} deg/s by {deg_s2} deg/s²: {found:?}");
+    }
+}
+
 /// From 175 deg/s, a stop with 570 deg/s² that are reached in 0.1 s takes 0.407 s and 35.6 degrees.
 #[test]
 fn there_is_room_to_stop() {
