@@ -34,7 +34,7 @@ pub use frames::Frames;
 pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};
 /// The types of joint positions and poses.
 pub use jaka_proto as proto;
-pub use limits::{InvalidLimit, Limits, Region, RegionFrame};
+pub use limits::{InvalidLimit, Limits, Preset, Region, RegionFrame};
 pub use model::{
     Branches, DhMismatch, Fit, FitError, Model, NoSolution, Point, Singularity, SingularityDistance, Tolerance,
 };

@@ -40,10 +40,25 @@ pub struct Limits {
     model: Model,
     axes: AxisLimits,
     tcp_speed: Option<f64>,
-    /// Of stops.
+    /// Along its way in trajectories.
     tcp_acceleration: Option<f64>,
+    stop_tcp_acceleration: Option<f64>,
+    preset: Preset,
     clearance: SingularityClearance,
     regions: Vec<Region>,
+}
+
+/// Accelerations of motions: see [`Limits::with_preset`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum Preset {
+    /// A joint's highest speed in 2.5 s. The default.
+    #[default]
+    Gentle,
+    /// A joint's highest speed in 0.75 s, and 2 m/s² for the tool centre point along its way.
+    Usual,
+    /// A joint's highest speed in 0.4 s, and 5 m/s² for the tool centre point along its way.
+    Quick,
 }
 
 jaka_proto::worded! {
@@ -122,9 +137,6 @@ jaka_proto::worded! {
     }
 }
 
-/// How much of its speed a joint gains in a second by default: a fifth of it in half a second. Ours: no source has
-/// accelerations of these arms.
-const SPEED_GAINED: f64 = 0.2 / 0.5;
 /// Acceleration of a stop by default, in deg/s², and in how many seconds it is reached. Ours: no source has either. It is
 /// below the 720 deg/s² that the document advises for motions of joints (4.7).
 const STOP_ACCELERATION: f64 = 570.0;
@@ -146,7 +158,7 @@ impl Limits {
     /// What is published for an arm, and where nothing is, careful defaults of ours.
     ///
     /// - Joint ranges and speeds are the published ones.
-    /// - Joint accelerations are **not published** for these arms. The default is ours: a fifth of the joint's speed reached in 0.5 s, for example
+    /// - Joint accelerations are **not published** for these arms. The default is ours: [`Preset::Gentle`], for example
     ///   72 deg/s² where the speed is 180 deg/s.
     /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its way. The first
     ///   is ours, the second is what the document advises at most for lines (4.9). No source shows an arm that follows
@@ -160,12 +172,14 @@ impl Limits {
                 min,
                 max,
                 speeds,
-                accelerations: speeds.map(|speed| SPEED_GAINED * speed),
+                accelerations: speeds.map(|speed| speed / Preset::Gentle.seconds()),
                 stop_accelerations: [STOP_ACCELERATION; 6],
                 stop_jerks: [STOP_ACCELERATION / STOP_REACHED_S; 6],
             },
             tcp_speed: None,
-            tcp_acceleration: Some(STOP_TCP_ACCELERATION),
+            tcp_acceleration: None,
+            stop_tcp_acceleration: Some(STOP_TCP_ACCELERATION),
+            preset: Preset::Gentle,
             clearance: SINGULARITY_DISTANCE,
             regions: Vec::new(),
             model: model.clone(),
@@ -182,6 +196,7 @@ impl Limits {
     ///
     /// let text = r#"
     /// model = "Zu 5"
+    /// preset = "usual" # or "gentle", the default, or "quick"; figures below win over it
     ///
     /// [joints]
     /// min_deg = [-170, -80, -150, -80, -175, -360]
@@ -191,6 +206,7 @@ impl Limits {
     ///
     /// [tcp]
     /// speed_mm_s = 250
+    /// acceleration_mm_s2 = 1500
     ///
     /// [stop]
     /// joint_acceleration_deg_s2 = 400 # not published for these arms
@@ -276,6 +292,37 @@ impl Limits {
         Ok(self)
     }
 
+    /// With the joint accelerations of a preset, and its acceleration of the tool centre point.
+    ///
+    /// None of these figures is published for the arms: nobody has tried them on one. With [`Preset::Usual`] and
+    /// [`Preset::Quick`] a robot wants to know the payload and that collision detection is on.
+    ///
+    /// ```
+    /// use jaka_motion::{Limits, Model, Preset};
+    ///
+    /// let limits = Limits::of(Model::named("Zu 5").expect("a published arm")).with_preset(Preset::Usual);
+    /// assert_eq!((limits.joint_accelerations()[0], limits.tcp_acceleration()), (240.0, Some(2000.0)));
+    /// ```
+    #[must_use]
+    pub fn with_preset(mut self, preset: Preset) -> Self {
+        self.axes.accelerations = self.model.joint_speed().map(|speed| speed / preset.seconds());
+        self.tcp_acceleration = preset.tcp_acceleration();
+        self.preset = preset;
+        self
+    }
+
+    /// With this highest acceleration of the tool centre point along its way, in mm/s². Trajectories are planned by it
+    /// ([`Trajectory::through`](crate::Trajectory::through), [`curve`](crate::Trajectory::curve)); nothing else is
+    /// compared with it.
+    ///
+    /// # Errors
+    /// It is not above 0.
+    pub fn with_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
+        positive("acceleration of the tool centre point", &[mm_s2])?;
+        self.tcp_acceleration = Some(mm_s2);
+        Ok(self)
+    }
+
     /// With these accelerations of joints 1 to 6 in a stop, in deg/s², each reached in 0.1 s.
     ///
     /// A stop is never gentler than a motion: where one is below that of
@@ -309,14 +356,14 @@ impl Limits {
     /// It is not above 0.
     pub fn with_stop_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
         positive("acceleration of the tool centre point in a stop", &[mm_s2])?;
-        self.tcp_acceleration = Some(mm_s2);
+        self.stop_tcp_acceleration = Some(mm_s2);
         Ok(self)
     }
 
     /// With stops that the joints alone bound.
     #[must_use]
     pub fn without_stop_tcp_acceleration(mut self) -> Self {
-        self.tcp_acceleration = None;
+        self.stop_tcp_acceleration = None;
         self
     }
 
@@ -383,6 +430,16 @@ impl Limits {
         &self.axes.accelerations
     }
 
+    /// The highest acceleration of the tool centre point along its way in mm/s², if it is limited.
+    pub fn tcp_acceleration(&self) -> Option<f64> {
+        self.tcp_acceleration
+    }
+
+    /// The preset that was given last.
+    pub fn preset(&self) -> Preset {
+        self.preset
+    }
+
     /// Acceleration of each joint in a stop, in deg/s².
     pub fn stop_accelerations(&self) -> &[f64; 6] {
         &self.axes.stop_accelerations
@@ -395,7 +452,7 @@ impl Limits {
 
     /// Acceleration of the tool centre point along its way in a stop, in mm/s², if it is limited.
     pub fn stop_tcp_acceleration(&self) -> Option<f64> {
-        self.tcp_acceleration
+        self.stop_tcp_acceleration
     }
 
     /// The highest speed of the tool centre point in mm/s, if it is limited.
@@ -421,6 +478,36 @@ impl Limits {
     /// The least distance from singularities.
     pub(crate) fn clearance(&self) -> SingularityClearance {
         self.clearance
+    }
+}
+
+impl Preset {
+    /// Name in a file of limits.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gentle => "gentle",
+            Self::Usual => "usual",
+            Self::Quick => "quick",
+        }
+    }
+
+    /// In how many seconds a joint reaches its highest speed, but for the 0.1 s in which it reaches its acceleration.
+    /// Ours: no source has accelerations of these arms.
+    fn seconds(self) -> f64 {
+        match self {
+            Self::Gentle => 2.5,
+            Self::Usual => 0.75,
+            Self::Quick => 0.4,
+        }
+    }
+
+    /// In mm/s². Ours; the document advises at most 8000 for lines (4.9).
+    fn tcp_acceleration(self) -> Option<f64> {
+        match self {
+            Self::Gentle => None,
+            Self::Usual => Some(2000.0),
+            Self::Quick => Some(5000.0),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Limits: what is checked before a motion or a set-point is sent.
 
 mod motion;
+mod waived;
 
 use std::time::Duration;
 
@@ -12,6 +13,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_sync::layer::ClientParts as _;
 
 pub(crate) use self::motion::Beginning;
+pub(crate) use self::waived::Waived;
 use crate::arm::Arm;
 use crate::{Error, ErrorKind, Explanation, Unchecked};
 

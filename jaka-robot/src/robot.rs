@@ -158,9 +158,13 @@ impl<S: MotionStatus> Robot<S> {
     /// Applies options. Those that are not set in `config` are the defaults.
     ///
     /// # Errors
-    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model, and as
+    /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model,
+    /// [`ErrorKind::InvalidOption`] if the limits have a preset that wants collision detection and it is off, and as
     /// [`Client::call`]; nothing has changed then.
     pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
+        if let Some(limits) = &config.limits {
+            config.waived.check(&mut self.arm, limits.preset())?;
+        }
         self.limits = match &config.limits {
             Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
             None => LimitChecks::default(),

@@ -3,7 +3,7 @@
 mod table;
 
 use self::table::{Placed, Table, read_file};
-use super::{InvalidLimit, Limits, Region, RegionFrame};
+use super::{InvalidLimit, Limits, Preset, Region, RegionFrame};
 use crate::model::{Model, Point};
 use crate::text_file::{FileErrors, nearest};
 
@@ -16,10 +16,17 @@ pub(super) fn read(text: &str, file_name: &str) -> Result<Limits, FileErrors> {
 fn limits(file: &Table<'_, '_>) -> Limits {
     let model = model(file);
     let mut limits = model.map_or_else(|| Limits::of(&Model::default()), Limits::of);
+    let presets = [Preset::Gentle, Preset::Usual, Preset::Quick].map(|preset| (preset.name(), preset));
+    if let Some(preset) = optional_choice(file, "preset", &presets) {
+        limits = limits.with_preset(preset);
+    }
     joints(file, model.is_some(), &mut limits);
     if let Some(tcp) = file.table("tcp") {
         if let Some(speed) = tcp.number("speed_mm_s") {
             apply(file, speed.at, &mut limits, |limits| limits.with_tcp_speed(speed.value));
+        }
+        if let Some(most) = tcp.number("acceleration_mm_s2") {
+            apply(file, most.at, &mut limits, |limits| limits.with_tcp_acceleration(most.value));
         }
         tcp.finish();
     }
@@ -178,9 +185,14 @@ fn three(table: &Table<'_, '_>, key: &'static str) -> Option<[f64; 3]> {
     Some(numbers.map(|number| number.value))
 }
 
-/// One of the words.
+/// One of the words, which must be there.
 fn choice<T: Copy>(table: &Table<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
     table.require(key);
+    optional_choice(table, key, words)
+}
+
+/// One of the words, if the key is there.
+fn optional_choice<T: Copy>(table: &Table<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
     let text = table.text(key)?;
     let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);
     if found.is_none() {

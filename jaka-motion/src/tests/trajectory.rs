@@ -4,6 +4,7 @@ mod curve;
 #[cfg(feature = "trajectory-files")]
 mod file;
 mod hostile;
+mod presets;
 mod through;
 mod timed;
 

@@ -49,6 +49,8 @@ pub(super) struct Budget {
     pub(super) tcp_speed: f64,
     /// What the caller asks for, in mm/s; infinite if that is nothing.
     pub(super) tcp_asked: f64,
+    /// Of the tool centre point along its way, in mm/s²; infinite without a limit.
+    pub(super) tcp_acceleration: f64,
     /// Share of the accelerations for curves at a constant speed.
     pub(super) curving: f64,
 }
@@ -99,6 +101,7 @@ impl SpeedSettings {
             jerks,
             curving: 1.0 - self.reserve,
             tcp_asked: self.tcp_speed,
+            tcp_acceleration: limits.tcp_acceleration().unwrap_or(f64::INFINITY),
             tcp_speed: (TCP_ASKED * self.tcp_speed).min(limited),
         }
     }

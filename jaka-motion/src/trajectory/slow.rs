@@ -13,7 +13,7 @@ pub struct SlowPlace {
 }
 
 jaka_proto::worded! {
-    /// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies.
+    /// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies, if it is one of a joint.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum SlowedBy {
@@ -32,6 +32,8 @@ jaka_proto::worded! {
             /// Its number.
             joint: usize,
         } => "the jerk of joint {joint}",
+        /// The acceleration of the tool centre point along its way.
+        ToolAcceleration => "the acceleration of the tool",
     }
 }
 
@@ -41,14 +43,23 @@ const FAST: f64 = 0.97;
 const MOST: usize = 20;
 
 impl SlowPlace {
-    /// The slowest of places along a stretch from stop to stop: those at which the speed rises to both sides, or its
-    /// fastest one if there are none.
+    /// The slowest of places along a stretch from stop to stop: those at which the speed rises to both sides. If there
+    /// are none, its fastest one, with the limit that holds most of the places.
     pub(super) fn slowest(all: &[Self]) -> Vec<Self> {
         let is_lowest =
             |index: &usize| all[*index].share < all[index - 1].share && all[*index].share <= all[index + 1].share;
         let mut found: Vec<_> = (1..all.len().saturating_sub(1)).filter(is_lowest).map(|index| all[index]).collect();
         if found.is_empty() {
-            found.extend(all.iter().copied().max_by(|one, other| one.share.total_cmp(&other.share)));
+            let mut counts: Vec<(SlowedBy, usize)> = Vec::new();
+            for place in all {
+                match counts.iter_mut().find(|(by, _)| *by == place.by) {
+                    Some((_, count)) => *count += 1,
+                    None => counts.push((place.by, 1)),
+                }
+            }
+            let by = counts.into_iter().max_by_key(|(_, count)| *count).map(|(by, _)| by);
+            let fastest = all.iter().max_by(|one, other| one.share.total_cmp(&other.share));
+            found.extend(fastest.zip(by).map(|(fastest, by)| Self { by, ..*fastest }));
         }
         found.retain(|place| place.share < FAST);
         found
@@ -63,13 +74,15 @@ impl SlowPlace {
 }
 
 impl SlowedBy {
-    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks.
-    pub(super) fn of(shares: [[f64; 6]; 3]) -> Self {
+    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks, and of the tool's
+    /// acceleration.
+    pub(super) fn of(shares: [[f64; 6]; 3], tool: f64) -> Self {
         let all = shares.into_iter().enumerate().flat_map(|(which, joints)| {
             joints.into_iter().enumerate().map(move |(joint, share)| (which, joint + 1, share))
         });
         let most = all.max_by(|one, other| one.2.total_cmp(&other.2));
         match most {
+            Some((.., share)) if tool > share => Self::ToolAcceleration,
             Some((1, joint, _)) => Self::Acceleration { joint },
             Some((2, joint, _)) => Self::Jerk { joint },
             Some((_, joint, _)) => Self::Speed { joint },

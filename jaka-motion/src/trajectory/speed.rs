@@ -18,6 +18,8 @@ pub(super) struct Place {
     pub(super) second: [f64; 6],
     /// Third derivative before and after the place.
     pub(super) third: [[f64; 6]; 2],
+    /// How far the tool goes with the path parameter, and the derivative of that; 0 where its acceleration is not limited.
+    pub(super) tool: [f64; 2],
     /// Limit of the square of the path parameter's speed.
     pub(super) most: f64,
     /// First, second and third derivative in the middle between this place and the next, where they differ from those at
@@ -25,10 +27,11 @@ pub(super) struct Place {
     pub(super) middle: Option<[[f64; 6]; 3]>,
 }
 
-/// Limits of the joints' accelerations and jerks.
+/// Limits of the joints' accelerations and jerks, and of the tool's acceleration along its way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PathLimits {
     pub(super) accelerations: [f64; 6],
+    pub(super) tool: f64,
     pub(super) jerks: [f64; 6],
 }
 
@@ -139,6 +142,14 @@ pub(super) fn quickest(places: &[Place], limits: &PathLimits) -> Option<Vec<Spee
     }
 }
 
+impl PathLimits {
+    /// Greatest acceleration of the path parameter from rest.
+    fn acceleration(&self, place: &Place) -> f64 {
+        let by_joints = least(|joint| self.accelerations[joint] / place.first[joint].abs());
+        if self.tool.is_finite() { by_joints.min(self.tool / place.tool[0]) } else { by_joints }
+    }
+}
+
 impl<'p> Problem<'p> {
     fn new(places: &'p [Place], limits: &'p PathLimits) -> Self {
         let inner = &places[1..places.len() - 1];
@@ -156,7 +167,7 @@ impl<'p> Problem<'p> {
             lengths[place] += 3.0 * launch;
             spans[span] += 3.0 * launch;
             let jerk = least(|joint| limits.jerks[joint] / inner[place].first[joint].abs());
-            let acceleration = least(|joint| limits.accelerations[joint] / inner[place].first[joint].abs());
+            let acceleration = limits.acceleration(&inner[place]);
             let by_jerk = 9.0 * launch * launch * (jerk / (6.0 * launch)).powf(2.0 / 3.0);
             most[place] = most[place].min(by_jerk).min(1.5 * acceleration * launch);
         }
@@ -185,13 +196,13 @@ impl<'p> Problem<'p> {
     /// Squared speeds that the path hardly exceeds: those at full jerk and full acceleration from each limit on.
     fn reference(&self) -> Vec<f64> {
         let Self { inner, limits, .. } = self;
-        let most = |limits: &[f64; 6], place: &Place| least(|joint| limits[joint] / place.first[joint].abs());
+        let jerk = |place: &Place| least(|joint| limits.jerks[joint] / place.first[joint].abs());
         let mut squared = self.most.clone();
-        let rises: Vec<f64> = inner.iter().map(|place| 2.0 * most(&limits.accelerations, place)).collect();
+        let rises: Vec<f64> = inner.iter().map(|place| 2.0 * limits.acceleration(place)).collect();
         self.sweep(&mut squared, &rises);
         // At a constant jerk from rest, this power of the speed grows in proportion to the path.
         let mut powers: Vec<f64> = squared.into_iter().map(|squared| squared.powf(0.75)).collect();
-        let rises: Vec<f64> = inner.iter().map(|place| 1.5 * (2.0 * most(&limits.jerks, place)).sqrt()).collect();
+        let rises: Vec<f64> = inner.iter().map(|place| 1.5 * (2.0 * jerk(place)).sqrt()).collect();
         self.sweep(&mut powers, &rises);
         powers.into_iter().map(|power| power.powf(4.0 / 3.0)).collect()
     }
@@ -223,7 +234,11 @@ impl<'p> Problem<'p> {
 
     /// Adds the bounds at a place and between it and the next.
     fn add_rows(&self, index: usize, rows: &mut Vec<Row>) {
-        let Place { first, second, .. } = &self.inner[index];
+        let Place { first, second, tool, .. } = &self.inner[index];
+        if self.limits.tool.is_finite() {
+            let [before, after] = self.at_place(index, tool[1], 0.5 * tool[0]);
+            rows.push(Row::new(index, [before, after, 0.0], self.limits.tool, None));
+        }
         for joint in matters(first, second, [[0.0; 6]; 2], self.reference[index], self.limits).0 {
             let [before, after] = self.at_place(index, second[joint], 0.5 * first[joint]);
             rows.push(Row::new(index, [before, after, 0.0], self.limits.accelerations[joint], None));
@@ -319,11 +334,10 @@ impl<'p> Problem<'p> {
         let lowest =
             |index: usize, of: &dyn Fn(usize) -> f64| near(index).map(of).into_iter().fold(f64::INFINITY, f64::min);
         let accelerations = |place: usize| {
-            let Place { first, second, .. } = &inner[place];
-            least(|joint| {
-                let bent = second[joint].abs() * self.most[place];
-                (limits.accelerations[joint] - bent).max(0.1 * limits.accelerations[joint]) / first[joint].abs()
-            })
+            let Place { first, second, tool, .. } = &inner[place];
+            let left = |limit: f64, second: f64| (limit - second.abs() * self.most[place]).max(0.1 * limit);
+            let by_joints = least(|joint| left(limits.accelerations[joint], second[joint]) / first[joint].abs());
+            if limits.tool.is_finite() { by_joints.min(left(limits.tool, tool[1]) / tool[0]) } else { by_joints }
         };
         let jerks = |place: usize| least(|joint| limits.jerks[joint] / inner[place].first[joint].abs());
         let stretches: Vec<Stretch> = (0..=count)
@@ -619,7 +633,7 @@ fn matters(
     reference: f64,
     limits: &PathLimits,
 ) -> (impl Iterator<Item = usize> + use<>, impl Iterator<Item = usize> + use<>) {
-    let (PathLimits { accelerations, jerks }, speed) = (*limits, reference.sqrt());
+    let (PathLimits { accelerations, jerks, .. }, speed) = (*limits, reference.sqrt());
     let bent = |joint: usize| second[joint].abs() * reference;
     let slope = 2.0 * least(|joint| (accelerations[joint] + bent(joint)) / first[joint].abs());
     let curved = |joint: usize| {
@@ -729,7 +743,15 @@ mod tests {
         }
         places.extend(places.clone().into_iter().rev().map(|at| length - at));
         let first = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let place = |at| Place { at, first, second: [0.0; 6], third: [[0.0; 6]; 2], most: speed * speed, middle: None };
+        let place = |at| Place {
+            at,
+            first,
+            second: [0.0; 6],
+            third: [[0.0; 6]; 2],
+            tool: [0.0; 2],
+            most: speed * speed,
+            middle: None,
+        };
         places.into_iter().map(place).collect()
     }
 
@@ -747,7 +769,7 @@ mod tests {
 
     #[test]
     fn a_straight_path_takes_the_time_of_the_closed_form() {
-        let limits = PathLimits { accelerations: [300.0; 6], jerks: [3000.0; 6] };
+        let limits = PathLimits { accelerations: [300.0; 6], tool: f64::INFINITY, jerks: [3000.0; 6] };
         for (length, expected) in [(100.0, 1.0 + 100.0 / 300.0 + 0.1), (10.0, 4.0 * (10.0_f64 / 6000.0).cbrt())] {
             let places = straight(length, &limits, 100.0);
             let took = duration(&places, &quickest(&places, &limits).expect("it can be planned"));

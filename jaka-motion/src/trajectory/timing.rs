@@ -63,6 +63,8 @@ const QUADRATURE: [(f64, f64); 5] = [
     (0.769_234_655_052_841_5, 0.239_314_335_249_683_2),
     (0.953_089_922_969_332, 0.118_463_442_528_094_5),
 ];
+/// Share of a piece over which the tool's speed is differenced.
+const BESIDE: f64 = 1e-3;
 /// How far a piece of time may be from the path, in degrees of a joint.
 const OFF_PATH_DEG: f64 = 1e-4;
 /// The same for each deg/s³ of its limit of jerk, times the cube of the piece's seconds.
@@ -149,8 +151,23 @@ impl<'a> Stretch<'a> {
         } else {
             f64::INFINITY
         };
-        let at = piece.start_s + share * piece.seconds;
-        Place { at, first, second, third: [third; 2], most: by_joints.fold(by_tool, f64::min), middle: None }
+        let tool = self.tool(piece, share);
+        let by_tool_bend = curving * self.budget.tcp_acceleration / tool[1].abs();
+        let most = by_joints.fold(by_tool.min(by_tool_bend), f64::min);
+        Place { at: piece.start_s + share * piece.seconds, first, second, third: [third; 2], tool, most, middle: None }
+    }
+
+    /// How far the tool goes with the path parameter, and how that changes; 0 where its acceleration is not limited.
+    fn tool(&self, piece: &Piece, share: f64) -> [f64; 2] {
+        if self.budget.tcp_acceleration.is_infinite() {
+            return [0.0; 2];
+        }
+        let rate = |share: f64| {
+            let there = piece.at(share);
+            self.checker.arm().tcp_rate(&there.joints.0, &there.velocity)
+        };
+        let [from, to] = [share - BESIDE, share + BESIDE].map(|share| share.clamp(0.0, 1.0));
+        [rate(share), (rate(to) - rate(from)) / (to - from) / piece.seconds]
     }
 
     /// Places at which the speed is planned: close to one another next to rest and corners.
@@ -214,6 +231,7 @@ impl<'a> Stretch<'a> {
         let share = |limits: &[f64; 6], share: f64| limits.map(|limit| share * limit);
         let limits = PathLimits {
             accelerations: share(&self.budget.accelerations, PLANNED[0]),
+            tool: PLANNED[0] * self.budget.tcp_acceleration,
             jerks: share(&self.budget.jerks, PLANNED[1]),
         };
         let before = pieces.len();
@@ -265,7 +283,10 @@ impl<'a> Stretch<'a> {
             let joints = self.pieces[piece].joints.joints(share);
             let along = speed.squared.sqrt() / factor;
             let tool = self.checker.arm().tcp_rate(&joints, &self.places[index + 1].first) * along;
-            let by = SlowedBy::of(self.used(index + 1, speed, &intervals[index + 1]));
+            let [_, turn] = self.places[index + 1].tool;
+            let change = turn * speed.squared + self.places[index + 1].tool[0] * 0.5 * speed.slope;
+            let used = self.used(index + 1, speed, &intervals[index + 1]);
+            let by = SlowedBy::of(used, change.abs() / self.budget.tcp_acceleration);
             all.push(SlowPlace { time_s, share: tool / tcp_asked, by });
         }
         SlowPlace::slowest(&all)
@@ -361,7 +382,7 @@ impl<'a> Stretch<'a> {
 
     /// How much slower a piece has to be; 1 if it need not.
     fn factor(&self, piece: &Piece) -> f64 {
-        let Budget { speeds, accelerations, jerks, tcp_speed, .. } = self.budget;
+        let Budget { speeds, accelerations, jerks, tcp_speed, tcp_acceleration, .. } = self.budget;
         let most = |found: [f64; 6], limits: &[f64; 6]| {
             found.iter().zip(limits).map(|(found, limit)| found / limit).fold(0.0, f64::max)
         };
@@ -380,6 +401,15 @@ impl<'a> Stretch<'a> {
                 let there = piece.at(f64::from(eighth) / 8.0);
                 factor = factor.max(arm.tcp_rate(&there.joints.0, &there.velocity) / tcp_speed);
             }
+        }
+        if tcp_acceleration.is_finite() {
+            let rate = |share: f64| {
+                let there = piece.at(share);
+                arm.tcp_rate(&there.joints.0, &there.velocity)
+            };
+            let rates = [0.0, 0.25, 0.5, 0.75, 1.0].map(rate);
+            let change = rates.windows(2).map(|two| (two[1] - two[0]).abs()).fold(0.0, f64::max);
+            factor = factor.max((4.0 * change / piece.seconds / tcp_acceleration).sqrt());
         }
         factor
     }

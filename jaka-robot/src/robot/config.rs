@@ -5,6 +5,7 @@ use std::time::Duration;
 use jaka_motion::Limits;
 
 use crate::LimitPolicy;
+use crate::limits::Waived;
 use crate::planned::Grace;
 
 /// Options of a [`Robot`](crate::Robot), apart from those of its connections ([`Config`](crate::Config)).
@@ -40,6 +41,11 @@ use crate::planned::Grace;
 /// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from
 /// which its tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where
 /// both answers do not fit together a frame has changed, and the poses are asked for again.
+///
+/// # Presets
+/// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the controller is
+/// also asked for its payload (4.43), which is logged, and for its collision level (4.45), which must not be 0: see
+/// [`without_payload`](Self::without_payload) and [`without_collision_detection`](Self::without_collision_detection).
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a robot is configured by it"]
 pub struct RobotConfig {
@@ -48,6 +54,7 @@ pub struct RobotConfig {
     pub(super) needs_status: bool,
     pub(super) limits: Option<Limits>,
     pub(super) policy: LimitPolicy,
+    pub(super) waived: Waived,
 }
 
 impl Default for RobotConfig {
@@ -58,6 +65,7 @@ impl Default for RobotConfig {
             needs_status: true,
             limits: None,
             policy: LimitPolicy::default(),
+            waived: Waived::default(),
         }
     }
 }
@@ -105,6 +113,18 @@ impl RobotConfig {
     /// ([`ErrorKind::ModelMismatch`](crate::ErrorKind::ModelMismatch)).
     pub fn limit_policy(mut self, policy: LimitPolicy) -> Self {
         self.policy = policy;
+        self
+    }
+
+    /// Takes presets other than the gentle one although the payload was not read.
+    pub fn without_payload(mut self) -> Self {
+        self.waived.payload = true;
+        self
+    }
+
+    /// Takes presets other than the gentle one although the collision level is 0 or was not read.
+    pub fn without_collision_detection(mut self) -> Self {
+        self.waived.collision_detection = true;
         self
     }
 }

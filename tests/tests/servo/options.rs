@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
-use jaka_robot::jaka_motion::Dynamics;
+use jaka_robot::jaka_motion::{Dynamics, Preset};
 use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
@@ -134,4 +134,35 @@ fn an_option_of_a_guard_is_named() {
     }
     assert_not_moved(&arm);
     assert_eq!(arm.state().joint_position, JointPosition::from(START));
+}
+
+/// A preset that is not gentle wants the payload to be read, and collision detection to be on.
+#[test]
+fn a_preset_wants_the_payload_and_collision_detection_or_a_waiver() {
+    let (arm, mut robot) = arm().with_robot();
+    let asked = |robot: &mut jaka_robot::Robot, config: &RobotConfig| {
+        let before = names(&arm).len();
+        let result = robot.configure(config);
+        let sent = names(&arm).split_off(before);
+        let count = |name: &str| sent.iter().filter(|sent| *sent == name).count();
+        (result, [count("get_payload"), count("get_clsn_sensitivity")])
+    };
+    let usual = || RobotConfig::new().limits(limits().with_preset(Preset::Usual));
+    arm.set_state(|state| state.collision_level = 0);
+    let (refused, sent) = asked(&mut robot, &usual());
+    assert_eq!(
+        text(refused),
+        "option `limits` of `RobotConfig` is the preset `usual` with the collision level 0, expected a level above 0 \
+         (`set_clsn_sensitivity`), or `RobotConfig::without_collision_detection`"
+    );
+    assert_eq!(sent, [1, 1]);
+    assert!(robot.limits().is_none(), "nothing has changed");
+    let (waived, sent) = asked(&mut robot, &usual().without_collision_detection().without_payload());
+    assert_eq!((waived.is_ok(), sent), (true, [0, 0]));
+    assert_eq!(robot.limits().expect("it has some").limits().joint_accelerations()[0], 240.0);
+    let (gentle, sent) = asked(&mut robot, &RobotConfig::new().limits(limits()));
+    assert_eq!((gentle.is_ok(), sent), (true, [0, 0]));
+    arm.set_state(|state| state.collision_level = 3);
+    let (taken, sent) = asked(&mut robot, &usual());
+    assert_eq!((taken.is_ok(), sent), (true, [1, 1]));
 }

@@ -60,7 +60,7 @@ max_mm = [1, 1, inf]
         text,
         &[
             "cell.toml:1:9: there is no arm `Zu 55`; is it `Zu 5`?",
-            "cell.toml:2:1: unknown key `colour`; the keys are box, half_space, joints, model, singularity, stop, tcp",
+            "cell.toml:2:1: unknown key `colour`; the keys are box, half_space, joints, model, preset, singularity, stop, tcp",
             "cell.toml:4:11: joints: `min_deg` must be a finite number, or a list of six",
             "cell.toml:5:11: joints: `max_deg` must be a finite number, or a list of six",
             "cell.toml:6:15: joints: `speed_deg_s` must be a finite number, or a list of six",
