@@ -117,13 +117,13 @@ fn a_dry_run_prints_what_was_checked_and_draws_it() {
         3 way-points, 2.000 s, within the limits of the Zu 5; nothing was sent
 
                                highest speed        largest acceleration
-        joint 1             6.0 of 180 deg/s           24.0 of 72 deg/s²
+        joint 1             7.1 of 180 deg/s           48.0 of 72 deg/s²
         joint 2             0.0 of 180 deg/s            0.0 of 72 deg/s²
         joint 3             0.0 of 180 deg/s            0.0 of 72 deg/s²
         joint 4             0.0 of 180 deg/s            0.0 of 72 deg/s²
         joint 5             0.0 of 180 deg/s            0.0 of 72 deg/s²
-        joint 6             9.0 of 180 deg/s           36.0 of 72 deg/s²
-        flange                     51.9 mm/s
+        joint 6            10.7 of 180 deg/s           72.0 of 72 deg/s²
+        flange                     61.5 mm/s
         exit code 0
     "#]]
     .assert_eq(&run.text());

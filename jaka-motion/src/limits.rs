@@ -137,10 +137,12 @@ jaka_proto::worded! {
     }
 }
 
-/// Acceleration of a stop by default, in deg/s², and in how many seconds it is reached. Ours: no source has either. It is
-/// below the 720 deg/s² that the document advises for motions of joints (4.7).
+/// In how many seconds a joint reaches its acceleration by default, in a motion and in a stop. Ours: no source has jerks of
+/// these arms.
+const ACCELERATION_REACHED_S: f64 = 0.1;
+/// Acceleration of a stop by default, in deg/s². Ours: no source has any. It is below the 720 deg/s² that the document
+/// advises for motions of joints (4.7).
 const STOP_ACCELERATION: f64 = 570.0;
-const STOP_REACHED_S: f64 = 0.1;
 /// Acceleration of the tool centre point in a stop by default, in mm/s²: the most that the document advises for lines
 /// (4.9).
 const STOP_TCP_ACCELERATION: f64 = 8000.0;
@@ -167,14 +169,16 @@ impl Limits {
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
         let (min, max, speeds) = (*model.joint_min(), *model.joint_max(), *model.joint_speed());
+        let accelerations = speeds.map(|speed| speed / Preset::Gentle.seconds());
         Self {
             axes: AxisLimits {
                 min,
                 max,
                 speeds,
-                accelerations: speeds.map(|speed| speed / Preset::Gentle.seconds()),
+                accelerations,
+                jerks: accelerations.map(reached_in_time),
                 stop_accelerations: [STOP_ACCELERATION; 6],
-                stop_jerks: [STOP_ACCELERATION / STOP_REACHED_S; 6],
+                stop_jerks: [reached_in_time(STOP_ACCELERATION); 6],
             },
             tcp_speed: None,
             tcp_acceleration: None,
@@ -203,6 +207,7 @@ impl Limits {
     /// max_deg = [170, 260, 150, 260, 175, 360]
     /// speed_deg_s = 90
     /// acceleration_deg_s2 = [60, 60, 90, 90, 120, 120] # not published for these arms
+    /// jerk_deg_s3 = 1200             # by default so that the acceleration is reached in 0.1 s
     ///
     /// [tcp]
     /// speed_mm_s = 250
@@ -282,13 +287,25 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these highest accelerations of joints 1 to 6, in deg/s².
+    /// With these highest accelerations of joints 1 to 6, in deg/s², each reached in 0.1 s.
     ///
     /// # Errors
     /// One is not above 0.
     pub fn with_joint_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint acceleration", &deg_s2)?;
         self.axes.accelerations = deg_s2;
+        self.axes.jerks = deg_s2.map(reached_in_time);
+        Ok(self)
+    }
+
+    /// With these highest jerks of joints 1 to 6, in deg/s³. Trajectories and streams are planned by them unless they are
+    /// given others, and [`Trajectory::timed`](crate::Trajectory::timed) is compared with them; nothing else is.
+    ///
+    /// # Errors
+    /// One is not above 0.
+    pub fn with_joint_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
+        positive("joint jerk", &deg_s3)?;
+        self.axes.jerks = deg_s3;
         Ok(self)
     }
 
@@ -306,6 +323,7 @@ impl Limits {
     #[must_use]
     pub fn with_preset(mut self, preset: Preset) -> Self {
         self.axes.accelerations = self.model.joint_speed().map(|speed| speed / preset.seconds());
+        self.axes.jerks = self.axes.accelerations.map(reached_in_time);
         self.tcp_acceleration = preset.tcp_acceleration();
         self.preset = preset;
         self
@@ -333,7 +351,7 @@ impl Limits {
     pub fn with_stop_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint acceleration of a stop", &deg_s2)?;
         self.axes.stop_accelerations = deg_s2;
-        self.axes.stop_jerks = deg_s2.map(|acceleration| acceleration / STOP_REACHED_S);
+        self.axes.stop_jerks = deg_s2.map(reached_in_time);
         Ok(self)
     }
 
@@ -430,6 +448,11 @@ impl Limits {
         &self.axes.accelerations
     }
 
+    /// The highest jerk of each joint in deg/s³.
+    pub fn joint_jerks(&self) -> &[f64; 6] {
+        &self.axes.jerks
+    }
+
     /// The highest acceleration of the tool centre point along its way in mm/s², if it is limited.
     pub fn tcp_acceleration(&self) -> Option<f64> {
         self.tcp_acceleration
@@ -516,6 +539,10 @@ impl std::error::Error for InvalidLimit {}
 /// A limit, and what rounding adds to a number that is at it.
 pub(crate) fn rounded_up(limit: f64) -> f64 {
     limit * (1.0 + 1e-9)
+}
+
+fn reached_in_time(acceleration: f64) -> f64 {
+    acceleration / ACCELERATION_REACHED_S
 }
 
 fn index_of(joint: usize) -> Result<usize, InvalidLimit> {

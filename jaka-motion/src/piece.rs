@@ -79,19 +79,6 @@ impl Piece {
         Self { start_s, seconds, from: from.joints.0, way }
     }
 
-    /// With the least changes of acceleration between these positions and speeds: a polynomial of the third degree.
-    pub(crate) fn cubic(start_s: f64, seconds: f64, from: &Sample, to: &Sample) -> Self {
-        let accelerations = |near: &Sample, far: &Sample, sign: f64| {
-            std::array::from_fn(|joint| {
-                let mean = (to.joints.0[joint] - from.joints.0[joint]) / seconds;
-                sign * (6.0 * mean - 4.0 * near.velocity[joint] - 2.0 * far.velocity[joint]) / seconds
-            })
-        };
-        let from = Sample { acceleration: accelerations(from, to, 1.0), ..*from };
-        let to = Sample { acceleration: accelerations(to, &from, -1.0), ..*to };
-        Self::between(start_s, seconds, &from, &to)
-    }
-
     pub(crate) fn end_s(&self) -> f64 {
         self.start_s + self.seconds
     }

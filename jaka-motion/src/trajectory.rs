@@ -105,11 +105,13 @@ impl Trajectory {
     ///
     /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both
     ///   ends.
-    /// - With velocities alone it is of the third degree. Accelerations then step at the points.
-    /// - With neither, pieces of the third degree have the velocities for which accelerations do not step, and rest at
-    ///   both ends.
+    /// - With velocities alone it has accelerations of its own: the mean of those that polynomials of the third degree
+    ///   have before and after a point.
+    /// - With neither, pieces of the third degree, and of the fourth at both ends, have the velocities for which
+    ///   accelerations do not step.
     ///
-    /// It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
+    /// It begins and ends at rest and without acceleration, accelerations step nowhere, and jerks are within
+    /// [`Limits::joint_jerks`](crate::Limits::joint_jerks). It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
     /// [`rate_change`](Self::rate_change).
     ///
     /// ```
@@ -126,7 +128,7 @@ impl Trajectory {
     ///
     /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint::new(point.time_s / 4.0, point.joints)), &checker);
     /// let error = sudden.unwrap_err().to_string();
-    /// assert_eq!(error, "after way-point 1, at 0.000 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
+    /// assert_eq!(error, "after way-point 1, at 0.125 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
     /// # Ok::<(), jaka_motion::TrajectoryError>(())
     /// ```
     ///
@@ -134,7 +136,9 @@ impl Trajectory {
     /// What is wrong with the points, or the first place that is beyond a limit.
     pub fn timed(points: &[TimedPoint], checker: &Checker) -> Result<Self, TrajectoryError> {
         let (pieces, way_points) = timed::parts(points)?;
-        Self::checked((pieces, way_points, Vec::new()), checker)
+        let trajectory = Self::checked((pieces, way_points, Vec::new()), checker)?;
+        timed::check_jerks(&trajectory.0.pieces, checker.limits().joint_jerks())?;
+        Ok(trajectory)
     }
 
     /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners

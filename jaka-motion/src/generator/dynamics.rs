@@ -24,19 +24,14 @@ pub struct Dynamics {
     jerks: [f64; 6],
 }
 
-/// In how many seconds a joint reaches its acceleration by default. Ours: no source has jerks of these arms.
-const ACCELERATION_REACHED_S: f64 = 0.1;
 /// The least speed, acceleration and jerk. A joint that is slower takes hours for a turn.
 pub(super) const LEAST: f64 = 1e-3;
 
 impl Dynamics {
-    /// Speeds and accelerations of the limits, and jerks with which a joint reaches its acceleration in 0.1 s.
-    ///
-    /// The jerks are **ours**, as are the accelerations unless the limits were given others: neither is published for these arms.
+    /// Speeds, accelerations and jerks of the limits.
     pub fn of(limits: &Limits) -> Self {
-        let accelerations = *limits.joint_accelerations();
-        let jerks = accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S);
-        Self { speeds: *limits.joint_speeds(), accelerations, jerks }
+        let (speeds, accelerations) = (*limits.joint_speeds(), *limits.joint_accelerations());
+        Self { speeds, accelerations, jerks: *limits.joint_jerks() }
     }
 
     /// With these highest speeds of joints 1 to 6, in deg/s.

@@ -9,8 +9,8 @@ use crate::pace::{JointPace, longest};
 use crate::piece::bernstein::beyond;
 use crate::piece::{Hull, Piece};
 
-/// Range, speed and acceleration of each joint, in degrees, deg/s and deg/s², and acceleration and jerk of its stops, in
-/// deg/s² and deg/s³.
+/// Range, speed, acceleration and jerk of each joint, in degrees, deg/s, deg/s² and deg/s³, and acceleration and jerk of
+/// its stops.
 ///
 /// Each range is within that of the model, and not empty; the others are above 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,7 @@ pub(crate) struct AxisLimits {
     pub(super) max: [f64; 6],
     pub(super) speeds: [f64; 6],
     pub(super) accelerations: [f64; 6],
+    pub(super) jerks: [f64; 6],
     pub(super) stop_accelerations: [f64; 6],
     pub(super) stop_jerks: [f64; 6],
 }

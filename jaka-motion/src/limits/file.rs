@@ -66,8 +66,8 @@ fn model(file: &Table<'_, '_>) -> Option<&'static Model> {
 /// Ranges and speeds are compared with the model's, if it is known.
 fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
     let Some(table) = file.table("joints") else { return };
-    let keys = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2"];
-    let [min, max, speeds, accelerations] = keys.map(|key| six(&table, key));
+    let keys = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2", "jerk_deg_s3"];
+    let [min, max, speeds, accelerations, jerks] = keys.map(|key| six(&table, key));
     table.finish();
     if !known {
         return;
@@ -87,6 +87,7 @@ fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
     }
     each(file, speeds.as_ref(), limits, |limits| limits.axes.speeds, Limits::with_joint_speeds);
     each(file, accelerations.as_ref(), limits, |limits| limits.axes.accelerations, Limits::with_joint_accelerations);
+    each(file, jerks.as_ref(), limits, |limits| limits.axes.jerks, Limits::with_joint_jerks);
 }
 
 fn stops(file: &Table<'_, '_>, limits: &mut Limits) {

@@ -53,7 +53,7 @@ fn jerks_are_within(trajectory: &Trajectory, checker: &Checker, share: f64) {
     for time_s in times(trajectory, 2000) {
         let [before, after] = [0.0, 1e-3].map(|later| trajectory.at(time_s + later).acceleration);
         for joint in 0..6 {
-            let most = 10.0 * checker.limits().joint_accelerations()[joint] * share;
+            let most = checker.limits().joint_jerks()[joint] * share;
             let jerk = (after[joint] - before[joint]) / 1e-3;
             assert!(jerk.abs() < most + 1e-6, "joint {} at {time_s} s: {jerk} of {most}", joint + 1);
         }

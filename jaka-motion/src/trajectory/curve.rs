@@ -142,8 +142,7 @@ impl Curve {
         self
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³; if nothing is said, those with which a joint reaches its
-    /// acceleration in 0.1 s.
+    /// With these highest jerks of joints 1 to 6, in deg/s³, in place of those of the limits.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.speeds.jerks = Some(deg_s3);
         self

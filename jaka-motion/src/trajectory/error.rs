@@ -56,6 +56,33 @@ jaka_proto::worded! {
             "way-point {way_point}: joint {joint} turns at {speed_deg_s} deg/s; a trajectory {} at rest",
             if *way_point == 1 { "starts" } else { "ends" }
         )),
+        /// A joint accelerates at the first or the last way-point.
+        Accelerates {
+            /// The way-point.
+            way_point: usize,
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// Its acceleration there, in deg/s².
+            acceleration_deg_s2: f64,
+        } => (format!(
+            "way-point {way_point}: joint {joint} accelerates by {acceleration_deg_s2} deg/s²; a trajectory {} without \
+             acceleration",
+            if *way_point == 1 { "starts" } else { "ends" }
+        )),
+        /// A joint has a higher jerk than the limits allow.
+        Jerk {
+            /// The last way-point before the place, or the one at it.
+            after: usize,
+            /// The joint, 1 to 6.
+            joint: usize,
+            /// Its largest jerk until the next way-point, in deg/s³.
+            jerk_deg_s3: f64,
+            /// What the limits allow, in deg/s³.
+            limit_deg_s3: f64,
+            /// Factor of all times with which the jerk is nowhere higher, and speeds are less by it.
+            slower: f64,
+        } => "after way-point {after}: joint {joint} would have a jerk of {jerk_deg_s3:.0} deg/s³; limit {limit_deg_s3} deg/s³; \
+              nowhere, if all times are {slower:.3} times as long",
         /// The first way-point is a pose, which several joint positions reach, and [`near`](crate::Through::near) names none.
         StartsWithPose =>
             "way-point 1 is a pose, which several joint positions reach; name joint positions near it, or start with some",
@@ -122,6 +149,8 @@ impl std::error::Error for TrajectoryError {
             | Self::Time { .. }
             | Self::Uneven { .. }
             | Self::NotAtRest { .. }
+            | Self::Accelerates { .. }
+            | Self::Jerk { .. }
             | Self::StartsWithPose
             | Self::NoWay
             | Self::Mixed { .. }

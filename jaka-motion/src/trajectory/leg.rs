@@ -55,9 +55,6 @@ pub(super) struct Budget {
     pub(super) curving: f64,
 }
 
-/// In how many seconds a joint reaches its acceleration by default, as [`Dynamics`](crate::Dynamics) has it. Ours: no
-/// source has jerks of these arms.
-const ACCELERATION_REACHED_S: f64 = 0.1;
 /// Least speed and jerk: a joint that is slower takes hours for a turn.
 const SLOWEST: f64 = 1e-3;
 /// Share of each joint's acceleration that bends leave for changes of the rate, if nothing else is said.
@@ -92,12 +89,11 @@ impl SpeedSettings {
     /// What is planned with, within an arm's limits.
     pub(super) fn budget(&self, checker: &Checker) -> Budget {
         let limits = checker.limits();
-        let accelerations = *limits.joint_accelerations();
-        let jerks = self.jerks.unwrap_or(accelerations.map(|acceleration| acceleration / ACCELERATION_REACHED_S));
+        let jerks = self.jerks.unwrap_or(*limits.joint_jerks());
         let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
         Budget {
             speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
-            accelerations,
+            accelerations: *limits.joint_accelerations(),
             jerks,
             curving: 1.0 - self.reserve,
             tcp_asked: self.tcp_speed,

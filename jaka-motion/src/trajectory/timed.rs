@@ -8,6 +8,7 @@ use jaka_proto::messages::types::JointPosition;
 use super::{Passing, TrajectoryError, WayPoint};
 #[cfg(feature = "trajectory-files")]
 use crate::TrajectoryFileError;
+use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
 /// Where the joints are at a time, and how they move there, if that is known.
@@ -24,7 +25,7 @@ pub struct TimedPoint {
     pub acceleration: Option<[f64; 6]>,
 }
 
-/// The highest speed, in deg/s, that counts as rest: what is left of zero in a file of radians.
+/// The highest speed, in deg/s, and acceleration, in deg/s², that count as rest: what is left of zero in a file of radians.
 const REST: f64 = 1e-6;
 
 impl TimedPoint {
@@ -131,20 +132,40 @@ impl TimedPoint {
 pub(super) fn parts(points: &[TimedPoint]) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
     check_points(points)?;
     let samples: Vec<Sample> = match points[0].velocity {
-        Some(_) => points.iter().map(sample).collect(),
-        None => with_spline_velocities(points),
+        Some(_) if points[0].acceleration.is_some() => points.iter().map(sample).collect(),
+        Some(_) => with_accelerations(points),
+        None => with_spline(points),
     };
     check_rest(&samples)?;
-    let make = if points[0].acceleration.is_some() { Piece::between } else { Piece::cubic };
     let ends = points.windows(2).zip(samples.windows(2));
-    let pieces = ends
-        .map(|(points, samples)| make(points[0].time_s, points[1].time_s - points[0].time_s, &samples[0], &samples[1]));
+    let pieces = ends.map(|(points, samples)| {
+        Piece::between(points[0].time_s, points[1].time_s - points[0].time_s, &samples[0], &samples[1])
+    });
     let last = points.len() - 1;
     let way_points = points.iter().enumerate().map(|(index, point)| {
         let passing = if index == 0 || index == last { Passing::Stops } else { Passing::Through };
         WayPoint { time_s: point.time_s, passing }
     });
     Ok((pieces.collect(), way_points.collect()))
+}
+
+/// Compares the jerks of pieces, one after each way-point.
+pub(super) fn check_jerks(pieces: &[Piece], most: &[f64; 6]) -> Result<(), TrajectoryError> {
+    let mut worst: Option<(f64, TrajectoryError)> = None;
+    for (after, piece) in (1..).zip(pieces) {
+        let at_most = piece.jerks_at_most();
+        if (0..6).all(|joint| at_most[joint] <= rounded_up(most[joint])) {
+            continue;
+        }
+        for (index, jerk_deg_s3) in piece.top_jerks().into_iter().enumerate() {
+            let (limit_deg_s3, factor) = (most[index], jerk_deg_s3 / most[index]);
+            if factor > rounded_up(1.0) && worst.as_ref().is_none_or(|(worst, _)| factor > *worst) {
+                let (joint, slower) = (index + 1, factor.cbrt());
+                worst = Some((factor, TrajectoryError::Jerk { after, joint, jerk_deg_s3, limit_deg_s3, slower }));
+            }
+        }
+    }
+    worst.map_or(Ok(()), |(_, error)| Err(error))
 }
 
 fn sample(point: &TimedPoint) -> Sample {
@@ -200,39 +221,78 @@ fn check_rest(samples: &[Sample]) -> Result<(), TrajectoryError> {
         if let Some((joint, speed_deg_s)) = (1..).zip(speeds).find(|(_, speed)| speed.abs() > REST) {
             return Err(TrajectoryError::NotAtRest { way_point: index + 1, joint, speed_deg_s });
         }
+        let accelerations = sample.map(|sample| sample.acceleration).unwrap_or_default();
+        if let Some((joint, deg_s2)) = (1..).zip(accelerations).find(|(_, deg_s2)| deg_s2.abs() > REST) {
+            return Err(TrajectoryError::Accelerates { way_point: index + 1, joint, acceleration_deg_s2: deg_s2 });
+        }
     }
     Ok(())
 }
 
-/// Points with these velocities, and rest at both ends.
+/// Points with velocities and these accelerations: at inner points the mean of those that polynomials of the third
+/// degree have before and after them, and none at both ends.
+fn with_accelerations(points: &[TimedPoint]) -> Vec<Sample> {
+    let mut samples: Vec<Sample> = points.iter().map(sample).collect();
+    for index in 1..points.len() - 1 {
+        let [before, here, after] = [index - 1, index, index + 1].map(|index| samples[index]);
+        let seconds = [index - 1, index].map(|index| points[index + 1].time_s - points[index].time_s);
+        samples[index].acceleration = std::array::from_fn(|joint| {
+            let mean =
+                |one: &Sample, other: &Sample, seconds: f64| (other.joints.0[joint] - one.joints.0[joint]) / seconds;
+            let (past, next) = (mean(&before, &here, seconds[0]), mean(&here, &after, seconds[1]));
+            let speed = 2.0 * here.velocity[joint];
+            let [past, next] =
+                [speed + before.velocity[joint] - 3.0 * past, 3.0 * next - speed - after.velocity[joint]];
+            past / seconds[0] + next / seconds[1]
+        });
+    }
+    samples
+}
+
+/// Factors of the velocity at a point, of that at the other end of a piece and of the mean one, in half of the
+/// acceleration at the point, times the seconds of the piece.
+const INNER: [f64; 3] = [2.0, 1.0, 3.0];
+/// The same where the other end is that of the trajectory, and the piece of the fourth degree: it has no acceleration
+/// there.
+const OUTER: [f64; 3] = [3.0, 0.0, 6.0];
+
+/// Points with velocities and accelerations that do not step, and are zero at both ends.
 ///
 /// At each inner point the acceleration before is to be that after, which gives an equation for its velocity and those
 /// of its neighbours. All together are solved by elimination forwards and insertion backwards.
-fn with_spline_velocities(points: &[TimedPoint]) -> Vec<Sample> {
-    let at_rest = |point: &TimedPoint| Sample { joints: point.joints, velocity: [0.0; 6], acceleration: [0.0; 6] };
-    let mut samples: Vec<Sample> = points.iter().map(at_rest).collect();
+fn with_spline(points: &[TimedPoint]) -> Vec<Sample> {
+    let mut samples: Vec<Sample> = points.iter().map(sample).collect();
+    let last = points.len() - 1;
+    let seconds = |index: usize| points[index + 1].time_s - points[index].time_s;
+    let mean = |index: usize, joint: usize| {
+        (points[index + 1].joints.0[joint] - points[index].joints.0[joint]) / seconds(index)
+    };
     // The share of the next velocity in each; the rest of it is in the samples until insertion.
     let mut shares = vec![0.0; points.len()];
-    for index in 1..points.len() - 1 {
-        let [before, here, after] = [index - 1, index, index + 1].map(|index| &points[index]);
-        let [first, second] = [here.time_s - before.time_s, after.time_s - here.time_s];
+    for index in 1..last {
+        let (first, second) = (seconds(index - 1), seconds(index));
+        let [before, after] = [(index == 1), (index + 1 == last)].map(|is_outer| if is_outer { OUTER } else { INNER });
         // Weighted so that no number is larger than the speeds.
         let (near, far) = (second / (first + second), first / (first + second));
-        let pivot = 2.0 - near * shares[index - 1];
-        shares[index] = far / pivot;
+        let pivot = near * before[0] + far * after[0] - near * before[1] * shares[index - 1];
+        shares[index] = far * after[1] / pivot;
         samples[index].velocity = std::array::from_fn(|joint| {
-            let mean = |from: &TimedPoint, to: &TimedPoint, seconds: f64| {
-                (to.joints.0[joint] - from.joints.0[joint]) / seconds
-            };
-            let sum = 3.0 * (near * mean(before, here, first) + far * mean(here, after, second));
-            (sum - near * samples[index - 1].velocity[joint]) / pivot
+            let sum = near * before[2] * mean(index - 1, joint) + far * after[2] * mean(index, joint);
+            (sum - near * before[1] * samples[index - 1].velocity[joint]) / pivot
         });
     }
-    for index in (1..points.len() - 1).rev() {
+    for index in (1..last).rev() {
         let next = samples[index + 1].velocity;
         for (velocity, next) in samples[index].velocity.iter_mut().zip(next) {
             *velocity -= shares[index] * next;
         }
+    }
+    for index in 1..last {
+        let [here, other, mid] = if index == 1 { OUTER } else { INNER };
+        samples[index].acceleration = std::array::from_fn(|joint| {
+            let speeds = here * samples[index].velocity[joint] + other * samples[index - 1].velocity[joint];
+            2.0 * (speeds - mid * mean(index - 1, joint)) / seconds(index - 1)
+        });
     }
     samples
 }

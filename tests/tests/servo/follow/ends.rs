@@ -199,31 +199,65 @@ fn a_run_that_is_dropped_or_unwinds_stops_along_the_trajectory() {
     }
 }
 
-/// Way and speed at a time of a joint that gains speed from a start on for so long, and loses it for as long.
-fn hump(time_s: f64, start_s: f64, half_s: f64, acceleration: f64) -> [f64; 2] {
-    let since_s = (time_s - start_s).clamp(0.0, 2.0 * half_s);
-    let left_s = 2.0 * half_s - since_s;
-    if since_s < half_s {
-        [0.5 * acceleration * since_s * since_s, acceleration * since_s]
-    } else {
-        [acceleration * (half_s * half_s - 0.5 * left_s * left_s), acceleration * left_s]
+/// Way, speed and acceleration at a time of a joint that gains speed from a start on for so long, and loses it for as
+/// long, with an acceleration that is reached in [`RAMP_S`].
+fn hump(time_s: f64, start_s: f64, half_s: f64, acceleration: f64) -> [f64; 3] {
+    let (jerk, held_s) = (acceleration / RAMP_S, half_s - 2.0 * RAMP_S);
+    let phases = [(RAMP_S, jerk), (held_s, 0.0), (2.0 * RAMP_S, -jerk), (held_s, 0.0), (RAMP_S, jerk)];
+    let (mut left_s, mut state) = ((time_s - start_s).max(0.0), [0.0; 3]);
+    for (seconds, jerk) in phases {
+        let (passed, [way, speed, gains]) = (left_s.min(seconds), state);
+        left_s -= passed;
+        state = [
+            way + passed * (speed + passed * (gains / 2.0 + passed * jerk / 6.0)),
+            speed + passed * (gains + passed * jerk / 2.0),
+            gains + passed * jerk,
+        ];
     }
+    // Rounding leaves some of it.
+    if time_s >= start_s + 2.0 * half_s { [state[0], 0.0, 0.0] } else { state }
+}
+
+/// In seconds.
+const RAMP_S: f64 = 0.02;
+
+/// Times at which the jerk of a hump changes.
+fn changes(start_s: f64, half_s: f64) -> [f64; 6] {
+    let end_s = start_s + 2.0 * half_s;
+    let middle_s = start_s + half_s;
+    [start_s, start_s + RAMP_S, middle_s - RAMP_S, middle_s + RAMP_S, end_s - RAMP_S, end_s]
+}
+
+/// Points at the times at which the jerk of one of these humps, by their joint, start and half of their time, changes.
+fn humps(humps: &[(usize, f64, f64, f64)], start: [f64; 6]) -> Vec<TimedPoint> {
+    let mut times: Vec<f64> = humps.iter().flat_map(|(_, start_s, half_s, _)| changes(*start_s, *half_s)).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup_by(|one, other| (*one - *other).abs() < 1e-9);
+    let at = |time_s: f64| {
+        let (mut joints, mut speeds, mut accelerations) = (start, [0.0; 6], [0.0; 6]);
+        for (joint, start_s, half_s, acceleration) in humps {
+            let [way, speed, gains] = hump(time_s, *start_s, *half_s, *acceleration);
+            joints[*joint] += way;
+            speeds[*joint] += speed;
+            accelerations[*joint] += gains;
+        }
+        TimedPoint::new(time_s, joints).with_velocity(speeds).with_acceleration(accelerations)
+    };
+    times.into_iter().map(at).collect()
+}
+
+/// Motions have this acceleration and any jerk.
+fn with_accelerations(acceleration: f64) -> Limits {
+    let limits = limits().with_joint_accelerations([acceleration; 6]).expect("above 0");
+    limits.with_joint_jerks([1.01 * acceleration / RAMP_S; 6]).expect("above 0")
 }
 
 /// From 1 s to the end at 4 s one joint or another loses speed by all of its acceleration: joint 6 before it turns round
 /// at 2 s and before the end, joints 4 and 5 in between.
 fn without_reserve() -> (Limits, Vec<TimedPoint>) {
-    let limits = limits().with_joint_accelerations([25.0; 6]).expect("above 0");
-    let limits = limits.with_stop_accelerations([25.0; 6]).expect("above 0");
-    let at = |time_s: f64| {
-        let ([there, gone], [back, come]) = (hump(time_s, 0.0, 1.0, 25.0), hump(time_s, 2.0, 1.0, 25.0));
-        let ([fourth, fourth_speed], [fifth, fifth_speed]) =
-            (hump(time_s, 0.7, 1.0, 25.0), hump(time_s, 1.4, 1.0, 25.0));
-        let by = [0.0, 0.0, 0.0, fourth, fifth, back - there];
-        let joints: [f64; 6] = std::array::from_fn(|joint| START[joint] + by[joint]);
-        TimedPoint::new(time_s, joints).with_velocity([0.0, 0.0, 0.0, fourth_speed, fifth_speed, come - gone])
-    };
-    (limits, [0.0, 0.7, 1.0, 1.4, 1.7, 2.0, 2.4, 2.7, 3.0, 3.4, 4.0].map(at).to_vec())
+    let limits = with_accelerations(25.0).with_stop_accelerations([25.0; 6]).expect("above 0");
+    let of_joints = [(5, 0.0, 1.0, -25.0), (5, 2.0, 1.0, 25.0), (3, 0.7, 1.0, 25.0), (4, 1.4, 1.0, 25.0)];
+    (limits, humps(&of_joints, START))
 }
 
 /// End of such a run after a stop near the point where joint 6 turns round, and that point.
@@ -262,14 +296,10 @@ fn where_the_trajectory_leaves_no_room_an_error_brakes_straight_on_and_a_stop_go
 /// A stop of the robot finds a run in which joint 1 slows down and joint 6 gets faster, with all of their acceleration.
 /// How it ended, the set-points that came, and how many of these came before the stop.
 fn stopped_in_between(stop_deg_s2: f64) -> (End, Vec<[f64; 6]>, usize) {
-    let limits = limits().with_joint_accelerations([70.0; 6]).expect("above 0");
-    let limits = limits.with_stop_accelerations([stop_deg_s2; 6]).expect("above 0");
-    let points = [0.0, 2.2, 2.5, 4.7, 5.0, 7.2].map(|time_s| {
-        let ([first, first_speed], [last, last_speed]) = (hump(time_s, 0.0, 2.5, 70.0), hump(time_s, 2.2, 2.5, 70.0));
-        let mut joints = START;
-        (joints[0], joints[5]) = (first - 220.0, last - 220.0);
-        TimedPoint::new(time_s, joints).with_velocity([first_speed, 0.0, 0.0, 0.0, 0.0, last_speed])
-    });
+    let limits = with_accelerations(70.0).with_stop_accelerations([stop_deg_s2; 6]).expect("above 0");
+    let mut start = START;
+    (start[0], start[5]) = (-220.0, -220.0);
+    let points = humps(&[(0, 0.0, 2.5, 70.0), (5, 2.2, 2.5, 70.0)], start);
     let (arm, mut robot) = ready_with(arm().at(points[0].joints.0), limits);
     let trajectory = Trajectory::timed(&points, robot.limits().expect("it has some")).expect("within the limits");
     let stop = robot.stop_handle();
