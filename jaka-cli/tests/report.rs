@@ -270,7 +270,7 @@ fn ends_of_trajectories_and_of_landings_are_told() {
         let mut robot = robot.configured(&RobotConfig::new().limits(limits)).expect("it is this arm");
         let start = arm.state().joint_position;
         let there = JointPosition([start[0] + 40.0, start[1], start[2], start[3], start[4], start[5]]);
-        let way = Trajectory::through([Via::Joints(start), Via::Joints(there)]).joint_speeds([20.0; 6]);
+        let way = Trajectory::through([Via::joints(start), Via::joints(there)]).joint_speeds([20.0; 6]);
         let trajectory = way.build(robot.limits().expect("it has some")).expect("within the limits");
         let run = robot.start_follow(&trajectory, &FollowConfig::new()).expect("the arm is at its start");
         arm.clock().sleep(Duration::from_millis(500));

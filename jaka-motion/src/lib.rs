@@ -49,6 +49,7 @@ pub use text_file::FileErrors as LimitsFileError;
 #[cfg(feature = "trajectory-files")]
 pub use text_file::FileErrors as TrajectoryFileError;
 pub use trajectory::{
-    Curve, Passing, RateChange, SlowPlace, SlowedBy, Through, TimedPoint, Trajectory, TrajectoryError, Via, WayPoint,
+    Curve, Passing, RateChange, SlowPlace, SlowedBy, Through, TimedPoint, Trajectory, TrajectoryError, Via, ViaTarget,
+    WayPoint,
 };
 pub use transform::Transform;

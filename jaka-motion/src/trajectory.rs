@@ -14,6 +14,7 @@ mod speed;
 pub(crate) mod through;
 mod timed;
 mod timing;
+mod via;
 #[cfg(feature = "trajectory-files")]
 mod via_file;
 
@@ -27,8 +28,9 @@ pub use self::curve::Curve;
 use self::error::LONGEST_S;
 pub use self::error::TrajectoryError;
 pub use self::slow::{SlowPlace, SlowedBy};
-pub use self::through::{Through, Via};
+pub use self::through::Through;
 pub use self::timed::TimedPoint;
+pub use self::via::{Via, ViaTarget};
 use crate::beyond::Way;
 use crate::checker::Checker;
 use crate::piece::bernstein::{highest, part, peak};

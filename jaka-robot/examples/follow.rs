@@ -32,7 +32,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let turned = |joint_5, joint_6| {
         let mut joints = start;
         (joints.0[4], joints.0[5]) = (start[4] + joint_5, start[5] + joint_6);
-        Via::Joints(joints)
+        Via::joints(joints)
     };
     // To the second point and the third, rounding the corners by up to 2 deg of a joint, and back.
     let through = Trajectory::through([turned(0.0, 0.0), turned(0.0, 10.0), turned(10.0, 10.0), turned(0.0, 0.0)]);

@@ -7,7 +7,7 @@ use std::io::{self, BufWriter, Write};
 use std::iter::once;
 use std::time::Instant;
 
-use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, TrajectoryError, Via};
+use jaka_motion::{Checker, Frames, Limits, Model, Trajectory, TrajectoryError, Via, ViaTarget};
 use jaka_sync::types::Pose;
 use jaka_tests::rig::Random;
 use serde_json::{Value, json};
@@ -174,9 +174,9 @@ impl Case {
         let points: Vec<Value> = self
             .points
             .iter()
-            .map(|via| match via {
-                Via::Joints(joints) => json!(joints.0),
-                Via::Line(pose) => json!(<[f64; 6]>::from(*pose)),
+            .map(|via| match via.target() {
+                ViaTarget::Joints(joints) => json!(joints.0),
+                ViaTarget::Line(pose) => json!(<[f64; 6]>::from(pose)),
                 other => panic!("{other:?} is in no case"),
             })
             .collect();

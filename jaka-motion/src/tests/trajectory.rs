@@ -7,6 +7,7 @@ mod hostile;
 mod presets;
 mod through;
 mod timed;
+mod vias;
 
 use super::Random;
 use crate::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};

@@ -8,7 +8,8 @@ use super::path::Path;
 use super::smoothing::{Place, Spline};
 use super::through::{at_point, start};
 use super::timing::{Timed, timed};
-use super::{Trajectory, TrajectoryError, Via};
+use super::via::{Via, ViaTarget};
+use super::{Trajectory, TrajectoryError};
 use crate::beyond::Exceeded;
 use crate::checker::Checker;
 
@@ -132,13 +133,13 @@ impl Curve {
 
     /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
-        self.speeds.tcp_speed = mm_s;
+        self.speeds.speeds.tcp_speed = mm_s;
         self
     }
 
     /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
     pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
-        self.speeds.joint_speeds = deg_s;
+        self.speeds.speeds.joint_speeds = deg_s;
         self
     }
 
@@ -186,7 +187,8 @@ impl Curve {
             turn_deg: left(corners.turn_deg, turn_deg),
             joint_deg: left(corners.joint_deg, joint_deg),
         };
-        let path = Path::of_legs(&legs, &corners, checker)?;
+        let legs: Vec<_> = legs.into_iter().map(|leg| Leg { corner: corners, ..leg }).collect();
+        let path = Path::of_legs(&legs, checker)?;
         let Timed { pieces, passages, slow } = timed(&path, &self.speeds.budget(checker), checker)?;
         let way_points = given.place_of.iter().map(|place| passages[*place]).collect();
         Trajectory::checked((pieces, way_points, slow), checker)
@@ -214,7 +216,7 @@ impl Curve {
 impl<'c> Given<'c> {
     fn new(curve: &'c Curve, checker: &'c Checker) -> Result<Self, TrajectoryError> {
         let (start, rest) = start(&curve.points, curve.near, checker)?;
-        let is_of_tool = matches!(rest, [Via::Line(_), ..]);
+        let is_of_tool = matches!(rest, [Via { target: ViaTarget::Line(_), .. }, ..]);
         let (space, first) = if is_of_tool {
             (Space::Tool, of_tool(&checker.arm().tcp(&start.0), None))
         } else {
@@ -223,12 +225,15 @@ impl<'c> Given<'c> {
         let mut made = Self { curve, checker, space, start, places: vec![first], place_of: vec![0] };
         for (way_point, via) in (2..).zip(rest) {
             let before = &made.places[made.places.len() - 1];
-            let place = match (via, space) {
-                (Via::Joints(joints), Space::Joints) => {
-                    checker.check_place(*joints).map_err(|beyond| at_point(way_point, beyond))?;
+            if !via.is_plain() {
+                return Err(TrajectoryError::OnCurve { way_point });
+            }
+            let place = match (via.target, space) {
+                (ViaTarget::Joints(joints), Space::Joints) => {
+                    checker.check_place(joints).map_err(|beyond| at_point(way_point, beyond))?;
                     of_joints(&joints.0)
                 }
-                (Via::Line(pose), Space::Tool) => of_tool(&checker.in_base(*pose), Some(before)),
+                (ViaTarget::Line(pose), Space::Tool) => of_tool(&checker.in_base(pose), Some(before)),
                 _ => return Err(TrajectoryError::Mixed { way_point }),
             };
             if !place.iter().all(|number| number.is_finite()) {
@@ -440,7 +445,7 @@ impl<'g> Section<'g> {
         })?;
         let start = begin.start.joints;
         begin.start = end;
-        Ok(Leg { after, length: path.length(), start, path: LegPath::Curve(path) })
+        Ok(Leg::new(after, path.length(), start, LegPath::Curve(path)))
     }
 }
 

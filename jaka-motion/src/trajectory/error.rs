@@ -91,6 +91,11 @@ jaka_proto::worded! {
             /// First way-point of the other kind.
             way_point: usize,
         } => "way-point {way_point}: after the first, the points of a curve are all joint positions or all poses",
+        /// A point of a curve has a speed or a tolerance of its own.
+        OnCurve {
+            /// The way-point.
+            way_point: usize,
+        } => "way-point {way_point}: a point of a curve has no speed or tolerance of its own",
         /// All way-points are at one place.
         NoWay => "all way-points are at one place",
         /// The trajectory takes longer than a week.
@@ -154,6 +159,7 @@ impl std::error::Error for TrajectoryError {
             | Self::StartsWithPose
             | Self::NoWay
             | Self::Mixed { .. }
+            | Self::OnCurve { .. }
             | Self::TooLong { .. }
             | Self::Setting { .. } => None,
         }

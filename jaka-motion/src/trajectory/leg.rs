@@ -15,6 +15,18 @@ pub(super) struct Leg {
     /// The joints at its start.
     pub(super) start: [f64; 6],
     pub(super) path: LegPath,
+    pub(super) speeds: LegSpeeds,
+    /// How far the corner at its end may be rounded.
+    pub(super) corner: Tolerances,
+}
+
+/// Highest speeds on a leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct LegSpeeds {
+    /// In mm/s.
+    pub(super) tcp_speed: f64,
+    /// In deg/s.
+    pub(super) joint_speeds: [f64; 6],
 }
 
 /// Path of a leg, for each unit of its length.
@@ -28,10 +40,7 @@ pub(super) enum LegPath {
 /// Speeds and jerks that a caller asks for.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpeedSettings {
-    /// In mm/s.
-    pub(super) tcp_speed: f64,
-    /// In deg/s.
-    pub(super) joint_speeds: [f64; 6],
+    pub(super) speeds: LegSpeeds,
     /// In deg/s³.
     pub(super) jerks: Option<[f64; 6]>,
     /// Share of each joint's acceleration that bends leave for changes of the rate.
@@ -41,18 +50,24 @@ pub(super) struct SpeedSettings {
 /// What a trajectory is planned with.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Budget {
-    /// In deg/s, deg/s² and deg/s³.
-    pub(super) speeds: [f64; 6],
+    /// In deg/s and mm/s.
+    pub(super) speeds: LegSpeeds,
+    /// In deg/s² and deg/s³.
     pub(super) accelerations: [f64; 6],
     pub(super) jerks: [f64; 6],
-    /// In mm/s.
-    pub(super) tcp_speed: f64,
     /// What the caller asks for, in mm/s; infinite if that is nothing.
     pub(super) tcp_asked: f64,
     /// Of the tool centre point along its way, in mm/s²; infinite without a limit.
     pub(super) tcp_acceleration: f64,
     /// Share of the accelerations for curves at a constant speed.
     pub(super) curving: f64,
+}
+
+impl Budget {
+    /// Highest speeds on a leg.
+    pub(super) fn speeds_on(&self, leg: LegSpeeds) -> LegSpeeds {
+        self.speeds.least(LegSpeeds { tcp_speed: TCP_ASKED * leg.tcp_speed, ..leg })
+    }
 }
 
 /// Least speed and jerk: a joint that is slower takes hours for a turn.
@@ -68,17 +83,15 @@ const TCP_SHARE: f64 = 0.98;
 
 impl Default for SpeedSettings {
     fn default() -> Self {
-        Self { tcp_speed: f64::INFINITY, joint_speeds: [f64::INFINITY; 6], jerks: None, reserve: RESERVE }
+        Self { speeds: LegSpeeds::ANY, jerks: None, reserve: RESERVE }
     }
 }
 
 impl SpeedSettings {
     pub(super) fn check(&self) -> Result<(), TrajectoryError> {
-        let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
-        let jerks = self.jerks.iter().flatten().map(|jerk| ("jerks", *jerk));
-        let mut all = speeds.chain(jerks).chain([("tcp_speed", self.tcp_speed)]);
-        if let Some((what, given)) = all.find(|(_, given)| given.is_nan() || *given < SLOWEST) {
-            return Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" });
+        self.speeds.check()?;
+        if let Some(given) = self.jerks.iter().flatten().find(|jerk| jerk.is_nan() || **jerk < SLOWEST) {
+            return Err(TrajectoryError::Setting { what: "jerks", given: *given, expected: "at least 0.001" });
         }
         if (0.0..=MOST_RESERVE).contains(&self.reserve) {
             return Ok(());
@@ -91,14 +104,15 @@ impl SpeedSettings {
         let limits = checker.limits();
         let jerks = self.jerks.unwrap_or(*limits.joint_jerks());
         let limited = limits.tcp_speed().map_or(f64::INFINITY, |most| TCP_SHARE * most);
+        let of_limits = LegSpeeds { tcp_speed: limited, joint_speeds: *limits.joint_speeds() };
+        let asked = LegSpeeds { tcp_speed: TCP_ASKED * self.speeds.tcp_speed, ..self.speeds };
         Budget {
-            speeds: std::array::from_fn(|joint| limits.joint_speeds()[joint].min(self.joint_speeds[joint])),
+            speeds: of_limits.least(asked),
             accelerations: *limits.joint_accelerations(),
             jerks,
             curving: 1.0 - self.reserve,
-            tcp_asked: self.tcp_speed,
+            tcp_asked: self.speeds.tcp_speed,
             tcp_acceleration: limits.tcp_acceleration().unwrap_or(f64::INFINITY),
-            tcp_speed: (TCP_ASKED * self.tcp_speed).min(limited),
         }
     }
 }
@@ -112,6 +126,8 @@ pub(super) struct Tolerances {
 }
 
 impl Tolerances {
+    pub(super) const NONE: Self = Self { mm: 0.0, turn_deg: 0.0, joint_deg: 0.0 };
+
     /// None of these may be negative or not finite; the names are those of the settings.
     pub(super) fn check(&self, names: [&'static str; 3]) -> Result<(), TrajectoryError> {
         let given = [self.mm, self.turn_deg, self.joint_deg];
@@ -122,11 +138,37 @@ impl Tolerances {
     }
 }
 
+impl LegSpeeds {
+    pub(super) const ANY: Self = Self { tcp_speed: f64::INFINITY, joint_speeds: [f64::INFINITY; 6] };
+
+    pub(super) fn check(&self) -> Result<(), TrajectoryError> {
+        let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
+        let mut all = speeds.chain([("tcp_speed", self.tcp_speed)]);
+        match all.find(|(_, given)| given.is_nan() || *given < SLOWEST) {
+            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" }),
+            None => Ok(()),
+        }
+    }
+
+    /// The lower of both.
+    pub(super) fn least(self, other: Self) -> Self {
+        Self {
+            tcp_speed: self.tcp_speed.min(other.tcp_speed),
+            joint_speeds: std::array::from_fn(|joint| self.joint_speeds[joint].min(other.joint_speeds[joint])),
+        }
+    }
+}
+
 impl Leg {
+    /// With any speed, and a stop at its end.
+    pub(super) fn new(after: usize, length: f64, start: [f64; 6], path: LegPath) -> Self {
+        Self { after, length, start, path, speeds: LegSpeeds::ANY, corner: Tolerances::NONE }
+    }
+
     pub(super) fn joints(after: usize, from: [f64; 6], to: [f64; 6]) -> Self {
         let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
         let length = moved.iter().map(|moved| moved * moved).sum::<f64>().sqrt();
-        Self { after, length, start: from, path: LegPath::Joints(moved.map(|moved| moved / length)) }
+        Self::new(after, length, from, LegPath::Joints(moved.map(|moved| moved / length)))
     }
 
     /// Where the joints are after a way on a leg in joint space.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::curve_path::Space;
-use super::leg::{Leg, LegPath, Tolerances};
+use super::leg::{Leg, LegPath, LegSpeeds, Tolerances};
 use super::line::TURN_MM;
 use super::{Passing, TrajectoryError};
 use crate::checker::{Arm, Checker};
@@ -29,6 +29,7 @@ pub(super) struct PathPiece {
     pub(super) after: usize,
     /// True where the path rests at its end.
     pub(super) stops: bool,
+    pub(super) speeds: LegSpeeds,
 }
 
 /// Form of a part of a path.
@@ -82,15 +83,15 @@ const TURNS_BACK: f64 = -0.9986;
 const WITHIN: f64 = 0.995;
 
 impl Path {
-    /// Path along legs, with their corners rounded within tolerances.
+    /// Path along legs, with their corners rounded within their tolerances.
     ///
     /// # Errors
     /// A corner is too near to a singularity.
-    pub(super) fn of_legs(legs: &[Leg], tolerances: &Tolerances, checker: &Checker) -> Result<Self, TrajectoryError> {
+    pub(super) fn of_legs(legs: &[Leg], checker: &Checker) -> Result<Self, TrajectoryError> {
         let legs: Vec<_> = legs.iter().map(Scaled::new).collect();
         let (mut path, mut from) = (Self::default(), 0.0);
         for (index, leg) in legs.iter().enumerate() {
-            let junction = legs.get(index + 1).map_or(Junction::Stop, |next| leg.junction(next, tolerances, checker));
+            let junction = legs.get(index + 1).map_or(Junction::Stop, |next| leg.junction(next, checker));
             let to = if let Junction::Rounded(half, _) = junction { leg.length() - half } else { leg.length() };
             leg.add([from, to], &mut path);
             from = 0.0;
@@ -104,7 +105,8 @@ impl Path {
                 Junction::Rounded(half, joints) => {
                     from = half;
                     leg.keep_apart_from_singularities(&legs[index + 1], &joints, checker)?;
-                    path.add(*joints, PieceShape::Corner, leg.leg.after);
+                    let speeds = leg.leg.speeds.least(legs[index + 1].leg.speeds);
+                    path.add(*joints, PieceShape::Corner, leg.leg.after, speeds);
                     (at + half, Passing::Rounded)
                 }
             };
@@ -118,9 +120,9 @@ impl Path {
     }
 
     /// Adds a part at the end.
-    pub(super) fn add(&mut self, mut joints: Piece, shape: PieceShape, after: usize) {
+    pub(super) fn add(&mut self, mut joints: Piece, shape: PieceShape, after: usize, speeds: LegSpeeds) {
         joints.start_s = self.end();
-        self.pieces.push(PathPiece { joints, shape, after, stops: false });
+        self.pieces.push(PathPiece { joints, shape, after, stops: false, speeds });
     }
 }
 
@@ -163,18 +165,23 @@ impl<'l> Scaled<'l> {
         match &self.leg.path {
             LegPath::Joints(_) => {
                 let [one, other] = [from, to].map(|at| self.at(at));
-                path.add(Piece::between(0.0, to - from, &one, &other), PieceShape::Straight, self.leg.after);
+                path.add(
+                    Piece::between(0.0, to - from, &one, &other),
+                    PieceShape::Straight,
+                    self.leg.after,
+                    self.leg.speeds,
+                );
             }
             LegPath::Tool(line) => {
                 for mut part in line.between(from / self.scale, to / self.scale) {
                     part.seconds *= self.scale;
-                    path.add(part, PieceShape::Curve, self.leg.after);
+                    path.add(part, PieceShape::Curve, self.leg.after, self.leg.speeds);
                 }
             }
             LegPath::Curve(curve) => {
                 let start = path.end();
                 for (after, part) in curve.between(from, to) {
-                    path.add(part, PieceShape::Curve, self.leg.after + after);
+                    path.add(part, PieceShape::Curve, self.leg.after + after, self.leg.speeds);
                 }
                 // Those before and after lie on the corners.
                 let marks = curve.marks.iter().map(|mark| start + mark - from);
@@ -192,7 +199,8 @@ impl<'l> Scaled<'l> {
     }
 
     /// Passage to the next leg: a stop where the path turns back, and where a tolerance is not named.
-    fn junction(&self, next: &Self, tolerances: &Tolerances, checker: &Checker) -> Junction {
+    fn junction(&self, next: &Self, checker: &Checker) -> Junction {
+        let tolerances = &self.leg.corner;
         let (before, after) = (self.at(self.length()), next.at(0.0));
         if self.cosine(next, [&before, &after], checker) < TURNS_BACK {
             return Junction::Stop;

@@ -6,21 +6,11 @@ use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::line::{Direction, LEAST, LONGEST, Line};
 use super::path::Path;
 use super::timing::{Timed, timed};
+use super::via::{Via, ViaTarget};
 use super::{Trajectory, TrajectoryError};
 use crate::beyond::Beyond;
 use crate::checker::{Checker, Solved};
 use crate::pace::TcpPace;
-
-/// A point of a trajectory, and the way to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Via {
-    /// Straight in joint space to joint positions.
-    Joints(JointPosition),
-    /// On a straight line of the tool centre point to a pose of the tool in the user frame. The tool turns evenly, and
-    /// the joints stay on their branch.
-    Line(Pose),
-}
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
@@ -98,13 +88,13 @@ impl Through {
     /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is
     /// said, the limits alone decide, and without one of the tool centre point those of the joints.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
-        self.speeds.tcp_speed = mm_s;
+        self.speeds.speeds.tcp_speed = mm_s;
         self
     }
 
     /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
     pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
-        self.speeds.joint_speeds = deg_s;
+        self.speeds.speeds.joint_speeds = deg_s;
         self
     }
 
@@ -129,11 +119,12 @@ impl Through {
     pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
         self.tolerances.check(["corner_mm", "corner_turn_deg", "corner_deg"])?;
         self.speeds.check()?;
+        self.points.iter().try_for_each(Via::check)?;
         let (legs, places) = self.legs(checker)?;
         if legs.is_empty() {
             return Err(TrajectoryError::NoWay);
         }
-        let path = Path::of_legs(&legs, &self.tolerances, checker)?;
+        let path = Path::of_legs(&legs, checker)?;
         let Timed { pieces, passages, slow } = timed(&path, &self.speeds.budget(checker), checker)?;
         let way_points = places.into_iter().map(|place| passages[place]).collect();
         Trajectory::checked((pieces, way_points, slow), checker)
@@ -144,11 +135,12 @@ impl Through {
         let (start, rest) = start(&self.points, self.near, checker)?;
         let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], Here::of(start));
         for (after, via) in (1..).zip(rest) {
-            let leg = match via {
-                Via::Joints(there) => here.go(after, *there, checker)?,
-                Via::Line(pose) => here.lead(after, *pose, checker)?,
+            let leg = match via.target {
+                ViaTarget::Joints(there) => here.go(after, there, checker)?,
+                ViaTarget::Line(pose) => here.lead(after, pose, checker)?,
             };
-            legs.extend(leg);
+            let corner = via.corner(&self.tolerances);
+            legs.extend(leg.map(|leg| Leg { corner, speeds: via.speeds, ..leg }));
             places.push(legs.len());
         }
         Ok((legs, places))
@@ -197,7 +189,7 @@ impl Here {
             found = found.or_else(in_parts).filter(|(_, there)| is_same(there));
         }
         let (line, there) = found.ok_or_else(|| TrajectoryError::lost(after, checker))?;
-        let leg = Leg { after, length, start: self.joints, path: LegPath::Tool(line) };
+        let leg = Leg::new(after, length, self.joints, LegPath::Tool(line));
         *self = Self { joints: there.joints, solved: Some(there) };
         Ok(Some(leg))
     }
@@ -217,10 +209,10 @@ pub(super) fn start<'p>(
     checker: &Checker,
 ) -> Result<(JointPosition, &'p [Via]), TrajectoryError> {
     let [first, rest @ ..] = points else { return Err(TrajectoryError::TooFew { given: 0 }) };
-    let start = match (first, near) {
-        (Via::Joints(joints), _) => *joints,
-        (Via::Line(pose), Some(near)) => checker.joints_at(*pose, near).map_err(|beyond| at_point(1, beyond))?,
-        (Via::Line(_), None) => return Err(TrajectoryError::StartsWithPose),
+    let start = match (first.target, near) {
+        (ViaTarget::Joints(joints), _) => joints,
+        (ViaTarget::Line(pose), Some(near)) => checker.joints_at(pose, near).map_err(|beyond| at_point(1, beyond))?,
+        (ViaTarget::Line(_), None) => return Err(TrajectoryError::StartsWithPose),
     };
     if rest.is_empty() {
         return Err(TrajectoryError::TooFew { given: 1 });
@@ -231,23 +223,4 @@ pub(super) fn start<'p>(
 
 pub(super) fn at_point(way_point: usize, beyond: Beyond) -> TrajectoryError {
     TrajectoryError::Place { way_point, beyond: Box::new(beyond) }
-}
-
-impl From<JointPosition> for Via {
-    fn from(joints: JointPosition) -> Self {
-        Self::Joints(joints)
-    }
-}
-
-/// Joint positions in degrees.
-impl From<[f64; 6]> for Via {
-    fn from(joints: [f64; 6]) -> Self {
-        Self::Joints(joints.into())
-    }
-}
-
-impl From<Pose> for Via {
-    fn from(pose: Pose) -> Self {
-        Self::Line(pose)
-    }
 }

@@ -1,6 +1,6 @@
 //! Times of a trajectory: one speed over the whole path from stop to stop.
 
-use super::leg::Budget;
+use super::leg::{Budget, LegSpeeds};
 use super::path::{Path, PathPiece, PieceShape};
 use super::slow::{SlowPlace, SlowedBy};
 use super::speed::{PathLimits, Place, Speed, quickest};
@@ -121,6 +121,8 @@ impl<'a> Stretch<'a> {
             // The third derivative steps where one piece ends and another begins.
             if *share == 0.0 && *piece > 0 {
                 stretch.places[index].third[0] = pieces[piece - 1].joints.jerk(1.0);
+                let by_speed = stretch.squared_at_most(pieces[piece - 1].speeds, (*piece, 0.0));
+                stretch.places[index].most = stretch.places[index].most.min(by_speed);
             }
         }
         for (index, pair) in shares.windows(2).enumerate() {
@@ -137,24 +139,32 @@ impl<'a> Stretch<'a> {
     }
 
     fn place(&self, (piece, share): (usize, f64)) -> Place {
+        let by_speed = self.squared_at_most(self.pieces[piece].speeds, (piece, share));
         let piece = &self.pieces[piece].joints;
         let there = piece.at(share);
         let (first, second, third) = (there.velocity, there.acceleration, piece.jerk(share));
-        let Budget { speeds, accelerations, jerks, tcp_speed, curving, .. } = self.budget;
+        let Budget { accelerations, jerks, curving, .. } = self.budget;
         let by_joints = (0..6).map(|joint| {
-            let by_speed = (speeds[joint] / first[joint]).powi(2);
             let by_bend = curving * accelerations[joint] / second[joint].abs();
-            by_speed.min(by_bend).min((jerks[joint] / third[joint].abs()).powf(2.0 / 3.0))
+            by_bend.min((jerks[joint] / third[joint].abs()).powf(2.0 / 3.0))
         });
+        let tool = self.tool(piece, share);
+        let by_tool_bend = curving * self.budget.tcp_acceleration / tool[1].abs();
+        let most = by_joints.fold(by_speed.min(by_tool_bend), f64::min);
+        Place { at: piece.start_s + share * piece.seconds, first, second, third: [third; 2], tool, most, middle: None }
+    }
+
+    /// Limit of the square of the path parameter's speed by the speeds of a leg.
+    fn squared_at_most(&self, leg: LegSpeeds, (piece, share): (usize, f64)) -> f64 {
+        let LegSpeeds { tcp_speed, joint_speeds } = self.budget.speeds_on(leg);
+        let there = self.pieces[piece].joints.at(share);
+        let by_joints = (0..6).map(|joint| joint_speeds[joint] / there.velocity[joint].abs());
         let by_tool = if tcp_speed.is_finite() {
-            (tcp_speed / self.checker.arm().tcp_rate(&there.joints.0, &first)).powi(2)
+            tcp_speed / self.checker.arm().tcp_rate(&there.joints.0, &there.velocity)
         } else {
             f64::INFINITY
         };
-        let tool = self.tool(piece, share);
-        let by_tool_bend = curving * self.budget.tcp_acceleration / tool[1].abs();
-        let most = by_joints.fold(by_tool.min(by_tool_bend), f64::min);
-        Place { at: piece.start_s + share * piece.seconds, first, second, third: [third; 2], tool, most, middle: None }
+        by_joints.fold(by_tool, f64::min).powi(2)
     }
 
     /// How far the tool goes with the path parameter, and how that changes; 0 where its acceleration is not limited.
@@ -246,7 +256,7 @@ impl<'a> Stretch<'a> {
             for (index, interval) in intervals.iter().enumerate() {
                 let from = pieces.len();
                 self.follow(index, interval, pieces);
-                let factor = pieces[from..].iter().map(|piece| self.factor(piece)).fold(1.0, f64::max);
+                let factor = pieces[from..].iter().map(|piece| self.factor(index, piece)).fold(1.0, f64::max);
                 worst = worst.max(factor);
                 if factor > LITTLE {
                     slower.push((index, factor));
@@ -272,8 +282,8 @@ impl<'a> Stretch<'a> {
 
     /// Places at which the tool is slower than asked for; all is slower by a factor.
     fn slow(&self, speeds: &[Speed], intervals: &[Interval], (start_s, factor): (f64, f64)) -> Vec<SlowPlace> {
-        let Budget { tcp_asked, .. } = *self.budget;
-        if !tcp_asked.is_finite() {
+        let tcp_asked = |piece: usize| self.budget.tcp_asked.min(self.pieces[piece].speeds.tcp_speed);
+        if (0..self.pieces.len()).all(|piece| tcp_asked(piece).is_infinite()) {
             return Vec::new();
         }
         let (mut time_s, mut all) = (start_s, Vec::with_capacity(speeds.len()));
@@ -287,14 +297,15 @@ impl<'a> Stretch<'a> {
             let change = turn * speed.squared + self.places[index + 1].tool[0] * 0.5 * speed.slope;
             let used = self.used(index + 1, speed, &intervals[index + 1]);
             let by = SlowedBy::of(used, change.abs() / self.budget.tcp_acceleration);
-            all.push(SlowPlace { time_s, share: tool / tcp_asked, by });
+            all.push(SlowPlace { time_s, share: tool / tcp_asked(piece), by });
         }
         SlowPlace::slowest(&all)
     }
 
     /// Shares of the limits of speeds, accelerations and jerks that are used at a place.
     fn used(&self, place: usize, speed: &Speed, after: &Interval) -> [[f64; 6]; 3] {
-        let Budget { speeds, accelerations, jerks, curving, .. } = self.budget;
+        let Budget { accelerations, jerks, curving, .. } = self.budget;
+        let speeds = self.budget.speeds_on(self.pieces[self.shares[place].0].speeds).joint_speeds;
         let Place { first, second, third, .. } = &self.places[place];
         let (along, change) = (speed.squared.sqrt(), 0.5 * speed.slope);
         let rounding = after.squared.map_or(0.0, |[_, _, bend]| bend);
@@ -380,14 +391,16 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// How much slower a piece has to be; 1 if it need not.
-    fn factor(&self, piece: &Piece) -> f64 {
-        let Budget { speeds, accelerations, jerks, tcp_speed, tcp_acceleration, .. } = self.budget;
+    /// How much slower a piece of time after a place has to be; 1 if it need not.
+    fn factor(&self, place: usize, piece: &Piece) -> f64 {
+        let LegSpeeds { tcp_speed, joint_speeds } = self.budget.speeds_on(self.pieces[self.shares[place].0].speeds);
+        let Budget { accelerations, jerks, tcp_acceleration, .. } = self.budget;
         let most = |found: [f64; 6], limits: &[f64; 6]| {
             found.iter().zip(limits).map(|(found, limit)| found / limit).fold(0.0, f64::max)
         };
         let hull = piece.hull();
-        let by_speed = if most(hull.speeds, speeds) <= 1.0 { 0.0 } else { most(piece.top_speeds(), speeds) };
+        let by_speed =
+            if most(hull.speeds, &joint_speeds) <= 1.0 { 0.0 } else { most(piece.top_speeds(), &joint_speeds) };
         let by_acceleration = if most(hull.accelerations, accelerations) <= 1.0 {
             0.0
         } else {
@@ -396,7 +409,7 @@ impl<'a> Stretch<'a> {
         let by_jerk = if most(piece.jerks_at_most(), jerks) <= 1.0 { 0.0 } else { most(piece.top_jerks(), jerks) };
         let mut factor = by_speed.max(by_acceleration.sqrt()).max(by_jerk.cbrt()).max(1.0);
         let arm = self.checker.arm();
-        if tcp_speed.is_finite() && arm.radii().tcp_rate_at_most(&hull.speeds) > *tcp_speed {
+        if tcp_speed.is_finite() && arm.radii().tcp_rate_at_most(&hull.speeds) > tcp_speed {
             for eighth in 0..=8 {
                 let there = piece.at(f64::from(eighth) / 8.0);
                 factor = factor.max(arm.tcp_rate(&there.joints.0, &there.velocity) / tcp_speed);

@@ -3,7 +3,7 @@
 use jaka_proto::messages::types::Pose;
 
 use super::csv::{fields, lines, number};
-use super::through::Via;
+use super::via::Via;
 use crate::text_file::{FileErrors, Report, nearest};
 
 /// Number that a column has for each point: the place among six, and the factor to mm or degrees.

@@ -162,7 +162,7 @@ fn act(way: Way, robot: &mut Robot) {
             let _ = stream.handle().wait_for_rest(LONG);
         }
         Way::Trajectory => {
-            let points = [Via::Joints(START.into()), Via::Joints(end.into())];
+            let points = [Via::joints(START), Via::joints(end)];
             let checker = robot.limits().expect("it has some");
             let trajectory = Trajectory::through(points).joint_speeds([100.0; 6]).build(checker).expect("within them");
             let config = FollowConfig::new().servo(servo);

@@ -128,7 +128,7 @@ fn stop_of_trajectory(stop: impl Fn(&FollowHandle)) -> Stop {
     let (arm, mut robot) = ready(START, limits());
     let mut end = START;
     end[5] += 400.0;
-    let points = [Via::Joints(START.into()), Via::Joints(end.into())];
+    let points = [Via::joints(START), Via::joints(end)];
     let trajectory = Trajectory::through(points).joint_speeds([100.0; 6]).build(robot.limits().expect("it has some"));
     let run = robot.start_follow(&trajectory.expect("within the limits"), &FollowConfig::new()).expect("it starts");
     let half = run.handle().progress().duration / 2;

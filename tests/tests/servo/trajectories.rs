@@ -3,7 +3,7 @@
 //!
 //! `JAKA_TRAJECTORIES=1000 cargo test --release -p jaka-tests --test servo trajectories::` is the long form.
 
-use jaka_motion::{Checker, Passing, Through, TimedPoint, Trajectory, Via};
+use jaka_motion::{Checker, Passing, Through, TimedPoint, Trajectory, Via, ViaTarget};
 use jaka_sync::types::Pose;
 use jaka_tests::witness::{apart, product};
 
@@ -65,8 +65,8 @@ fn some_timed(random: &mut Random, points: &[Via], checker: &Checker) -> Option<
     let mut time_s = 0.0;
     let mut timed = Vec::new();
     for (index, point) in points.iter().enumerate() {
-        let Via::Joints(joints) = point else { return None };
-        let point = TimedPoint::new(time_s, *joints);
+        let ViaTarget::Joints(joints) = point.target() else { return None };
+        let point = TimedPoint::new(time_s, joints);
         let most = if index == 0 || index == last { 0.0 } else { 10.0 };
         timed.push(if velocities { point.with_velocity(random.offsets(most)) } else { point });
         time_s += random.between(0.05, 1.0);
@@ -100,7 +100,7 @@ fn some_case(seed: u32) -> Option<Result<Case, String>> {
 
 impl Case {
     fn has_lines(&self) -> bool {
-        self.points.iter().any(|point| matches!(point, Via::Line(_)))
+        self.points.iter().any(|point| matches!(point.target(), ViaTarget::Line(_)))
     }
 
     /// Set-points at a period, as a session sends them and judges them.
@@ -136,14 +136,14 @@ impl Case {
         for (point, way_point) in self.points.iter().zip(self.trajectory.way_points()) {
             let there = self.trajectory.at(way_point.time_s);
             let rounds = way_point.passing == Passing::Rounded;
-            let (off, most) = match point {
+            let (off, most) = match point.target() {
                 // Where a way in joints ends and a line begins, it stops.
-                Via::Joints(joints) => {
-                    ((there.joints.max_distance(joints), 0.0), (if rounds { deg } else { 0.0 } + 1e-9, 0.0))
+                ViaTarget::Joints(joints) => {
+                    ((there.joints.max_distance(&joints), 0.0), (if rounds { deg } else { 0.0 } + 1e-9, 0.0))
                 }
-                Via::Line(pose) => {
+                ViaTarget::Line(pose) => {
                     let (mm, turn_deg) = if rounds { (mm, turn_deg) } else { (0.0, 0.0) };
-                    let off = apart(self.tool(there.joints.0), frame(*pose));
+                    let off = apart(self.tool(there.joints.0), frame(pose));
                     (off, (mm + OFF_LINE.0, turn_deg * 1.01 + OFF_LINE.1))
                 }
                 other => panic!("{other:?} is in none"),
@@ -165,8 +165,8 @@ impl Case {
         let start = self.tool(self.trajectory.start().0).map(|row| row[3]);
         let mut from = start;
         for (ways, ends) in ways.zip(ends) {
-            let Via::Line(to) = ways[1] else {
-                let Via::Joints(joints) = ways[1] else { continue };
+            let ViaTarget::Line(to) = ways[1].target() else {
+                let ViaTarget::Joints(joints) = ways[1].target() else { continue };
                 from = self.tool(joints.0).map(|row| row[3]);
                 continue;
             };

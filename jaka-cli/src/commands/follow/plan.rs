@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::Args;
-use jaka_motion::{Checker, TimedPoint, Trajectory, TrajectoryError, Via};
+use jaka_motion::{Checker, TimedPoint, Trajectory, TrajectoryError, Via, ViaTarget};
 use jaka_robot::types::JointPosition;
 
 use crate::failure::Failure;
@@ -79,7 +79,10 @@ impl PlanArgs {
 
     fn of_points(&self, text: &str, name: String) -> Result<Plan, Failure> {
         let points = Via::from_csv(text, &name).map_err(|errors| Failure::Usage(errors.to_string()))?;
-        let about = Points { count: points.len(), in_poses: matches!(points[..], [Via::Line(_), ..]) };
+        let about = Points {
+            count: points.len(),
+            in_poses: points.first().is_some_and(|via| matches!(via.target(), ViaTarget::Line(_))),
+        };
         let speed = self.tool_speed.unwrap_or(f64::INFINITY);
         if self.within_mm.is_some() || self.within_deg.is_some() {
             let mut curve = Trajectory::curve(points).tcp_speed(speed);

@@ -85,7 +85,7 @@ fn a_trajectory_of_more_than_a_week_is_none() {
         "the trajectory takes 1.000e308 s; at most 604800 s, a week, are allowed"
     );
     // Also one whose times are found.
-    let points = [Via::Joints(HOME.into()), Via::Joints(HOME.map(|joint| joint + 1.0).into())];
+    let points = [Via::joints(HOME), Via::joints(HOME.map(|joint| joint + 1.0))];
     let slow = Trajectory::through(points).joint_speeds([1e-300; 6]).build(&checker());
     assert!(slow.is_err(), "{slow:?}");
 }

@@ -50,7 +50,7 @@ fn the_tool_keeps_its_acceleration_on_lines_ways_in_joints_and_curves() {
         let checker = checker(preset);
         let turned =
             |by: [f64; 3]| Via::from([HOME[0] + by[0], HOME[1] + by[1], HOME[2] + by[2], HOME[3], HOME[4], HOME[5]]);
-        let lines = [Via::from(HOME), Via::Line(pose([0.0, 0.0, 150.0])), Via::Line(pose([0.0, 200.0, 150.0]))];
+        let lines = [Via::from(HOME), Via::line(pose([0.0, 0.0, 150.0])), Via::line(pose([0.0, 200.0, 150.0]))];
         let joints = [turned([0.0; 3]), turned([40.0, 10.0, 20.0]), turned([70.0, -10.0, -20.0])];
         let circle = (0..=100).map(|step| {
             let angle = 0.02 * f64::from(step) * std::f64::consts::PI;
@@ -77,7 +77,7 @@ fn a_place_that_the_acceleration_of_the_tool_slows_is_told() {
     let checker = Checker::new(limits, Frames::new());
     let mut pose = Pose::from(Model::default().forward(HOME));
     pose.z += 100.0;
-    let line = Trajectory::through([Via::from(HOME), Via::Line(pose)]).tcp_speed(500.0).build(&checker);
+    let line = Trajectory::through([Via::from(HOME), Via::line(pose)]).tcp_speed(500.0).build(&checker);
     let slow = line.expect("within the limits").slow_places().to_vec();
     assert!(matches!(slow[..], [place] if place.by == SlowedBy::ToolAcceleration && place.share < 0.4), "{slow:?}");
 }

@@ -35,7 +35,7 @@ fn below(arm: &Arm, mm: f64) -> Pose {
 
 /// A line down with a speed of the tool.
 fn down(arm: &Arm, robot: &Robot, speed: f64) -> Trajectory {
-    let points = [Via::Joints(arm.state().joint_position), Via::Line(below(arm, 20.0))];
+    let points = [Via::joints(arm.state().joint_position), Via::line(below(arm, 20.0))];
     let trajectory = Trajectory::through(points).tcp_speed(speed).build(robot.limits().expect("it has some"));
     trajectory.unwrap_or_else(|error: TrajectoryError| panic!("{error}"))
 }
@@ -158,7 +158,7 @@ fn on_an_approach_the_tool_goes_no_further_in_than_is_allowed_at_every_period() 
             let (arm, mut robot) = bench(period, 2.0 + 0.3 * phase);
             let start = down(&arm, &robot, 4.0).end();
             let aside = [start.0[0] + 1.0, start.0[1], start.0[2], start.0[3], start.0[4], start.0[5]];
-            let points = [Via::Joints(start), Via::from(aside)];
+            let points = [Via::joints(start), Via::from(aside)];
             let trajectory = Trajectory::through(points).tcp_speed(1.0).build(robot.limits().expect("it has some"));
             let config = FollowConfig::new().approach(180.0).guard(force(overtravel));
             let run = robot.start_follow(&trajectory.expect("it is within them"), &config);

@@ -104,8 +104,8 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
     let checker = checker();
     for seed in 0..count(30) {
         let mut random = Random::new(2_000_000 + seed);
-        let joints = (0..random.below(5) + 2).map(|_| Via::Joints(turned(random.offsets::<6>(15.0)).into()));
-        let points: Vec<_> = std::iter::once(Via::Joints(START.into())).chain(joints).collect();
+        let joints = (0..random.below(5) + 2).map(|_| Via::joints(turned(random.offsets::<6>(15.0))));
+        let points: Vec<_> = std::iter::once(Via::joints(START)).chain(joints).collect();
         let planned = Trajectory::through(points).corner_deg(random.between(0.0, 4.0)).build(&checker);
         let trajectory = planned.expect("it is far from all limits");
         let set_points = followed_at_random(&mut random, &trajectory);

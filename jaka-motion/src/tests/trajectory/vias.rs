@@ -1,0 +1,95 @@
+//! Speeds and tolerances of single points, measured on the set-points.
+
+use jaka_proto::messages::types::Pose;
+
+use super::{HOME, checker, jerks_are_within, witness};
+use crate::{Model, Passing, Trajectory, TrajectoryError, Via};
+
+fn home() -> Pose {
+    Pose::from(Model::default().forward(HOME))
+}
+
+fn moved(by: [f64; 3]) -> Pose {
+    let home = home();
+    Pose { x: home.x + by[0], y: home.y + by[1], z: home.z + by[2], ..home }
+}
+
+fn place(trajectory: &Trajectory, time_s: f64) -> [f64; 3] {
+    Model::default().forward(trajectory.at(time_s).joints).position_mm()
+}
+
+fn apart(one: [f64; 3], other: [f64; 3]) -> f64 {
+    (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The highest speed of the tool between two way-points, by differences each millisecond, in mm/s.
+fn fastest(trajectory: &Trajectory, from: usize, to: usize) -> f64 {
+    let [from_s, to_s] = [from, to].map(|index| trajectory.way_points()[index].time_s);
+    let moments = (0..).map(|step| from_s + f64::from(step) * 1e-3).take_while(|time_s| *time_s < to_s - 1e-3);
+    moments.map(|time_s| apart(place(trajectory, time_s), place(trajectory, time_s + 1e-3)) / 1e-3).fold(0.0, f64::max)
+}
+
+#[test]
+fn each_way_has_its_own_speed_and_each_corner_its_own_tolerance() {
+    let checker = checker();
+    let corners = [moved([0.0, 80.0, 0.0]), moved([0.0, 80.0, 80.0]), moved([0.0, 0.0, 80.0])];
+    let points = [
+        Via::joints(HOME),
+        Via::line(corners[0]).with_tcp_speed(100.0).with_corner_mm(8.0),
+        Via::line(corners[1]).with_tcp_speed(20.0).with_corner_mm(0.0),
+        Via::line(corners[2]),
+        Via::line(home()).with_tcp_speed(60.0),
+    ];
+    let trajectory =
+        Trajectory::through(points).tcp_speed(150.0).corner_mm(1.0).build(&checker).expect("within limits");
+    witness(&trajectory, &checker, 0.008);
+    jerks_are_within(&trajectory, &checker, 1.0);
+    for (way, most) in [(0, 100.0), (1, 20.0), (2, 150.0), (3, 60.0)] {
+        let found = fastest(&trajectory, way, way + 1);
+        assert!(found < most * 1.0005, "way {way}: {found} mm/s");
+    }
+    assert!(fastest(&trajectory, 0, 1) > 80.0 && fastest(&trajectory, 2, 3) > 70.0);
+    let slow = fastest(&trajectory, 1, 2);
+    assert!(slow > 19.8, "{slow} mm/s");
+    let passings: Vec<_> = trajectory.way_points().iter().map(|point| point.passing).collect();
+    assert_eq!(passings, [Passing::Stops, Passing::Rounded, Passing::Stops, Passing::Rounded, Passing::Stops]);
+    let nearest = |corner: Pose| {
+        let corner = [corner.x, corner.y, corner.z];
+        let moments = (0..).map(|step| f64::from(step) * 1e-3).take_while(|time_s| *time_s < trajectory.duration_s());
+        moments.map(|time_s| apart(place(&trajectory, time_s), corner)).fold(f64::INFINITY, f64::min)
+    };
+    let off = corners.map(nearest);
+    assert!(off[0] > 4.0 && off[0] <= 8.0 && off[1] < 1e-3 && off[2] > 0.3 && off[2] <= 1.0, "{off:?}");
+}
+
+#[test]
+fn the_speeds_of_joints_are_those_of_their_way() {
+    let checker = checker();
+    let turned = |by: f64| Via::joints([HOME[0] + by, HOME[1], HOME[2], HOME[3], HOME[4], HOME[5]]);
+    let points = [turned(0.0), turned(40.0), turned(60.0).with_joint_speeds([10.0; 6]), turned(100.0)];
+    let trajectory = Trajectory::through(points).corner_deg(1.0).build(&checker).expect("within limits");
+    witness(&trajectory, &checker, 0.008);
+    let top = |from: usize| {
+        let [from_s, to_s] = [from, from + 1].map(|index| trajectory.way_points()[index].time_s);
+        (0..=1000)
+            .map(|part| trajectory.at(from_s + f64::from(part) / 1000.0 * (to_s - from_s)).velocity[0])
+            .fold(0.0, f64::max)
+    };
+    let tops = [0, 1, 2].map(top);
+    assert!(tops[0] > 40.0 && tops[1] > 9.8 && tops[1] <= 10.0 + 1e-9 && tops[2] > 40.0, "{tops:?}");
+}
+
+#[test]
+fn wrong_settings_of_a_point_are_refused() {
+    let refused = |via: Via| {
+        let built = Trajectory::through([Via::joints(HOME), via]).build(&checker());
+        built.expect_err("it is wrong").to_string()
+    };
+    let line = Via::line(moved([0.0, 50.0, 0.0]));
+    assert_eq!(refused(line.with_tcp_speed(0.0)), "tcp_speed: 0 is not at least 0.001");
+    assert_eq!(refused(line.with_joint_speeds([f64::NAN; 6])), "joint_speeds: NaN is not at least 0.001");
+    assert_eq!(refused(line.with_corner_mm(-1.0)), "corner_mm: -1 is not finite and at least 0");
+    let curve =
+        Trajectory::curve([Via::joints(HOME), line, line.with_tcp_speed(10.0)]).within_mm(0.1).build(&checker());
+    assert_eq!(curve.expect_err("it is wrong"), TrajectoryError::OnCurve { way_point: 3 });
+}
