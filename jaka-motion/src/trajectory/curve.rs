@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::types::JointPosition;
 
-use super::curve_path::{Begin, CurvePath, Lost, Nearness, Space, TURN_UNITS, of_joints, of_tool};
+use super::curve_path::{Begin, CurvePath, Lost, Nearness, Space, TURN_UNITS, distance, of_joints, of_tool};
 use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::path::Path;
 use super::smoothing::{Place, Spline};
@@ -451,8 +451,4 @@ impl<'g> Section<'g> {
 
 fn norm(place: &Place) -> f64 {
     place.iter().map(|number| number * number).sum::<f64>().sqrt()
-}
-
-fn distance(one: &Place, other: &Place) -> f64 {
-    norm(&std::array::from_fn(|which| one[which] - other[which]))
 }

@@ -4,6 +4,7 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector6};
 
 use super::line::{TURN_MM, in_steps, is_off_at_most, together};
 use super::smoothing::{Place, Spline};
+use crate::arc::Arc;
 use crate::beyond::Exceeded;
 use crate::checker::{Checker, Solved};
 use crate::piece::{Piece, Sample};
@@ -55,6 +56,16 @@ const COMPARED: usize = 32;
 /// Units of a place for a turn by one radian, by its quaternion.
 pub(super) const TURN_UNITS: f64 = 2.0 * TURN_MM;
 
+/// How far the chords between the places on an arc may be from it, in mm.
+const ARC_BETWEEN_MM: f64 = 0.002;
+/// Longest angle between these places, in radians, and longest turn of the tool, in degrees.
+const ARC_STEP: f64 = 0.05;
+const ARC_TURN_DEG: f64 = 1.0;
+/// Most of these places.
+const ARC_PLACES: f64 = 5000.0;
+/// How far the curve may be from these places, and polynomials from the curve.
+const ARC_NEAR: Nearness = Nearness { mm: 0.002, deg: 0.002 };
+
 impl CurvePath {
     /// Path along a spline; and the joints at its end.
     pub(super) fn new(
@@ -102,6 +113,28 @@ impl CurvePath {
         Ok((Self { pieces, marks, space }, here))
     }
 
+    /// Path along an arc of the tool, through places close to one another; and the joints at its end.
+    pub(super) fn of_arc(arc: &Arc, begin: &Begin<'_>) -> Result<(Self, Solved), Lost> {
+        let radius_mm = arc.length_mm() / arc.angle();
+        let step = (8.0 * ARC_BETWEEN_MM / radius_mm).sqrt().min(ARC_STEP);
+        let by_turn = arc.turn_deg() / ARC_TURN_DEG;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count, and too many are cut")]
+        let count = (arc.angle() / step).max(by_turn).ceil().clamp(8.0, ARC_PLACES) as u32;
+        let (mut at, mut places) = (Vec::new(), Vec::<Place>::new());
+        for index in 0..=count {
+            let place = of_tool(&arc.at(f64::from(index) / f64::from(count)).0, places.last());
+            let way = places.last().map_or(0.0, |last| distance(last, &place));
+            at.push(at.last().map_or(0.0, |last| last + way));
+            places.push(place);
+        }
+        let near = |off: &Place| {
+            let length = |off: &[f64]| off.iter().map(|off| off * off).sum::<f64>().sqrt();
+            let turned = (length(&off[3..]) * 2.0 / TURN_UNITS).to_degrees();
+            (length(&off[..3]) / ARC_NEAR.mm).max(turned / ARC_NEAR.deg)
+        };
+        Self::new(&Spline::near(at, &places, near), &[], Space::Tool, begin, ARC_NEAR)
+    }
+
     pub(super) fn length(&self) -> f64 {
         self.pieces.last().map_or(0.0, Piece::end_s)
     }
@@ -124,6 +157,10 @@ impl CurvePath {
             (self.marks.partition_point(|mark| *mark <= part.start_s), part)
         })
     }
+}
+
+pub(super) fn distance(one: &Place, other: &Place) -> f64 {
+    one.iter().zip(other).map(|(one, other)| (one - other).powi(2)).sum::<f64>().sqrt()
 }
 
 /// Joints as a place.

@@ -2,15 +2,18 @@
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
+use super::curve_path::{Begin, CurvePath, Lost};
 use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
 use super::line::{Direction, LEAST, LONGEST, Line};
 use super::path::Path;
 use super::timing::{Timed, timed};
 use super::via::{Via, ViaTarget};
 use super::{Trajectory, TrajectoryError};
-use crate::beyond::Beyond;
+use crate::arc::Arc;
+use crate::beyond::{Beyond, Exceeded};
 use crate::checker::{Checker, Solved};
 use crate::pace::TcpPace;
+use crate::transform::Transform;
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
@@ -28,7 +31,8 @@ use crate::pace::TcpPace;
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
-/// corners. A line takes a piece for each 50 mm or less.
+/// corners. A line takes a piece for each 50 mm or less. On an arc the tool centre point is within 0.01 mm of its circle,
+/// and the tool within 0.01 degrees of its turn, which is smoothed where its rate steps at the middle pose.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "nothing is planned before it is built"]
 pub struct Through {
@@ -138,6 +142,7 @@ impl Through {
             let leg = match via.target {
                 ViaTarget::Joints(there) => here.go(after, there, checker)?,
                 ViaTarget::Line(pose) => here.lead(after, pose, checker)?,
+                ViaTarget::Arc { middle, end } => Some(here.bend(after, [middle, end], checker)?),
             };
             let corner = via.corner(&self.tolerances);
             legs.extend(leg.map(|leg| Leg { corner, speeds: via.speeds, ..leg }));
@@ -194,6 +199,29 @@ impl Here {
         Ok(Some(leg))
     }
 
+    /// The way on an arc.
+    fn bend(&mut self, after: usize, poses: [Pose; 2], checker: &Checker) -> Result<Leg, TrajectoryError> {
+        let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
+        let arrival = checker.check_arc(self.joints.into(), poses[0], poses[1], pace);
+        let expected =
+            arrival.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })?;
+        let lost = || TrajectoryError::lost(after, checker);
+        let start = self.solved.take().or_else(|| checker.arm().at_joints(&self.joints)).ok_or_else(lost)?;
+        let [middle, end] = poses.map(|pose| Transform(checker.in_base(pose)));
+        let arc = Arc::through(Transform(start.tool), middle, end).ok_or_else(lost)?;
+        let distances = checker.signed_distances(&start.joints);
+        let begin = Begin { checker, start, distances };
+        let (path, there) = CurvePath::of_arc(&arc, &begin).map_err(|Lost { exceeded, .. }| {
+            TrajectoryError::between(after, checker, exceeded.unwrap_or(Exceeded::NotConfirmed))
+        })?;
+        if expected.max_distance(&there.joints.into()) > ONE_BRANCH {
+            return Err(lost());
+        }
+        let leg = Leg::new(after, path.length(), self.joints, LegPath::Curve(path));
+        *self = Self { joints: there.joints, solved: Some(there) };
+        Ok(leg)
+    }
+
     /// The joints at the end of a line, after it was compared with all that it can meet.
     fn checked_line(&self, after: usize, pose: Pose, checker: &Checker) -> Result<JointPosition, TrajectoryError> {
         let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
@@ -212,7 +240,7 @@ pub(super) fn start<'p>(
     let start = match (first.target, near) {
         (ViaTarget::Joints(joints), _) => joints,
         (ViaTarget::Line(pose), Some(near)) => checker.joints_at(pose, near).map_err(|beyond| at_point(1, beyond))?,
-        (ViaTarget::Line(_), None) => return Err(TrajectoryError::StartsWithPose),
+        (ViaTarget::Line(_), None) | (ViaTarget::Arc { .. }, _) => return Err(TrajectoryError::StartsWithPose),
     };
     if rest.is_empty() {
         return Err(TrajectoryError::TooFew { given: 1 });

@@ -39,6 +39,13 @@ pub enum ViaTarget {
     Joints(JointPosition),
     /// On a line to this pose of the tool.
     Line(Pose),
+    /// On an arc to a pose of the tool.
+    Arc {
+        /// Pose on the way.
+        middle: Pose,
+        /// Pose at its end.
+        end: Pose,
+    },
 }
 
 impl Via {
@@ -51,6 +58,13 @@ impl Via {
     /// the joints stay on their branch.
     pub fn line(pose: impl Into<Pose>) -> Self {
         Self::to(ViaTarget::Line(pose.into()))
+    }
+
+    /// On an arc of the tool centre point through a middle pose to another one, in the user frame, as
+    /// [`Arc`](crate::Arc) has it: the tool turns evenly to the middle pose, and from there to the end. The joints stay
+    /// on their branch. The way-point is the end.
+    pub fn arc(middle: impl Into<Pose>, end: impl Into<Pose>) -> Self {
+        Self::to(ViaTarget::Arc { middle: middle.into(), end: end.into() })
     }
 
     /// With this highest speed of the tool centre point on the way to it, in mm/s, where that of the trajectory is not

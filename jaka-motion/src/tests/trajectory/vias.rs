@@ -93,3 +93,71 @@ fn wrong_settings_of_a_point_are_refused() {
         Trajectory::curve([Via::joints(HOME), line, line.with_tcp_speed(10.0)]).within_mm(0.1).build(&checker());
     assert_eq!(curve.expect_err("it is wrong"), TrajectoryError::OnCurve { way_point: 3 });
 }
+
+/// Half of a circle of 60 mm in a plane through the start, and a line to both sides of it in its direction.
+#[test]
+fn an_arc_is_a_circle_between_lines() {
+    let checker = checker();
+    let at = |angle: f64| moved([0.0, 60.0 * angle.sin(), 60.0 - 60.0 * angle.cos()]);
+    let half = std::f64::consts::PI;
+    let (before, after) = (moved([0.0, -50.0, 0.0]), moved([0.0, -50.0, 120.0]));
+    let points = [
+        Via::joints(HOME),
+        Via::line(before),
+        Via::line(home()),
+        Via::arc(at(0.4 * half), at(half)).with_tcp_speed(60.0),
+        Via::line(after),
+    ];
+    let trajectory =
+        Trajectory::through(points).corner_mm(0.5).tcp_speed(100.0).build(&checker).expect("within limits");
+    witness(&trajectory, &checker, 0.008);
+    jerks_are_within(&trajectory, &checker, 1.0);
+    let passings: Vec<_> = trajectory.way_points().iter().map(|point| point.passing).collect();
+    assert_eq!(passings, [Passing::Stops, Passing::Stops, Passing::Rounded, Passing::Rounded, Passing::Stops]);
+    let [from_s, to_s] = [2, 3].map(|index: usize| trajectory.way_points()[index].time_s);
+    let centre = [home().x, home().y, home().z + 60.0];
+    let (mut furthest, mut fastest, mut slowest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+    for part in 0..=2000 {
+        let time_s = from_s + f64::from(part) / 2000.0 * (to_s - from_s);
+        let (here, next) = (place(&trajectory, time_s), place(&trajectory, time_s + 1e-3));
+        // Corners take half a millimetre at both ends.
+        let beside = apart(here, place(&trajectory, from_s)).min(apart(here, place(&trajectory, to_s)));
+        if beside > 15.0 {
+            furthest = furthest.max((apart(here, centre) - 60.0).abs()).max((here[0] - centre[0]).abs());
+            slowest = slowest.min(apart(here, next) / 1e-3);
+        }
+        fastest = fastest.max(apart(here, next) / 1e-3);
+    }
+    assert!(furthest < 0.01, "{furthest} mm off the circle");
+    assert!(fastest < 60.0 * 1.0005 && slowest > 58.0, "from {slowest} to {fastest} mm/s");
+    // Where the line meets the arc in its direction, it hardly slows down.
+    let joined = trajectory.way_points()[2].time_s;
+    assert!(apart(place(&trajectory, joined), place(&trajectory, joined + 1e-3)) / 1e-3 > 55.0);
+}
+
+#[test]
+fn on_an_arc_the_tool_turns_to_its_middle_pose_and_on() {
+    let checker = checker();
+    let [middle, end] = [(30.0, 25.0, 10.0), (60.0, 0.0, 4.0)].map(|(y, z, turn)| {
+        let pose = moved([0.0, y, z]);
+        Pose { rx: pose.rx + turn, ..pose }
+    });
+    let points = [Via::joints(HOME), Via::arc(middle, end)];
+    let trajectory = Trajectory::through(points).tcp_speed(40.0).build(&checker).expect("within limits");
+    witness(&trajectory, &checker, 0.008);
+    let poses = (0..=4000).map(|part| {
+        let joints = trajectory.at(f64::from(part) / 4000.0 * trajectory.duration_s()).joints;
+        Pose::from(Model::default().forward(joints))
+    });
+    let nearest = poses.min_by(|one, other| one.distance_mm(&middle).total_cmp(&other.distance_mm(&middle)));
+    let nearest = nearest.expect("there are some");
+    assert!(nearest.distance_mm(&middle) < 0.02 && nearest.angle_deg(&middle) < 0.05, "{nearest:?}, {middle:?}");
+    let last = Pose::from(Model::default().forward(trajectory.end()));
+    assert!(last.distance_mm(&end) < 1e-3 && last.angle_deg(&end) < 1e-3, "{last:?}, {end:?}");
+    let straight = [Via::joints(HOME), Via::arc(moved([0.0, 10.0, 0.0]), moved([0.0, 20.0, 0.0]))];
+    let error = Trajectory::through(straight).build(&checker).expect_err("it is a line");
+    assert_eq!(
+        error.to_string(),
+        "between way-points 1 and 2: the positions of the three poses lie on a line: there is no arc (Zu 5)"
+    );
+}
