@@ -4,6 +4,7 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::path::PathBuf;
 use std::process::{Child, Stdio};
 
 use expect_test::expect;
@@ -92,6 +93,16 @@ fn points_without_times_are_planned_and_followed() {
         let refused = dry(options);
         assert!(refused.err.contains(expected) && refused.code == Some(2), "{}", refused.text());
     }
+    let json = PathBuf::from(seam("seam.json"));
+    let points = r#"{"points": [{"joints_deg": [0, 60, -80, 190, -90, 0]}, {"joints_deg": [5, 60, -80, 190, -90, 0]},
+        {"joints_deg": [5, 70, -80, 190, -90, 0], "corner_deg": 0}, {"joints_deg": [0, 70, -80, 190, -90, 0]}]}"#;
+    fs::write(&json, points).expect("it can be written");
+    let picture = json.with_extension("svg").display().to_string();
+    let words = ["follow", &json.display().to_string(), "--model", "zu5", "--dry-run", "--corner-deg", "1"];
+    let of_json = jaka(words.into_iter().chain(["--tool-speed", "500", "-o", &picture]).map(str::to_owned));
+    assert!(of_json.out.starts_with("4 way-points, ") && of_json.code == Some(0), "{}", of_json.text());
+    let drawn = fs::read_to_string(picture).expect("it was written");
+    assert!(drawn.contains("slow") && drawn.contains(" %"), "slow places are marked");
     let timed = way("timed.csv", 1.0);
     let refused = jaka(["follow", &*timed, "--model", "zu5", "--dry-run", "--within-deg", "1"]);
     assert!(refused.err.contains("its points have times: ") && refused.code == Some(2), "{}", refused.text());

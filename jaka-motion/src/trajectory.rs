@@ -5,6 +5,8 @@ mod csv;
 mod curve;
 mod curve_path;
 mod error;
+#[cfg(feature = "trajectory-files")]
+mod json;
 mod leg;
 mod line;
 mod path;

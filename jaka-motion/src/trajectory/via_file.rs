@@ -3,6 +3,7 @@
 use jaka_proto::messages::types::Pose;
 
 use super::csv::{fields, lines, number};
+use super::json::File;
 use super::via::Via;
 use crate::text_file::{FileErrors, Report, nearest};
 
@@ -19,6 +20,9 @@ enum Kind {
     Joints,
     Pose,
 }
+
+/// Degrees of a radian.
+const DEG: f64 = 180.0 / std::f64::consts::PI;
 
 impl Via {
     /// Points of a CSV text; `file_name` is what errors name.
@@ -45,12 +49,111 @@ impl Via {
     /// Everything that is wrong, at its line and column.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
         let mut report = Report::new(text, file_name);
-        let points = read(text, &mut report);
+        let points = read_csv(text, &mut report);
+        report.finish(points)
+    }
+
+    /// Points of a JSON text; `file_name` is what errors name.
+    ///
+    /// An object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`, a list of six
+    /// numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or `rotation_rad`, lists of
+    /// three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` are those of the way to this point and of
+    /// its corner alone.
+    ///
+    /// ```
+    /// use jaka_motion::Via;
+    ///
+    /// let text = r#"{"points": [
+    ///     {"joints_deg": [0, 60, -80, 190, -90, 0]},
+    ///     {"position_mm": [400, 0, 300], "rotation_deg": [180, 0, 0], "corner_mm": 20},
+    ///     {"position_mm": [400, 0, 200], "rotation_deg": [180, 0, 0], "tool_speed_mm_s": 50}
+    /// ]}"#;
+    /// assert_eq!(Via::from_json(text, "pick.json")?.len(), 3);
+    ///
+    /// let errors = Via::from_json(&text.replace("corner_mm", "corner_m"), "pick.json").unwrap_err();
+    /// assert_eq!(errors.to_string(), "pick.json:3:77: unknown key `corner_m`; is it `corner_mm`?");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong, at its line and column; where the text is not JSON, that alone.
+    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        let mut report = Report::new(text, file_name);
+        let points = read_json(text, &mut report);
         report.finish(points)
     }
 }
 
-fn read(text: &str, report: &mut Report<'_>) -> Vec<Via> {
+/// Keys of a point in JSON.
+const KEYS: [&str; 9] = [
+    "joints_deg",
+    "joints_rad",
+    "position_mm",
+    "rotation_deg",
+    "rotation_rad",
+    "tool_speed_mm_s",
+    "corner_mm",
+    "corner_turn_deg",
+    "corner_deg",
+];
+
+fn read_json(text: &str, report: &mut Report<'_>) -> Vec<Via> {
+    let Some(file) = File::new(text, report) else { return Vec::new() };
+    let Some(points) = file.points(report) else { return Vec::new() };
+    if points.len() < 2 {
+        report.error(file.place(file.whole), format!("found {} points, expected at least 2", points.len()));
+    }
+    points.into_iter().filter_map(|point| point_of(&file, point, report)).collect()
+}
+
+/// A point, unless something is wrong with it.
+fn point_of<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Option<Via> {
+    let entries = file.entries(point, "a point", report)?;
+    for (key, value) in entries.iter().filter(|(key, _)| !KEYS.contains(&&**key)) {
+        report.error(file.place(value), unknown_key(key));
+    }
+    let find = |key: &str| entries.iter().find(|(known, _)| known == key).map(|(_, value)| *value);
+    let turned = |deg: &'static str, rad: &'static str| {
+        find(deg).map(|value| (value, deg, 1.0)).or_else(|| find(rad).map(|value| (value, rad, DEG)))
+    };
+    let [joints, rotation] =
+        [("joints_deg", "joints_rad"), ("rotation_deg", "rotation_rad")].map(|(deg, rad)| turned(deg, rad));
+    let via = match (joints, find("position_mm"), rotation) {
+        (Some((value, key, factor)), None, None) => {
+            let joints: [f64; 6] = file.numbers(value, key, "six", report)?;
+            Via::joints(joints.map(|joint| factor * joint))
+        }
+        (None, Some(position), Some((value, key, factor))) => {
+            let position: Option<[f64; 3]> = file.numbers(position, "position_mm", "three", report);
+            let rotation: Option<[f64; 3]> = file.numbers(value, key, "three", report);
+            let ([x, y, z], [rx, ry, rz]) = (position?, rotation?.map(|angle| factor * angle));
+            Via::line([x, y, z, rx, ry, rz])
+        }
+        _ => {
+            let expected = "`joints_deg`, or `position_mm` and `rotation_deg`";
+            report.error(file.place(point), format!("a point: expected {expected}, and not both"));
+            return None;
+        }
+    };
+    let with: [(&str, fn(Via, f64) -> Via); 4] = [
+        ("tool_speed_mm_s", Via::with_tcp_speed),
+        ("corner_mm", Via::with_corner_mm),
+        ("corner_turn_deg", Via::with_corner_turn_deg),
+        ("corner_deg", Via::with_corner_deg),
+    ];
+    Some(with.into_iter().fold(via, |via, (key, with)| {
+        find(key).and_then(|value| file.number(value, key, report)).map_or(via, |number| with(via, number))
+    }))
+}
+
+fn unknown_key(key: &str) -> String {
+    match nearest(key, KEYS.into_iter()) {
+        Some(near) => format!("unknown key `{key}`; is it `{near}`?"),
+        None => format!("unknown key `{key}`; the keys are {}", KEYS.join(", ")),
+    }
+}
+
+fn read_csv(text: &str, report: &mut Report<'_>) -> Vec<Via> {
     let mut lines = lines(text);
     let Some((at, header)) = lines.next() else {
         report.error(0, "found no line, expected one that names the columns");
@@ -90,8 +193,7 @@ fn known() -> Vec<(String, Column)> {
     parts
         .flat_map(|(kind, place, name)| {
             let is_length = kind == Kind::Pose && place < 3;
-            let units: &[(&str, f64)] =
-                if is_length { &[("mm", 1.0)] } else { &[("deg", 1.0), ("rad", 180.0 / std::f64::consts::PI)] };
+            let units: &[(&str, f64)] = if is_length { &[("mm", 1.0)] } else { &[("deg", 1.0), ("rad", DEG)] };
             let columns = units
                 .iter()
                 .map(move |(unit, factor)| (format!("{name}_{unit}"), Column { kind, place, factor: *factor }));

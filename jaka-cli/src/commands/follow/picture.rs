@@ -10,7 +10,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::report::tool_at;
+use super::report::{SLOW_PLACES, tool_at};
 use crate::plots::chart;
 use crate::plots::chart::{Drawn, TEXT};
 use crate::plots::{ViewAxes, draw_way};
@@ -30,6 +30,8 @@ const COLORS: [RGBColor; 6] = [
     RGBColor(20, 150, 170),
 ];
 const WIDTH: u32 = 9;
+/// Of the places at which the tool is the slowest, compared with the speed that was asked for.
+const SLOW: RGBColor = RGBColor(110, 110, 110);
 /// What is around a chart, in the units of the page.
 const MARGIN: u32 = 48;
 const RIGHT: u32 = 120;
@@ -56,7 +58,7 @@ pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<Stri
     let drawn = chart::page(SIZE, |page| {
         let (panels, views) = page.split_vertically(chart::FINE * 3 * PANEL);
         for (panel, (shows, curves)) in panels.split_evenly((3, 1)).iter().zip(&quantities) {
-            draw_panel(panel, trajectory.duration_s(), shows, curves)?;
+            draw_panel(panel, trajectory, shows, curves)?;
         }
         for (area, (up, axis)) in views.split_evenly((1, 2)).iter().zip([("y in mm", 1), ("z in mm", 2)]) {
             let way = tool.iter().map(|place| (place[0], place[axis])).collect();
@@ -67,13 +69,14 @@ pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<Stri
     drawn.map_err(|error| io::Error::other(error.to_string()))
 }
 
-/// A curve for each joint over time, and above them which is which.
+/// A curve for each joint over time, and above them which is which; and lines at the slowest places.
 fn draw_panel(
     panel: &DrawingArea<SVGBackend<'_>, Shift>,
-    duration_s: f64,
+    trajectory: &Trajectory,
     shows: &str,
     curves: &[Vec<(f64, f64)>; 6],
 ) -> Drawn {
+    let duration_s = trajectory.duration_s();
     let values = widened(curves.iter().flatten().map(|(_, value)| *value), 0.08);
     let top = values.end + 0.12 * (values.end - values.start);
     let seconds = duration_s.max(1e-3);
@@ -84,6 +87,11 @@ fn draw_panel(
         .y_label_area_size(LEFT)
         .build_cartesian_2d(0.0..seconds, values.start..top)?;
     chart::axes(&mut chart, shows, "s", [decimals(seconds), decimals(values.end - values.start)])?;
+    for place in trajectory.slow_places().iter().take(SLOW_PLACES) {
+        let text = format!("slow: {:.0} %", 100.0 * place.share);
+        chart::line(&mut chart, vec![(place.time_s, values.start), (place.time_s, values.end)], SLOW, WIDTH / 3)?;
+        chart::text(&mut chart, &text, (place.time_s, values.start), HPos::Left, SLOW)?;
+    }
     for (number, (curve, color)) in (1_u32..).zip(curves.iter().zip(COLORS)) {
         chart::line(&mut chart, curve.clone(), color, WIDTH)?;
         let at = seconds * (f64::from(number) - 1.0) / 6.0;

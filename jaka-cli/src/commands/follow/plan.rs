@@ -60,8 +60,15 @@ impl PlanArgs {
         if !is("csv") && !is("json") {
             return Err(Failure::Usage(format!("{name}: a trajectory is a .csv or a .json file")));
         }
-        if is("csv") && !has_times(&text) && (self.is_given() || is_of_poses(&text)) {
-            return self.of_points(&text, name);
+        let points_of = if is("csv") { Via::from_csv } else { Via::from_json };
+        let (has_times, is_of_poses) = if is("csv") {
+            (header(&text).contains("time"), header(&text).split(',').any(|name| name.trim() == "x_mm"))
+        } else {
+            (text.contains("\"time"), text.contains("\"position_mm\""))
+        };
+        if !has_times && (self.is_given() || is_of_poses) {
+            let points = points_of(&text, &name).map_err(|errors| Failure::Usage(errors.to_string()))?;
+            return self.of_points(points, name);
         }
         let points = if is("csv") { TimedPoint::from_csv(&text, &name) } else { TimedPoint::from_json(&text, &name) };
         let points = points.map_err(|errors| Failure::Usage(errors.to_string()))?;
@@ -77,11 +84,10 @@ impl PlanArgs {
         numbers.iter().any(Option::is_some) || self.near.is_some()
     }
 
-    fn of_points(&self, text: &str, name: String) -> Result<Plan, Failure> {
-        let points = Via::from_csv(text, &name).map_err(|errors| Failure::Usage(errors.to_string()))?;
+    fn of_points(&self, points: Vec<Via>, name: String) -> Result<Plan, Failure> {
         let about = Points {
             count: points.len(),
-            in_poses: points.first().is_some_and(|via| matches!(via.target(), ViaTarget::Line(_))),
+            in_poses: points.iter().any(|via| matches!(via.target(), ViaTarget::Line(_))),
         };
         let speed = self.tool_speed.unwrap_or(f64::INFINITY);
         if self.within_mm.is_some() || self.within_deg.is_some() {
@@ -103,7 +109,7 @@ impl PlanArgs {
         let mut through = Trajectory::through(points).corner_mm(mm).tcp_speed(speed);
         // Of lines, the turn of the tool.
         through = if about.in_poses && self.corner_deg.is_some() {
-            through.corner_turn_deg(deg)
+            through.corner_turn_deg(deg).corner_deg(deg)
         } else {
             through.corner_deg(deg)
         };
@@ -147,15 +153,6 @@ impl Plan {
             Self::Through(_, _, Points { count, .. }) => format!("lines through {count} poses"),
         }
     }
-}
-
-/// True if the line with the names of the columns names times.
-fn has_times(text: &str) -> bool {
-    header(text).contains("time")
-}
-
-fn is_of_poses(text: &str) -> bool {
-    header(text).split(',').any(|name| name.trim() == "x_mm")
 }
 
 /// The first line that counts.

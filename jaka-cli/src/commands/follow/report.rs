@@ -15,7 +15,7 @@ const STEP_S: f64 = 0.001;
 const MOST_STEPS: f64 = 1e6;
 
 /// Slow places that are printed at most.
-const SLOW_PLACES: usize = 5;
+pub(super) const SLOW_PLACES: usize = 5;
 
 /// What a trajectory reaches.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! Way-points from files and to files.
 
 use super::{Random, some_points};
-use crate::TimedPoint;
+use crate::{TimedPoint, Via};
 
 const CSV: &str = "time_s,joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\n";
 
@@ -147,4 +147,41 @@ fn of_many_errors_the_first_hundred_are_said_and_the_others_counted() {
     assert_eq!((errors.iter().count(), errors.more()), (100, 399_899));
     let said = errors.to_string();
     assert!(said.starts_with("way.csv:2:3: ") && said.ends_with("\nand 399899 more errors"), "{said}");
+}
+
+#[test]
+fn points_without_times_are_read_from_json_with_what_is_their_own() {
+    let text = r#"{"points": [
+        {"joints_rad": [0, 1, 0, 0, 0, 0.5]},
+        {"rotation_deg": [180, 0, 1], "position_mm": [1, 2, 3], "tool_speed_mm_s": 50, "corner_mm": 0},
+        {"joints_deg": [0, 60, 0, 0, 0, 30], "corner_deg": 2, "corner_turn_deg": 3}
+    ]}"#;
+    let points = Via::from_json(text, "way.json").expect("it reads");
+    let expected = [
+        Via::joints([0.0, 1.0_f64.to_degrees(), 0.0, 0.0, 0.0, 0.5_f64.to_degrees()]),
+        Via::line([1.0, 2.0, 3.0, 180.0, 0.0, 1.0]).with_tcp_speed(50.0).with_corner_mm(0.0),
+        Via::joints([0.0, 60.0, 0.0, 0.0, 0.0, 30.0]).with_corner_deg(2.0).with_corner_turn_deg(3.0),
+    ];
+    assert_eq!(points, expected);
+}
+
+#[test]
+fn all_that_is_wrong_with_points_without_times_is_said_with_its_place() {
+    let text = r#"{"points": [
+        {"joints_deg": [0, 1, 0, 0, 0]},
+        {"position_mm": [1, 2, 3]},
+        {"position_mm": [1, 2, 3], "rotation_deg": [0, 0, 0], "joints_deg": [0, 0, 0, 0, 0, 0]},
+        {"position_mm": [1, 2, "3"], "rotation_deg": [0, 0, 0], "tool_speed_mms": 5}
+    ]}"#;
+    let errors = Via::from_json(text, "way.json").unwrap_err().to_string();
+    let expected = [
+        "way.json:2:24: joints_deg: found 5 numbers, expected six",
+        "way.json:3:9: a point: expected `joints_deg`, or `position_mm` and `rotation_deg`, and not both",
+        "way.json:4:9: a point: expected `joints_deg`, or `position_mm` and `rotation_deg`, and not both",
+        "way.json:5:32: position_mm: found `\"3\"`, expected a finite number",
+        "way.json:5:83: unknown key `tool_speed_mms`; is it `tool_speed_mm_s`?",
+    ];
+    assert_eq!(errors.lines().collect::<Vec<_>>(), expected);
+    let errors = Via::from_json(r#"{"points": []}"#, "way.json").unwrap_err().to_string();
+    assert_eq!(errors, "way.json:1:1: found 0 points, expected at least 2");
 }
