@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use jaka_motion::proto::messages::types::{JointPosition, Pose};
-use jaka_motion::{Checker, Frames, JointPace, Limits, Model, Point, Region, TcpPace, Transform};
+use jaka_motion::{Checker, Frames, JointSpeed, Limits, Model, Point, Region, TcpSpeed, Transform};
 
 use crate::limit::forward;
 use crate::measure::{Contender, Target, Work};
@@ -84,10 +84,10 @@ pub fn a_metre_aside() -> Pose {
 }
 
 /// How fast the line goes.
-pub const PACE: TcpPace = TcpPace { speed_mm_s: 100.0, tolerance_mm: 0.0 };
+pub const PACE: TcpSpeed = TcpSpeed { speed_mm_s: 100.0, tolerance_mm: 0.0 };
 
 /// How fast the joint way goes.
-pub const JOINT_PACE: JointPace = JointPace { speed_deg_s: 20.0, acceleration_deg_s2: Some(60.0) };
+pub const JOINT_PACE: JointSpeed = JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2: Some(60.0) };
 
 fn set_point_checks() -> Work<'static> {
     let [before, last, next] = set_points();

@@ -8,12 +8,12 @@ use crate::model::{NoSolution, Point, Singularity};
 /// Why a motion should not be sent: what it would exceed, and where on its way.
 ///
 /// ```
-/// use jaka_motion::{Checker, Frames, JointPace, Limits, Model};
+/// use jaka_motion::{Checker, Frames, JointSpeed, Limits, Model};
 ///
 /// let arm = Model::named("MiniCobo").expect("a published arm");
 /// let checker = Checker::new(Limits::of(arm), Frames::new());
-/// let pace = JointPace { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
-/// let beyond = checker.check_joint_way([0.0; 6].into(), [0.0, 0.0, 135.5, 0.0, 0.0, 0.0].into(), pace).unwrap_err();
+/// let asked = JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
+/// let beyond = checker.check_joint_way([0.0; 6].into(), [0.0, 0.0, 135.5, 0.0, 0.0, 0.0].into(), asked).unwrap_err();
 /// assert_eq!(beyond.to_string(), "joint 3 would be at 135.5 deg; limit 130 (MiniCobo)");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -131,8 +131,8 @@ pub enum Exceeded {
     NoArc,
     /// The tool would turn by half a turn, and which way round is not known.
     HalfTurn,
-    /// The pace of the motion is not a pace.
-    Pace {
+    /// A speed, an acceleration or a tolerance that is asked for is none.
+    Asked {
         /// What of it, for example `speed`.
         what: &'static str,
         /// The number that was given.
@@ -265,7 +265,7 @@ impl fmt::Display for Beyond {
             Exceeded::NotConfirmed => write!(f, "at the edge of reach{at}: no joint position was confirmed")?,
             Exceeded::NoArc => f.write_str("the positions of the three poses lie on a line: there is no arc")?,
             Exceeded::HalfTurn => f.write_str("the tool would turn half way round, and which way is not known")?,
-            Exceeded::Pace { what, given } => write!(f, "{what}: {given} is not a {what}")?,
+            Exceeded::Asked { what, given } => write!(f, "{what}: {given} is not a {what}")?,
             Exceeded::NotFinite => f.write_str("a number of the joint positions, poses or frames is not finite")?,
             Exceeded::TooLong => f.write_str("the way is too long to be checked")?,
         }

@@ -33,10 +33,10 @@ use crate::limits::Limits;
 #[cfg(feature = "generator")]
 use crate::limits::SingularityClearance;
 use crate::model::Point;
-use crate::pace::{JointPace, TcpPace, above_zero, longest};
-#[cfg(feature = "generator")]
-use crate::pace::{TcpVelocity, VelocityFrame};
 use crate::piece::Piece;
+use crate::speed::{JointSpeed, TcpSpeed, above_zero, longest};
+#[cfg(feature = "generator")]
+use crate::speed::{TcpVelocity, VelocityFrame};
 use crate::transform::Transform;
 
 /// Compares motions with the limits of an arm, before they are sent.
@@ -130,8 +130,8 @@ impl Checker {
 
     /// Checks a way straight in joint space, as that of `joint_move` (section 4.7): joint ranges, joint speeds and
     /// accelerations, the speed of the tool centre point, and regions.
-    pub fn check_joint_way(&self, from: JointPosition, to: JointPosition, pace: JointPace) -> Result<(), Beyond> {
-        self.checked(Way::JointWay, &[from, to], &[], || self.joint_way(&from.0, &to.0, pace))
+    pub fn check_joint_way(&self, from: JointPosition, to: JointPosition, asked: JointSpeed) -> Result<(), Beyond> {
+        self.checked(Way::JointWay, &[from, to], &[], || self.joint_way(&from.0, &to.0, asked))
     }
 
     /// Checks a straight line of the tool centre point, as that of `moveL` (section 4.9), and returns the joint
@@ -140,20 +140,26 @@ impl Checker {
     /// Joint ranges, joint speeds at the requested speed, the speed of the tool centre point, regions, and the distance
     /// from singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a
     /// controller means its speed then is not known, so joint speeds are not checked on it, and all the rest is.
-    pub fn check_line(&self, from: JointPosition, to: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
+    pub fn check_line(&self, from: JointPosition, to: Pose, asked: TcpSpeed) -> Result<JointPosition, Beyond> {
         let path = || ToolPath::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
-        self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), pace)).map(JointPosition)
+        self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), asked)).map(JointPosition)
     }
 
     /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line)
     /// checks a line.
     ///
     /// The tool turns evenly from the start to the middle pose, and from there to the end.
-    pub fn check_arc(&self, from: JointPosition, mid: Pose, end: Pose, pace: TcpPace) -> Result<JointPosition, Beyond> {
+    pub fn check_arc(
+        &self,
+        from: JointPosition,
+        mid: Pose,
+        end: Pose,
+        asked: TcpSpeed,
+    ) -> Result<JointPosition, Beyond> {
         let check = || {
             let [mid, end] = [mid, end].map(|pose| Transform(self.in_base(pose)));
             let arc = Arc::through(Transform(self.arm.tcp(&from.0)), mid, end);
-            self.follow(&from.0, ToolPath::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), pace)
+            self.follow(&from.0, ToolPath::Arc(arc.ok_or((Exceeded::NoArc, 0.0))?), asked)
         };
         self.checked(Way::Arc, &[from], &[mid, end], check).map(JointPosition)
     }
@@ -164,11 +170,11 @@ impl Checker {
     /// where the controller's `kine_inverse` (section 4.45) says which it takes,
     /// [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more than once is taken to go
     /// to the nearest of the positions that reach the pose.
-    pub fn check_end_move(&self, from: JointPosition, to: Pose, pace: JointPace) -> Result<(), Beyond> {
+    pub fn check_end_move(&self, from: JointPosition, to: Pose, asked: JointSpeed) -> Result<(), Beyond> {
         self.checked(Way::EndMove, &[from], &[to], || {
             let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), from);
             let branches = branches.map_err(|reason| (reason.into(), 1.0))?;
-            branches.iter().try_for_each(|joints| self.joint_way(&from.0, &joints.0, pace))
+            branches.iter().try_for_each(|joints| self.joint_way(&from.0, &joints.0, asked))
         })
     }
 
@@ -402,30 +408,30 @@ impl Checker {
         self.points().check_place(joints)
     }
 
-    fn joint_way(&self, from: &[f64; 6], to: &[f64; 6], pace: JointPace) -> Result<(), Found> {
+    fn joint_way(&self, from: &[f64; 6], to: &[f64; 6], asked: JointSpeed) -> Result<(), Found> {
         let (axes, at_end) = (self.limits.axes(), |exceeded| (exceeded, 1.0));
-        pace.check().map_err(at_end)?;
+        asked.check().map_err(at_end)?;
         // Each joint turns one way only, so what holds at both ends holds between them.
         axes.check_positions(to, from).map_err(at_end)?;
         let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
         if longest(&moved) > 0.0 {
-            axes.check_pace(&moved, pace).map_err(at_end)?;
-            self.tcp_speed().check_joint_way(from, &moved, pace)?;
+            axes.check_pace(&moved, asked).map_err(at_end)?;
+            self.tcp_speed().check_joint_way(from, &moved, asked)?;
         }
         self.points().check_joint_way(from, to)
     }
 
     /// Checks a path of the tool, and returns the joint positions at its end.
-    fn follow(&self, from: &[f64; 6], path: ToolPath, pace: TcpPace) -> Result<[f64; 6], Found> {
+    fn follow(&self, from: &[f64; 6], path: ToolPath, asked: TcpSpeed) -> Result<[f64; 6], Found> {
         let at_end = |exceeded| (exceeded, 1.0);
-        pace.check(self.arm.reach_mm()).map_err(at_end)?;
-        self.tcp_speed().check(pace.speed_mm_s).map_err(at_end)?;
+        asked.check(self.arm.reach_mm()).map_err(at_end)?;
+        self.tcp_speed().check(asked.speed_mm_s).map_err(at_end)?;
         if let Err(unreached @ Exceeded::OutOfReach { .. }) = self.arm.any_branch(&path.at(1.0), from) {
             return Err(at_end(unreached));
         }
         let tcp = |share| path.at(share).translation.vector.into();
-        self.regions().check_way(Point::Tcp, pace.tolerance_mm, path.motion(), tcp)?;
-        Following::new(&self.arm, &self.limits, self.regions(), from, path, pace).follow()
+        self.regions().check_way(Point::Tcp, asked.tolerance_mm, path.motion(), tcp)?;
+        Following::new(&self.arm, &self.limits, self.regions(), from, path, asked).follow()
     }
 
     fn set_point(&self, [before, last]: [&[f64; 6]; 2], target: &[f64; 6], period_s: f64) -> Result<(), Found> {

@@ -13,7 +13,7 @@ use crate::trajectory::{RateChange, Trajectory};
 /// time.
 ///
 /// It has a trajectory time, which advances in each period by the *rate* times the period. The rate goes smoothly to
-/// the scale that is asked for: 1 for the trajectory's own pace, 0 for a standstill.
+/// the scale that is asked for: 1 for the trajectory's own speed, 0 for a standstill.
 ///
 /// # What is promised
 /// Whenever the scale changes, and however often:
@@ -40,7 +40,7 @@ pub struct Follower {
     checker: Checker,
     period_s: f64,
     scale: f64,
-    haste: Haste,
+    limits: ChangeLimits,
     state: State,
     /// That of the set-point before.
     before: State,
@@ -60,7 +60,7 @@ struct State {
 
 /// Accelerations within which the rate changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Haste {
+enum ChangeLimits {
     /// Of motions.
     Motion,
     /// Of stops.
@@ -93,15 +93,24 @@ impl Follower {
     pub fn new(trajectory: Trajectory, checker: &Checker, period_s: f64) -> Self {
         let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
         let (duration_s, checker) = (trajectory.duration_s(), checker.clone());
-        Self { trajectory, duration_s, checker, period_s, scale: 1.0, haste: Haste::Motion, state, before: state }
+        Self {
+            trajectory,
+            duration_s,
+            checker,
+            period_s,
+            scale: 1.0,
+            limits: ChangeLimits::Motion,
+            state,
+            before: state,
+        }
     }
 
-    /// Asks for a scale of the trajectory's pace, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and
+    /// Asks for a scale of the trajectory's speed, from 0 for a pause to 1; what is beyond that counts as 0 or 1, and
     /// what is not a number as 0.
     ///
     /// Before the first set-point the rate is this at once.
     pub fn set_scale(&mut self, scale: f64) {
-        self.haste = Haste::Motion;
+        self.limits = ChangeLimits::Motion;
         self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
         if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step.iter().all(|step| *step == 0.0) {
             self.state.rate = self.scale;
@@ -114,7 +123,7 @@ impl Follower {
     /// trajectory leaves of the accelerations of motions.
     pub fn brake(&mut self) {
         self.set_scale(0.0);
-        self.haste = Haste::Stop;
+        self.limits = ChangeLimits::Stop;
     }
 
     /// The set-point a period after the last one.
@@ -165,7 +174,7 @@ impl Follower {
     pub fn stopping(&self) -> Stopping {
         let mut follower = self.clone();
         follower.set_scale(0.0);
-        follower.haste = self.haste;
+        follower.limits = self.limits;
         Stopping { follower, periods: 0 }
     }
 
@@ -208,7 +217,7 @@ impl Follower {
         let RateChange { fall, rise, .. } = self.trajectory.rate_change_between(from_s, to_s, rate);
         // From 0 to 1 in one period is the most that there is.
         let [fall, rise] = [fall, rise].map(|allowed| (allowed * self.period_s).min(1.0));
-        if self.haste == Haste::Stop {
+        if self.limits == ChangeLimits::Stop {
             let at_once = -rate.min(fall);
             return [self.stop_change().min(at_once), at_once];
         }
@@ -267,7 +276,7 @@ impl Follower {
     }
 
     fn fits(&self, next: &State) -> bool {
-        if self.haste == Haste::Stop {
+        if self.limits == ChangeLimits::Stop {
             return self.checker.limits().axes().check_change(&next.step, &self.state.step, self.period_s).is_ok();
         }
         let (squared, limits) = (self.period_s * self.period_s, self.checker.limits().joint_accelerations());

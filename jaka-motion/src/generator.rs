@@ -13,7 +13,7 @@ use crate::beyond::{Beyond, Exceeded};
 use crate::braking::{JointLimits, JointState, Stop, StopBound, longest_stop};
 use crate::checker::Checker;
 use crate::limits::InvalidLimit;
-use crate::pace::TcpVelocity;
+use crate::speed::TcpVelocity;
 
 /// Makes one set-point a period, on the way to a goal that may change with each of them.
 ///

@@ -14,8 +14,8 @@ mod generator;
 mod limits;
 mod links;
 mod model;
-mod pace;
 mod piece;
+mod speed;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
 mod text_file;
 mod trajectory;
@@ -38,10 +38,10 @@ pub use limits::{InvalidLimit, Limits, Preset, Region, RegionFrame};
 pub use model::{
     Branches, DhMismatch, Fit, FitError, Model, NoSolution, Point, Singularity, SingularityDistance, Tolerance,
 };
-pub use pace::{JointPace, TcpPace};
-#[cfg(feature = "generator")]
-pub use pace::{TcpVelocity, VelocityFrame};
 pub use piece::Sample;
+pub use speed::{JointSpeed, TcpSpeed};
+#[cfg(feature = "generator")]
+pub use speed::{TcpVelocity, VelocityFrame};
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]
 pub use text_file::FileError;
 #[cfg(feature = "toml")]

@@ -2,7 +2,7 @@
 //! port.
 
 use itertools::Itertools as _;
-use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointPace, Limits};
+use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointSpeed, Limits};
 use jaka_robot::types::JointPosition;
 
 use crate::arm::units::other_unit;
@@ -51,28 +51,28 @@ impl Planned {
             || "the controller's own acceleration".to_owned(),
             |acceleration| format!("an acceleration of {acceleration} {unit}²"),
         );
-        let pace = format!("at {speed} {unit} scaled by the rapid rate, with {acceleration}");
+        let asked = format!("at {speed} {unit} scaled by the rapid rate, with {acceleration}");
         match (*goal, from) {
             (MoveTarget::Joints(to), from) => {
                 let longest =
                     from.map_or_else(|| "the joint with the longest way".to_owned(), |from| longest(from.0, to));
-                format!("go to the joint positions {} deg: {longest} {pace}", list(&to))
+                format!("go to the joint positions {} deg: {longest} {asked}", list(&to))
             }
             (MoveTarget::Joint(at, by), Some(from)) => {
                 let (joint, from, to) = (at + 1, in_tenths(from.0[at]), in_tenths(from.0[at] + by));
-                format!("turn joint {joint} by {by} deg, from {from} to {to} deg, {pace}")
+                format!("turn joint {joint} by {by} deg, from {from} to {to} deg, {asked}")
             }
-            (MoveTarget::Joint(at, by), None) => format!("turn joint {} by {by} deg, {pace}", at + 1),
+            (MoveTarget::Joint(at, by), None) => format!("turn joint {} by {by} deg, {asked}", at + 1),
             (MoveTarget::Pose(to), _) => {
                 let (position, rotation) = to.split_at(3);
                 let (position, rotation) = (list(position), list(rotation));
                 format!(
-                    "lead its tool centre point on a straight line to {position} mm (x, y, z) and {rotation} deg (rx, ry, rz), {pace}"
+                    "lead its tool centre point on a straight line to {position} mm (x, y, z) and {rotation} deg (rx, ry, rz), {asked}"
                 )
             }
             (MoveTarget::Line(at, by), _) => {
                 let axis = ["x", "y", "z"][at];
-                format!("lead its tool centre point by {by} mm along {axis} of the selected user frame, {pace}")
+                format!("lead its tool centre point by {by} mm along {axis} of the selected user frame, {asked}")
             }
         }
     }
@@ -89,7 +89,7 @@ impl Planned {
                 self.check_way(limits, from.0, std::array::from_fn(|joint| from.0[joint] + turned[joint]))
             }
             (MoveTarget::Joint(at, by), None) => {
-                // A way within the range, on which the pace alone can be beyond a limit.
+                // A way within the range, on which the speed alone can be beyond a limit.
                 let (least, most) = (*limits.joint_min(), *limits.joint_max());
                 let mut to = least;
                 to[at] += by.abs().min(most[at] - least[at]);
@@ -107,8 +107,8 @@ impl Planned {
     }
 
     fn check_way(&self, limits: &Limits, from: [f64; 6], to: [f64; 6]) -> Result<(), Failure> {
-        let pace = JointPace { speed_deg_s: self.speed, acceleration_deg_s2: self.acceleration };
-        let checked = of_joints(limits).check_joint_way(from.into(), to.into(), pace);
+        let asked = JointSpeed { speed_deg_s: self.speed, acceleration_deg_s2: self.acceleration };
+        let checked = of_joints(limits).check_joint_way(from.into(), to.into(), asked);
         checked.map_err(|beyond| {
             let hint = hint(&beyond).unwrap_or_default();
             Failure::NotSent(format!("`joint_move` was not sent: {beyond}{hint}"))

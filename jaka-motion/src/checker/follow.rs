@@ -10,7 +10,7 @@ use super::radii::{BEND_MM, LEAST_STEP};
 use crate::beyond::{Exceeded, Found};
 use crate::limits::{Limits, rounded_up};
 use crate::model::{Point, Singularity};
-use crate::pace::TcpPace;
+use crate::speed::TcpSpeed;
 
 /// A path shorter than this, in mm, only turns the tool.
 const ONLY_TURNS_MM: f64 = 0.1;
@@ -68,15 +68,15 @@ impl<'a> Following<'a> {
         regions: PlacedRegions<'a>,
         from: &[f64; 6],
         path: ToolPath,
-        pace: TcpPace,
+        asked: TcpSpeed,
     ) -> Self {
         let (length_mm, frames, least) = (path.length_mm(), arm.frames(from), limits.singularity_distance());
         Self {
             arm,
             limits,
             regions,
-            tolerance: pace.tolerance_mm,
-            per_second: (length_mm >= ONLY_TURNS_MM).then(|| pace.speed_mm_s / length_mm),
+            tolerance: asked.tolerance_mm,
+            per_second: (length_mm >= ONLY_TURNS_MM).then(|| asked.speed_mm_s / length_mm),
             start: *from,
             least: arm.distances(&frames).map(|distance| distance.min(least)),
             start_frames: frames,

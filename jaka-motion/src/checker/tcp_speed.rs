@@ -11,8 +11,8 @@ use crate::braking::{Stop, longest_stop};
 use crate::limits::START_ROUNDING;
 use crate::limits::rounded_up;
 use crate::model::Point;
-use crate::pace::{JointPace, longest};
 use crate::piece::{Hull, Piece};
+use crate::speed::{JointSpeed, longest};
 
 /// Speed limit for the tool centre point of an arm.
 #[derive(Debug, Clone, Copy)]
@@ -44,9 +44,9 @@ impl TcpSpeedLimit<'_> {
     }
 
     /// Checks the speed on a way straight in joint space.
-    pub(super) fn check_joint_way(&self, from: &[f64; 6], moved: &[f64; 6], pace: JointPace) -> Result<(), Found> {
+    pub(super) fn check_joint_way(&self, from: &[f64; 6], moved: &[f64; 6], asked: JointSpeed) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limit_mm_s else { return Ok(()) };
-        let seconds = longest(moved) / pace.speed_deg_s;
+        let seconds = longest(moved) / asked.speed_deg_s;
         let (most, motion) = (limit_mm_s * seconds, self.arm.radii().motion_of_path(Point::Tcp, moved));
         if motion.rate_mm <= most {
             return Ok(());

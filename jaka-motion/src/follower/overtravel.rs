@@ -1,6 +1,6 @@
 //! How far the tool goes on after a contact, where it is then braked along a trajectory.
 
-use super::{Follower, Haste, State};
+use super::{ChangeLimits, Follower, State};
 use crate::checker::Checker;
 
 /// How far the tool goes on after a contact on a trajectory: see [`Follower::worst_overtravel`].
@@ -117,7 +117,7 @@ impl<'a> Travel<'a> {
         let step = std::array::from_fn(|joint| joints.0[joint] - before.0[joint]);
         let mut braking = self.follower.clone();
         braking.state = State { time_s, rate: 1.0, change: 0.0, joints, step };
-        (braking.scale, braking.haste) = (0.0, Haste::Stop);
+        (braking.scale, braking.limits) = (0.0, ChangeLimits::Stop);
         for _ in 0..=periods(LONGEST_S, self.follower.period_s) {
             if braking.is_at_rest() {
                 return Some(periods(braking.time_s(), self.follower.period_s));

@@ -7,7 +7,7 @@ use super::{Led, finite};
 use crate::beyond::{Beyond, Exceeded, Way};
 use crate::braking::{JointLimits, JointState, Stop, StopBound};
 use crate::checker::Checker;
-use crate::pace::TcpVelocity;
+use crate::speed::TcpVelocity;
 
 /// Limits of a generated motion: those of the arm, of its joints' dynamics, and of a tool that must be able to stop.
 ///

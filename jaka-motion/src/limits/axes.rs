@@ -5,9 +5,9 @@ use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
 use crate::braking::Stop;
 use crate::braking::{StopBound, StopRates};
-use crate::pace::{JointPace, longest};
 use crate::piece::bernstein::beyond;
 use crate::piece::{Hull, Piece};
+use crate::speed::{JointSpeed, longest};
 
 /// Range, speed, acceleration and jerk of each joint, in degrees, deg/s, deg/s² and deg/s³, and acceleration and jerk of
 /// its stops.
@@ -46,8 +46,9 @@ impl AxisLimits {
         })
     }
 
-    /// Checks the speed and acceleration of each joint, where the one with the longest way has those of the pace.
-    pub(crate) fn check_pace(&self, moved: &[f64; 6], pace: JointPace) -> Result<(), Exceeded> {
+    /// Checks the speed and acceleration of each joint, where the one with the longest way has those that are
+    /// asked for.
+    pub(crate) fn check_pace(&self, moved: &[f64; 6], asked: JointSpeed) -> Result<(), Exceeded> {
         let longest = longest(moved);
         let worst = |most: &[f64; 6]| {
             let over = |index: usize| moved[index].abs() / longest / most[index];
@@ -55,12 +56,12 @@ impl AxisLimits {
             (index, moved[index].abs() / longest, most[index])
         };
         let (index, part, limit_deg_s) = worst(&self.speeds);
-        let speed_deg_s = part * pace.speed_deg_s;
+        let speed_deg_s = part * asked.speed_deg_s;
         if speed_deg_s > rounded_up(limit_deg_s) {
             return Err(Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near: None });
         }
         let (index, part, limit_deg_s2) = worst(&self.accelerations);
-        let Some(acceleration) = pace.acceleration_deg_s2 else {
+        let Some(acceleration) = asked.acceleration_deg_s2 else {
             return Err(Exceeded::NoAcceleration { most_deg_s2: limit_deg_s2 / part });
         };
         let acceleration_deg_s2 = part * acceleration;

@@ -11,10 +11,10 @@ mod set_points;
 use jaka_proto::messages::types::Pose;
 
 use super::Random;
-use crate::{Beyond, Checker, Frames, InvalidLimit, JointPace, Limits, Model, Region, TcpPace};
+use crate::{Beyond, Checker, Frames, InvalidLimit, JointSpeed, Limits, Model, Region, TcpSpeed};
 
-const PACE: JointPace = JointPace { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
-const SLOW: TcpPace = TcpPace { speed_mm_s: 50.0, tolerance_mm: 0.0 };
+const PACE: JointSpeed = JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
+const SLOW: TcpSpeed = TcpSpeed { speed_mm_s: 50.0, tolerance_mm: 0.0 };
 /// Away from singularities.
 const ELBOW_UP: [f64; 6] = [10.0, 60.0, -80.0, 190.0, -90.0, 5.0];
 

@@ -12,7 +12,7 @@ use super::{Trajectory, TrajectoryError};
 use crate::arc::Arc;
 use crate::beyond::{Beyond, Exceeded};
 use crate::checker::{Checker, Solved};
-use crate::pace::TcpPace;
+use crate::speed::TcpSpeed;
 use crate::transform::Transform;
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
@@ -201,8 +201,8 @@ impl Here {
 
     /// The way on an arc.
     fn bend(&mut self, after: usize, poses: [Pose; 2], checker: &Checker) -> Result<Leg, TrajectoryError> {
-        let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
-        let arrival = checker.check_arc(self.joints.into(), poses[0], poses[1], pace);
+        let asked = TcpSpeed { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
+        let arrival = checker.check_arc(self.joints.into(), poses[0], poses[1], asked);
         let expected =
             arrival.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })?;
         let lost = || TrajectoryError::lost(after, checker);
@@ -224,8 +224,8 @@ impl Here {
 
     /// The joints at the end of a line, after it was compared with all that it can meet.
     fn checked_line(&self, after: usize, pose: Pose, checker: &Checker) -> Result<JointPosition, TrajectoryError> {
-        let pace = TcpPace { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
-        let there = checker.check_line(self.joints.into(), pose, pace);
+        let asked = TcpSpeed { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
+        let there = checker.check_line(self.joints.into(), pose, asked);
         there.map_err(|beyond| TrajectoryError::Beyond { after, time_s: None, beyond: Box::new(beyond) })
     }
 }

@@ -135,7 +135,7 @@ fn point_of<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Opt
             return None;
         }
     };
-    let with: [(&str, fn(Via, f64) -> Via); 4] = [
+    let with: [(&str, WithNumber); 4] = [
         ("tool_speed_mm_s", Via::with_tcp_speed),
         ("corner_mm", Via::with_corner_mm),
         ("corner_turn_deg", Via::with_corner_turn_deg),
@@ -145,6 +145,9 @@ fn point_of<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Opt
         find(key).and_then(|value| file.number(value, key, report)).map_or(via, |number| with(via, number))
     }))
 }
+
+/// Sets a number of a point.
+type WithNumber = fn(Via, f64) -> Via;
 
 fn unknown_key(key: &str) -> String {
     match nearest(key, KEYS.into_iter()) {

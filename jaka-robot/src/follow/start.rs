@@ -1,6 +1,6 @@
 //! Before the first set-point: the trajectory is within the limits, and the arm is where it starts.
 
-use jaka_motion::{Checker, Follower, JointPace, Trajectory};
+use jaka_motion::{Checker, Follower, JointSpeed, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
@@ -63,8 +63,8 @@ pub(super) fn check_start(
         Some(speed_deg_s) => {
             let accelerations = checker.limits().joint_accelerations();
             let least = accelerations.iter().copied().fold(f64::INFINITY, f64::min);
-            let pace = JointPace { speed_deg_s: slowest(checker).min(speed_deg_s), acceleration_deg_s2: Some(least) };
-            checker.check_joint_way(at, start, pace).map_err(beyond_limit)?;
+            let asked = JointSpeed { speed_deg_s: slowest(checker).min(speed_deg_s), acceleration_deg_s2: Some(least) };
+            checker.check_joint_way(at, start, asked).map_err(beyond_limit)?;
         }
     }
     Approach::new(checker, [at, start], config.approach_deg_s, config.servo.period().as_secs_f64(), guard)

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_clock::Stopwatch;
-use jaka_motion::{JointPace, TcpPace};
+use jaka_motion::{JointSpeed, TcpSpeed};
 use jaka_proto::messages::kinematics::KineInverse;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -74,15 +74,15 @@ impl Check<'_> {
         let Some(end) = Place::of(target, Some(start)) else {
             return Err(self.not_checked(Unchecked::Target));
         };
-        let tcp_pace = |speed_mm_s| TcpPace { speed_mm_s, tolerance_mm };
+        let tcp_pace = |speed_mm_s| TcpSpeed { speed_mm_s, tolerance_mm };
         let within = match (end, path) {
             (Place::Joints(to), Path::Joints { speed, acceleration }) => {
-                let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
-                checker.check_joint_way(from, to, pace).map(|()| Some(to))
+                let asked = JointSpeed { speed_deg_s: speed, acceleration_deg_s2: acceleration };
+                checker.check_joint_way(from, to, asked).map(|()| Some(to))
             }
             (Place::Pose(to), Path::Joints { speed, acceleration }) => {
-                let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: acceleration };
-                return self.end_at_pose(from, to, pace);
+                let asked = JointSpeed { speed_deg_s: speed, acceleration_deg_s2: acceleration };
+                return self.end_at_pose(from, to, asked);
             }
             (Place::Pose(to), Path::Line { speed, .. }) => checker.check_line(from, to, tcp_pace(speed)).map(Some),
             (Place::Pose(to), Path::Arc { through, speed, .. }) => {
@@ -95,18 +95,23 @@ impl Check<'_> {
 
     /// A pose that is reached by a motion of the joints: on the branch that the controller says, or, where it says
     /// none, on each.
-    fn end_at_pose(&mut self, from: JointPosition, to: Pose, pace: JointPace) -> Result<Option<JointPosition>, Error> {
+    fn end_at_pose(
+        &mut self,
+        from: JointPosition,
+        to: Pose,
+        asked: JointSpeed,
+    ) -> Result<Option<JointPosition>, Error> {
         let timeout = self.left();
         let chosen = self.arm.queries().call_within(&KineInverse::new(from, to), timeout);
         let checker = &self.limited.checker;
         let within = match chosen {
             Ok(chosen) if self.limited.agrees(chosen.joint_position, to) => {
                 let end = chosen.joint_position;
-                checker.check_joint_way(from, end, pace).map(|()| Some(end))
+                checker.check_joint_way(from, end, asked).map(|()| Some(end))
             }
             Err(error) if !error.is_refused() => return Err(error.into()),
             // It says none, or one that is elsewhere.
-            _ => checker.check_end_move(from, to, pace).map(|()| None),
+            _ => checker.check_end_move(from, to, asked).map(|()| None),
         };
         within.map_err(|beyond| beyond_limit(self.arm, self.command, beyond))
     }

@@ -4,7 +4,7 @@ use jaka_proto::messages::types::Pose;
 
 use super::{ELBOW_UP, PACE, SLOW, amidst, bare, moved, some_frames, zu5};
 use crate::tests::Random;
-use crate::{Beyond, Checker, Exceeded, Frames, JointPace, Limits, Model, Point, Region, TcpPace};
+use crate::{Beyond, Checker, Exceeded, Frames, JointSpeed, Limits, Model, Point, Region, TcpSpeed};
 
 const ODD: [f64; 9] =
     [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, f64::MAX, f64::MIN_POSITIVE, -0.0, 1e9];
@@ -65,14 +65,14 @@ fn odd_paces_are_refused() {
     let checker = bare(zu5());
     let to = moved(ELBOW_UP, [0.0, 20.0, 0.0]);
     for odd in [f64::NAN, f64::INFINITY, 0.0, -5.0] {
-        for pace in [JointPace { speed_deg_s: odd, ..PACE }, JointPace { acceleration_deg_s2: Some(odd), ..PACE }] {
-            let found = checker.check_joint_way(ELBOW_UP.into(), ELBOW_UP.into(), pace).unwrap_err();
-            assert!(matches!(found.exceeded, Exceeded::Pace { .. }), "{found}");
+        for asked in [JointSpeed { speed_deg_s: odd, ..PACE }, JointSpeed { acceleration_deg_s2: Some(odd), ..PACE }] {
+            let found = checker.check_joint_way(ELBOW_UP.into(), ELBOW_UP.into(), asked).unwrap_err();
+            assert!(matches!(found.exceeded, Exceeded::Asked { .. }), "{found}");
         }
-        let blended = TcpPace { tolerance_mm: if odd == 0.0 { -1.0 } else { odd }, ..SLOW };
-        for pace in [TcpPace { speed_mm_s: odd, ..SLOW }, blended] {
-            let found = checker.check_line(ELBOW_UP.into(), to, pace).unwrap_err();
-            assert!(matches!(found.exceeded, Exceeded::Pace { .. }), "{found}");
+        let blended = TcpSpeed { tolerance_mm: if odd == 0.0 { -1.0 } else { odd }, ..SLOW };
+        for asked in [TcpSpeed { speed_mm_s: odd, ..SLOW }, blended] {
+            let found = checker.check_line(ELBOW_UP.into(), to, asked).unwrap_err();
+            assert!(matches!(found.exceeded, Exceeded::Asked { .. }), "{found}");
         }
     }
 }
@@ -121,7 +121,7 @@ fn a_calibrated_arm_is_followed_too() {
         let start = arm.forward(from) * frames.tool();
         let end = start.displaced(&Pose::from_millimetres_degrees([20.0, 30.0, -25.0], [5.0, 0.0, 8.0]).into());
         let checker = Checker::new(Limits::of(&arm), frames);
-        let slow = TcpPace { speed_mm_s: 5.0, ..SLOW };
+        let slow = TcpSpeed { speed_mm_s: 5.0, ..SLOW };
         let joints = checker
             .check_line(from.into(), (frames.base() * end).into(), slow)
             .unwrap_or_else(|beyond| panic!("{beyond}"));

@@ -1,7 +1,7 @@
 //! Ways straight in joint space.
 
 use super::{ELBOW_UP, PACE, bare, refused, with_region, zu5};
-use crate::{Exceeded, JointPace, Model, Point, Region, RegionFrame};
+use crate::{Exceeded, JointSpeed, Model, Point, Region, RegionFrame};
 
 #[test]
 fn the_end_is_compared_with_the_ranges() {
@@ -32,10 +32,10 @@ fn the_joint_with_the_longest_way_has_the_requested_speed() {
     speeds[3] = 30.0;
     let checker = bare(zu5().with_joint_speeds(speeds).expect("tighter"));
     let to = [40.0, 60.0, -80.0, 210.0, -90.0, 5.0].into();
-    let pace = |speed_deg_s: f64| JointPace { speed_deg_s, acceleration_deg_s2: Some(1.0) };
-    assert_eq!(checker.check_joint_way(ELBOW_UP.into(), to, pace(45.0)), Ok(()));
+    let asked = |speed_deg_s: f64| JointSpeed { speed_deg_s, acceleration_deg_s2: Some(1.0) };
+    assert_eq!(checker.check_joint_way(ELBOW_UP.into(), to, asked(45.0)), Ok(()));
     refused(
-        &checker.check_joint_way(ELBOW_UP.into(), to, pace(60.0)),
+        &checker.check_joint_way(ELBOW_UP.into(), to, asked(60.0)),
         "joint 4 would turn at 40 deg/s; limit 30 (Zu 5)",
     );
 }
@@ -44,21 +44,21 @@ fn the_joint_with_the_longest_way_has_the_requested_speed() {
 fn an_acceleration_must_be_given_and_within() {
     let checker = bare(zu5());
     let to = [40.0, 60.0, -80.0, 210.0, -90.0, 5.0].into();
-    let pace = |acceleration_deg_s2: Option<f64>| JointPace { speed_deg_s: 20.0, acceleration_deg_s2 };
-    assert_eq!(checker.check_joint_way(ELBOW_UP.into(), to, pace(Some(72.0))), Ok(()));
+    let asked = |acceleration_deg_s2: Option<f64>| JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2 };
+    assert_eq!(checker.check_joint_way(ELBOW_UP.into(), to, asked(Some(72.0))), Ok(()));
     refused(
-        &checker.check_joint_way(ELBOW_UP.into(), to, pace(Some(80.0))),
+        &checker.check_joint_way(ELBOW_UP.into(), to, asked(Some(80.0))),
         "joint 1 would accelerate by 80 deg/s²; limit 72 (Zu 5)",
     );
     refused(
-        &checker.check_joint_way(ELBOW_UP.into(), to, pace(None)),
+        &checker.check_joint_way(ELBOW_UP.into(), to, asked(None)),
         "no acceleration given; the controller's own is not known; give at most 72 deg/s² (Zu 5)",
     );
     // The joint that is accelerated less than another may be the one that counts.
     let mut most = [720.0; 6];
     most[3] = 10.0;
     let checker = bare(zu5().with_joint_accelerations(most).expect("above 0"));
-    let found = checker.check_joint_way(ELBOW_UP.into(), to, pace(None)).unwrap_err();
+    let found = checker.check_joint_way(ELBOW_UP.into(), to, asked(None)).unwrap_err();
     assert_eq!(found.exceeded, Exceeded::NoAcceleration { most_deg_s2: 15.0 });
 }
 
@@ -67,11 +67,11 @@ fn the_tool_is_not_faster_than_its_limit() {
     let checker = bare(zu5().with_tcp_speed(250.0).expect("a speed"));
     let from = [0.0, 0.0, 0.0, 0.0, -90.0, 0.0];
     let to = [90.0, 0.0, 0.0, 0.0, -90.0, 0.0].into();
-    let pace = |speed_deg_s: f64| JointPace { speed_deg_s, acceleration_deg_s2: Some(1.0) };
+    let asked = |speed_deg_s: f64| JointSpeed { speed_deg_s, acceleration_deg_s2: Some(1.0) };
     let flange = Model::default().forward(from).position_mm();
     let most = (250.0 / flange[0].hypot(flange[1])).to_degrees();
-    assert_eq!(checker.check_joint_way(from.into(), to, pace(most - 0.001)), Ok(()));
-    let found = checker.check_joint_way(from.into(), to, pace(most * 1.1)).unwrap_err();
+    assert_eq!(checker.check_joint_way(from.into(), to, asked(most - 0.001)), Ok(()));
+    let found = checker.check_joint_way(from.into(), to, asked(most * 1.1)).unwrap_err();
     assert_eq!(found.to_string(), "the tool centre point would move at 275 mm/s at 0 % of the way; limit 250 (Zu 5)");
 }
 

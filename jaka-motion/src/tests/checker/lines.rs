@@ -3,7 +3,7 @@
 use jaka_proto::messages::types::Pose;
 
 use super::{ELBOW_UP, SLOW, bare, moved, refused, with_region, zu5};
-use crate::{Checker, Exceeded, Frames, Model, Point, Region, RegionFrame, Singularity, TcpPace, Transform};
+use crate::{Checker, Exceeded, Frames, Model, Point, Region, RegionFrame, Singularity, TcpSpeed, Transform};
 
 #[test]
 fn the_joints_at_the_end_reach_the_pose() {
@@ -49,7 +49,7 @@ fn a_line_through_the_base_axis_is_out_of_reach_on_the_way() {
         .check_line(from.into(), across, SLOW)
         .unwrap_err();
     assert!(found.share > 0.2 && found.share < 0.8, "{found}");
-    let slow = TcpPace { speed_mm_s: 0.001, ..SLOW };
+    let slow = TcpSpeed { speed_mm_s: 0.001, ..SLOW };
     let found = bare(zu5().with_singularity_distance(0.0).expect("a distance"))
         .check_line(from.into(), across, slow)
         .unwrap_err();
@@ -61,14 +61,14 @@ fn a_line_through_the_base_axis_is_out_of_reach_on_the_way() {
 fn a_line_through_a_singularity_names_it() {
     let model = Model::default();
     let (from, to) = ([0.0, 60.0, -80.0, 190.0, -20.0, 0.0], [5.0, 60.0, -75.0, 190.0, 20.0, 0.0]);
-    let pace = TcpPace { speed_mm_s: 0.5, ..SLOW };
-    let found = bare(zu5()).check_line(from.into(), model.forward(to).into(), pace).unwrap_err();
+    let asked = TcpSpeed { speed_mm_s: 0.5, ..SLOW };
+    let found = bare(zu5()).check_line(from.into(), model.forward(to).into(), asked).unwrap_err();
     assert!(matches!(found.exceeded, Exceeded::Singularity { which: Singularity::Wrist, .. }), "{found}");
     let words = format!("the line passes the wrist singularity at {:.0} % of its way (Zu 5)", found.share * 100.0);
     assert_eq!(found.to_string(), words);
     // The joints may go there in a straight way.
-    let pace = super::PACE;
-    assert_eq!(bare(zu5()).check_joint_way(from.into(), to.into(), pace), Ok(()));
+    let asked = super::PACE;
+    assert_eq!(bare(zu5()).check_joint_way(from.into(), to.into(), asked), Ok(()));
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn joints_are_too_fast_near_a_singularity() {
     let found = [[30.0, 0.0, 0.0], [0.0, 30.0, 0.0], [0.0, 0.0, 30.0]].into_iter().filter_map(|turn| {
         let by = Pose::from_millimetres_degrees([0.0, 0.0, 60.0], turn);
         let to = Model::default().forward(from).displaced(&by.into()).into();
-        checker.check_line(from.into(), to, TcpPace { speed_mm_s: 250.0, ..SLOW }).err()
+        checker.check_line(from.into(), to, TcpSpeed { speed_mm_s: 250.0, ..SLOW }).err()
     });
     let near = |exceeded: &Exceeded| matches!(exceeded, Exceeded::JointSpeed { near: Some(Singularity::Wrist), .. });
     let found = found.filter(|found| near(&found.exceeded)).map(|found| found.to_string()).collect::<Vec<_>>();
@@ -114,7 +114,7 @@ fn a_line_that_only_turns_is_checked_but_for_joint_speeds() {
     let turned = |joints: [f64; 6], deg: f64| {
         model.forward(joints) * Transform::from(Pose::from_millimetres_degrees([0.0; 3], [0.0, 0.0, deg]))
     };
-    let fast = TcpPace { speed_mm_s: 1e6, ..SLOW };
+    let fast = TcpSpeed { speed_mm_s: 1e6, ..SLOW };
     let checker = bare(zu5());
     let end = checker.check_line(ELBOW_UP.into(), turned(ELBOW_UP, 170.0).into(), fast).expect("only joint 6 turns");
     assert!((end.0[5] - 175.0).abs() < 1e-6, "{end:?}");
@@ -132,7 +132,7 @@ fn a_box_is_smaller_by_the_tolerance() {
     let wall = moved(ELBOW_UP, [0.0, 0.0, 100.0]).z;
     let checker = bare(with_region(Region::half_space("ceiling", [0.0, 0.0, wall], [0.0, 0.0, -1.0])));
     let line = |up: f64, tolerance_mm: f64| {
-        checker.check_line(ELBOW_UP.into(), moved(ELBOW_UP, [0.0, 0.0, up]), TcpPace { tolerance_mm, ..SLOW })
+        checker.check_line(ELBOW_UP.into(), moved(ELBOW_UP, [0.0, 0.0, up]), TcpSpeed { tolerance_mm, ..SLOW })
     };
     assert!(line(99.9, 0.0).is_ok() && line(89.9, 10.0).is_ok());
     refused(
@@ -147,7 +147,7 @@ fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
     let floor = moved(ELBOW_UP, [0.0, 0.0, -5.0]).z;
     let checker = bare(with_region(Region::half_space("floor", [0.0, 0.0, floor], [0.0, 0.0, 1.0])));
     let line = |by: [f64; 3], tolerance_mm: f64| {
-        checker.check_line(ELBOW_UP.into(), moved(ELBOW_UP, by), TcpPace { tolerance_mm, ..SLOW })
+        checker.check_line(ELBOW_UP.into(), moved(ELBOW_UP, by), TcpSpeed { tolerance_mm, ..SLOW })
     };
     let along = [0.0, 50.0, 0.0];
     assert!(line(along, 0.0).is_ok() && line(along, 4.9).is_ok());
@@ -172,9 +172,9 @@ fn a_tolerance_longer_than_the_arm_is_refused() {
             for (tolerance_mm, is_one) in [(longest - 0.1, true), (longest + 0.1, false), (1e19, false), (1e300, false)]
             {
                 let to = Pose { z: from.z - 30.0, ..from };
-                let found = checker.check_line(ELBOW_UP.into(), to, TcpPace { tolerance_mm, ..SLOW });
-                let pace = matches!(&found, Err(beyond) if matches!(beyond.exceeded, Exceeded::Pace { what: "tolerance", .. }));
-                assert_eq!((pace, found.is_ok()), (!is_one, is_one && anywhere), "{tolerance_mm}: {found:?}");
+                let found = checker.check_line(ELBOW_UP.into(), to, TcpSpeed { tolerance_mm, ..SLOW });
+                let asked = matches!(&found, Err(beyond) if matches!(beyond.exceeded, Exceeded::Asked { what: "tolerance", .. }));
+                assert_eq!((asked, found.is_ok()), (!is_one, is_one && anywhere), "{tolerance_mm}: {found:?}");
             }
         }
     }

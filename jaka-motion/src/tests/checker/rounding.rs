@@ -4,7 +4,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::{ELBOW_UP, SLOW, amidst, bare, moved, with_region, zu5};
 use crate::tests::Random;
-use crate::{JointPace, Limits, Model, Point, Region, Transform};
+use crate::{JointSpeed, Limits, Model, Point, Region, Transform};
 
 const CYCLE: f64 = 0.008;
 /// A little less than what rounding may add.
@@ -24,7 +24,7 @@ fn crept<T: Copy>(start: T, next: impl Fn(T) -> Option<T>, excess: impl Fn(T) ->
 #[test]
 fn a_joint_does_not_creep_out_of_its_range() {
     let checker = bare(zu5());
-    let pace = JointPace { speed_deg_s: 1.0, acceleration_deg_s2: Some(1.0) };
+    let asked = JointSpeed { speed_deg_s: 1.0, acceleration_deg_s2: Some(1.0) };
     for (limit, outward) in [(175.0, 1.0), (-175.0, -1.0)] {
         let mut start = ELBOW_UP;
         start[2] = limit;
@@ -39,7 +39,7 @@ fn a_joint_does_not_creep_out_of_its_range() {
         let excess = |joints: JointPosition| outward * (joints.0[2] - limit);
         let by = crept([start.into(); 2], set_point, |before| excess(before[1]));
         assert!(by < 2.0 * CREEP, "{by}");
-        let joint_way = |from| checker.check_joint_way(from, out(from), pace).ok().map(|()| out(from));
+        let joint_way = |from| checker.check_joint_way(from, out(from), asked).ok().map(|()| out(from));
         let by = crept(start.into(), joint_way, excess);
         assert!(by < 2.0 * CREEP, "{by}");
     }

@@ -200,6 +200,6 @@ fn an_odd_period_is_refused() {
     let checker: Checker = bare(quick());
     for period in [0.0, -CYCLE, f64::NAN, f64::INFINITY] {
         let found = checker.check_set_point([ELBOW_UP.into(); 2], ELBOW_UP.into(), period).unwrap_err();
-        assert!(matches!(found.exceeded, Exceeded::Pace { what: "period", .. }), "{found}");
+        assert!(matches!(found.exceeded, Exceeded::Asked { what: "period", .. }), "{found}");
     }
 }

@@ -3,7 +3,7 @@
 //! 40 of each kind, or as many as `JAKA_WAYS` says. Where the witness is within all limits the checker must not refuse;
 //! where it is beyond one by more than the stated amount, the checker must.
 
-use jaka_motion::{Beyond, JointPace, TcpPace};
+use jaka_motion::{Beyond, JointSpeed, TcpSpeed};
 use jaka_sync::types::{JointPosition, Pose};
 use jaka_tests::witness::way::{Excess, Path, Steps};
 
@@ -66,10 +66,10 @@ fn ways_in_joint_space() {
         let to = by(&mut random, from, most);
         let speed = random.mostly_small(200.0);
         let acceleration = rig.bounds.accelerations[0] * random.between(0.2, 1.1);
-        let pace = JointPace { speed_deg_s: speed, acceleration_deg_s2: Some(acceleration) };
-        let checked = rig.checker().check_joint_way(JointPosition(from), JointPosition(to), pace);
+        let asked = JointSpeed { speed_deg_s: speed, acceleration_deg_s2: Some(acceleration) };
+        let checked = rig.checker().check_joint_way(JointPosition(from), JointPosition(to), asked);
         let excess = rig.bounds.joint_way(from, to, speed, acceleration, STEPS);
-        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} to {to:?}, {pace:?}"));
+        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} to {to:?}, {asked:?}"));
     }
     tally.is_worth_something();
 }
@@ -80,11 +80,11 @@ fn lines() {
     for (seed, mut random, rig, from) in rigs(1_000_000) {
         let most = random.between(1.0, 60.0);
         let to = rig.pose(by(&mut random, from, most));
-        let pace = TcpPace { speed_mm_s: random.between(10.0, 400.0), tolerance_mm: tolerance(&mut random) };
-        let checked = rig.checker().check_line(JointPosition(from), to, pace);
+        let asked = TcpSpeed { speed_mm_s: random.between(10.0, 400.0), tolerance_mm: tolerance(&mut random) };
+        let checked = rig.checker().check_line(JointPosition(from), to, asked);
         let path = Path::Line(in_base(&rig, to));
-        let (excess, end) = tcp_way(&rig, from, path, pace, checked.is_err());
-        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} to {to:?}, {pace:?}"));
+        let (excess, end) = tcp_way(&rig, from, path, asked, checked.is_err());
+        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} to {to:?}, {asked:?}"));
         ends_there(&checked, end, seed);
     }
     tally.is_worth_something();
@@ -97,11 +97,11 @@ fn arcs() {
         let most = random.between(1.0, 40.0);
         let (mid, to) = (by(&mut random, from, most), by(&mut random, from, most));
         let (mid, to) = (rig.pose(mid), rig.pose(to));
-        let pace = TcpPace { speed_mm_s: random.between(10.0, 400.0), tolerance_mm: tolerance(&mut random) };
-        let checked = rig.checker().check_arc(JointPosition(from), mid, to, pace);
+        let asked = TcpSpeed { speed_mm_s: random.between(10.0, 400.0), tolerance_mm: tolerance(&mut random) };
+        let checked = rig.checker().check_arc(JointPosition(from), mid, to, asked);
         let path = Path::Arc(in_base(&rig, mid), in_base(&rig, to));
-        let (excess, end) = tcp_way(&rig, from, path, pace, checked.is_err());
-        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} by {mid:?} to {to:?}, {pace:?}"));
+        let (excess, end) = tcp_way(&rig, from, path, asked, checked.is_err());
+        tally.judge(&checked, &excess, || format!("seed {seed}: {from:?} by {mid:?} to {to:?}, {asked:?}"));
         ends_there(&checked, end, seed);
     }
     tally.is_worth_something();
@@ -143,8 +143,8 @@ fn tolerance(random: &mut Random) -> f64 {
 
 /// By the witness. Near a singularity joints are fastest for less than one of its steps: what is refused is gone
 /// through in finer ones.
-fn tcp_way(rig: &Rig, from: [f64; 6], path: Path, pace: TcpPace, is_refused: bool) -> (Excess, Option<[f64; 6]>) {
-    let gone = |steps| rig.bounds.tcp_way(from, path, pace.speed_mm_s, pace.tolerance_mm, steps);
+fn tcp_way(rig: &Rig, from: [f64; 6], path: Path, asked: TcpSpeed, is_refused: bool) -> (Excess, Option<[f64; 6]>) {
+    let gone = |steps| rig.bounds.tcp_way(from, path, asked.speed_mm_s, asked.tolerance_mm, steps);
     let usual = gone(STEPS);
     if is_refused && !usual.0.is_beyond(WITHIN) { gone(FINE) } else { usual }
 }

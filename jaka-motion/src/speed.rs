@@ -8,7 +8,7 @@ use crate::beyond::Exceeded;
 /// How fast a motion straight in joint space is requested to be: of the joint with the longest way, the others less in
 /// proportion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JointPace {
+pub struct JointSpeed {
     /// The speed, in deg/s.
     pub speed_deg_s: f64,
     /// The acceleration, in deg/s². Without one the motion is refused, since the controller's own is not known.
@@ -17,7 +17,7 @@ pub struct JointPace {
 
 /// How fast a line or an arc is requested to be, and how far from its way blending may take the arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TcpPace {
+pub struct TcpSpeed {
     /// The speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
     /// How far the arm may be from its way, in mm: what regions allow is less by as much, at the start too. One longer
@@ -51,14 +51,14 @@ pub enum VelocityFrame {
     Tool,
 }
 
-impl JointPace {
+impl JointSpeed {
     pub(crate) fn check(&self) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_deg_s)?;
         self.acceleration_deg_s2.map_or(Ok(()), |given| above_zero("acceleration", given))
     }
 }
 
-impl TcpPace {
+impl TcpSpeed {
     /// `reach_mm` is that of the arm with its tool.
     pub(crate) fn check(&self, reach_mm: f64) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_mm_s)?;
@@ -66,7 +66,7 @@ impl TcpPace {
         if tolerance.is_finite() && (0.0..=reach_mm).contains(&tolerance) {
             Ok(())
         } else {
-            Err(Exceeded::Pace { what: "tolerance", given: tolerance })
+            Err(Exceeded::Asked { what: "tolerance", given: tolerance })
         }
     }
 }
@@ -100,7 +100,7 @@ impl TcpVelocity {
 }
 
 pub(crate) fn above_zero(what: &'static str, given: f64) -> Result<(), Exceeded> {
-    if given.is_finite() && given > 0.0 { Ok(()) } else { Err(Exceeded::Pace { what, given }) }
+    if given.is_finite() && given > 0.0 { Ok(()) } else { Err(Exceeded::Asked { what, given }) }
 }
 
 /// The longest way of a joint, in degrees.
