@@ -3,11 +3,11 @@
 use jaka_proto::messages::types::JointPosition;
 use nalgebra::Point3;
 
-use super::Checker;
 use super::arm::Arm;
 use super::placed_regions::PlacedRegions;
 use super::radii::{PieceEnd, PointMotion};
 use super::solved::Solved;
+use super::{Checker, TOOL_USED};
 use crate::beyond::{Exceeded, Found};
 #[cfg(feature = "generator")]
 use crate::braking::{Stop, longest_stop};
@@ -134,7 +134,7 @@ impl RoomToStop<'_> {
         let (limits, velocity) = (self.checker.limits(), &hull.speeds);
         let tool = limits.stop_tcp_acceleration().map_or(f64::INFINITY, |most| {
             // Each joint may be slower than its speed here.
-            most / self.points.arm.radii().tcp_rate_at_most(velocity)
+            TOOL_USED * most / self.points.arm.radii().tcp_rate_at_most(velocity)
         });
         limits.axes().stop_rates(velocity, limits.stop_jerks(), tool).length_s() + PERIOD_S
     }

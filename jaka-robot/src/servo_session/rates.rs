@@ -76,7 +76,7 @@ impl Rates {
             return Err(refused(step, index, value, allowed));
         }
         let Some(change) = step.change_from(before) else { return Ok(()) };
-        let accelerations = self.slowing(step, before).unwrap_or(accelerations);
+        let accelerations = self.slowing(step, before, time).unwrap_or(accelerations);
         let most = accelerations.map(|acceleration| acceleration * time * time);
         let Some((index, size, most)) = first_beyond(&sizes(&change), &most) else { return Ok(()) };
         let unit = unit(step, index);
@@ -87,11 +87,12 @@ impl Rates {
         Err(refused(step, index, value, allowed))
     }
 
-    /// Greatest accelerations of joints of which some slow down; none for poses.
-    fn slowing(&self, step: &SetPointStep, before: &SetPointStep) -> Option<Sizes> {
+    /// Greatest accelerations of joints of which some slow down, or turn round within that of a motion; none for poses.
+    fn slowing(&self, step: &SetPointStep, before: &SetPointStep, time: f64) -> Option<Sizes> {
         let (SetPointStep::Joints(step), SetPointStep::Joints(before)) = (step, before) else { return None };
         Some(std::array::from_fn(|joint| {
-            let slows = step[joint].abs() < before[joint].abs() && step[joint] * before[joint] >= 0.0;
+            let turned = (step[joint] * before[joint].signum()).min(0.0).abs() / time / time;
+            let slows = step[joint].abs() < before[joint].abs() && turned <= self.joint_acceleration[joint];
             if slows { self.joint_deceleration[joint] } else { self.joint_acceleration[joint] }
         }))
     }
