@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use jaka_robot::jaka_motion::{Limits, TcpVelocity, Trajectory, VelocityFrame, Via};
-use jaka_robot::{FollowConfig, FollowHandle, Robot, RobotConfig, StreamConfig, StreamHandle};
+use jaka_robot::{FollowConfig, FollowHandle, Robot, RobotConfig, ServoConfig, StreamConfig, StreamHandle};
 use jaka_tests::simulated::until;
 use jaka_tests::witness::Witness;
 use jaka_tests::{Arm, Configured as _};
@@ -168,13 +168,39 @@ fn stops_of_streams_are_as_long_as_the_page_says() {
     let line = Stop::of(&stopped_stream((START, limits(), 10), lead), tool_steps, 1.5e-3);
     assert!((tool_steps(&line.before).last().expect("some") / PERIOD_S - 250.0).abs() < 1.0);
     assert_stated(&[
-        cruise.row("a stream turns joint 6 at 150 deg/s"),
+        cruise.row("a stream, or a session of set-points, turns joint 6 at 150 deg/s"),
         gains.row(&format!("the same while it gains speed by 72 deg/s², at {:.0} deg/s", gains.speed())),
         stretched.row("a stream turns joint 1 at 150 deg/s, the arm stretched to 0.96 m"),
         unbound.row("the same without the bound of the tool"),
         slow.row("the same at 30 deg/s"),
         line.row("a stream leads the tool at 250 mm/s, the arm half stretched"),
     ]);
+}
+
+/// Set-points of a program of its own, which gains 72 deg/s² of speed up to 150 deg/s, and lands.
+#[test]
+fn a_session_with_limits_lands_by_a_stop_as_long_as_the_page_says() {
+    let (arm, mut robot) = ready(START, limits());
+    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is ready");
+    let (mut joints, mut speed) = (START, 0.0);
+    while speed < 150.0 {
+        speed = f64::min(speed + 71.9 * PERIOD_S, 150.0);
+        joints[5] += speed * PERIOD_S;
+        session.send_joints(joints).expect("within the limits");
+    }
+    for _ in 0..10 {
+        joints[5] += speed * PERIOD_S;
+        session.send_joints(joints).expect("within the limits");
+    }
+    session.land().expect("it comes to rest");
+    let stop = Stop::of(&arm, joint_steps, 1e-5);
+    let all = [&stop.before[stop.before.len() - 2..], &stop.set_points[1..]].concat();
+    let steps: Vec<f64> = joint_steps(&all).iter().map(|step| step / PERIOD_S).collect();
+    let changes: Vec<f64> = steps.windows(2).map(|two| (two[0] - two[1]) / PERIOD_S).collect();
+    assert!(changes.iter().all(|change| (0.0..=570.0 + 1e-3).contains(change)), "{changes:?}");
+    let jerks = changes.windows(2).map(|two| ((two[1] - two[0]) / PERIOD_S).abs());
+    assert!(jerks.fold(0.0, f64::max) <= 5700.0 + 1e-2, "{changes:?}");
+    assert_stated(&[stop.row("a stream, or a session of set-points, turns joint 6 at 150 deg/s")]);
 }
 
 #[test]
