@@ -203,6 +203,29 @@ fn a_session_with_limits_lands_by_a_stop_as_long_as_the_page_says() {
     assert_stated(&[stop.row("a stream, or a session of set-points, turns joint 6 at 150 deg/s")]);
 }
 
+/// Up to 60 deg/s by what motions have, and down by more.
+#[test]
+fn a_program_may_brake_its_set_points_by_the_acceleration_of_stops() {
+    for (braking, is_sent) in [(569.0, true), (571.0, false)] {
+        let (_arm, mut robot) = ready(START, limits());
+        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is ready");
+        let (mut joints, mut speed) = (START, 0.0);
+        while speed < 60.0 {
+            speed += 71.9 * PERIOD_S;
+            joints[5] += speed * PERIOD_S;
+            session.send_joints(joints).expect("within the limits");
+        }
+        let sent = (0..5).try_for_each(|_| {
+            speed -= braking * PERIOD_S;
+            joints[5] += speed * PERIOD_S;
+            session.send_joints(joints)
+        });
+        assert_eq!(sent.is_ok(), is_sent, "{braking} deg/s²: {sent:?}");
+        let landed = session.land();
+        assert_eq!(landed.is_ok(), is_sent, "{landed:?}");
+    }
+}
+
 #[test]
 fn stops_and_pauses_of_trajectories_are_as_long_as_the_page_says() {
     let stop = stop_of_trajectory(|run| run.stop().expect("it runs"));
