@@ -181,7 +181,7 @@ fn stops_of_streams_are_as_long_as_the_page_says() {
 #[test]
 fn a_session_with_limits_lands_by_a_stop_as_long_as_the_page_says() {
     let (arm, mut robot) = ready(START, limits());
-    let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is ready");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is ready");
     let (mut joints, mut speed) = (START, 0.0);
     while speed < 150.0 {
         speed = f64::min(speed + 71.9 * PERIOD_S, 150.0);
@@ -192,7 +192,8 @@ fn a_session_with_limits_lands_by_a_stop_as_long_as_the_page_says() {
         joints[5] += speed * PERIOD_S;
         session.send_joints(joints).expect("within the limits");
     }
-    session.land().expect("it comes to rest");
+    let end = session.land().expect("it comes to rest");
+    assert!(end.rest.was_seen(), "{end:?}");
     let stop = Stop::of(&arm, joint_steps, 1e-5);
     let all = [&stop.before[stop.before.len() - 2..], &stop.set_points[1..]].concat();
     let steps: Vec<f64> = joint_steps(&all).iter().map(|step| step / PERIOD_S).collect();
@@ -208,7 +209,7 @@ fn a_session_with_limits_lands_by_a_stop_as_long_as_the_page_says() {
 fn a_program_may_brake_its_set_points_by_the_acceleration_of_stops() {
     for (braking, is_sent) in [(569.0, true), (571.0, false)] {
         let (_arm, mut robot) = ready(START, limits());
-        let mut session = robot.enter_servo_mode(&ServoConfig::new()).expect("the arm is ready");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is ready");
         let (mut joints, mut speed) = (START, 0.0);
         while speed < 60.0 {
             speed += 71.9 * PERIOD_S;
