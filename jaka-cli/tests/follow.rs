@@ -72,7 +72,7 @@ const SEAM_START: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
 const NEAR: &str = "0,60,-80,190,-90,0";
 
 #[test]
-fn points_without_times_are_planned_and_followed() {
+fn points_without_times_are_planned() {
     let file = seam("seam.csv");
     let dry = |options: &str| {
         let words = ["follow", &*file, "--model", "zu5", "--dry-run"].map(str::to_owned);
@@ -106,17 +106,6 @@ fn points_without_times_are_planned_and_followed() {
     let timed = way("timed.csv", 1.0);
     let refused = jaka(["follow", &*timed, "--model", "zu5", "--dry-run", "--within-deg", "1"]);
     assert!(refused.err.contains("its points have times: ") && refused.code == Some(2), "{}", refused.text());
-
-    let arm = Arm::real_time().at(SEAM_START).start();
-    let run = run(&arm, &file, "--within-mm 0.2 --tool-speed 100 --yes --json");
-    let said: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error}: {}", run.text()));
-    assert_eq!(said["outcome"], "reached", "{}", run.text());
-    let model = Model::named("Zu 5").expect("a published arm");
-    let wanted = Pose::from(model.forward(SEAM_START));
-    let there = Pose::from(model.forward(arm.state().joint_position));
-    let (sin, cos) = 1.57_f64.sin_cos();
-    let off = (there.x - wanted.x - 60.0 * (cos - 1.0)).hypot(there.y - wanted.y - 60.0 * sin);
-    assert!(off < 0.3, "{off} mm off the end");
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use std::fs;
 
 use expect_test::expect;
+use jaka_motion::Model;
+use jaka_motion::proto::messages::types::Pose;
 use jaka_tests::{Arm, LONG};
 use serde_json::Value;
 
@@ -68,6 +70,31 @@ fn a_trajectory_that_is_completed_is_reported() {
         exit code 0
     "]]
     .assert_eq(&jaka(&arm, words(1.0, "--scale 0.5")).text());
+}
+
+/// A quarter of a circle of the tool around the axis of the first pose.
+#[test]
+fn points_without_times_are_followed() {
+    let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
+    let tool = |joints: [f64; 6]| Pose::from(Model::named("Zu 5").expect("a published arm").forward(joints));
+    let first = tool(start);
+    let on_circle = |step: u32| {
+        let (sin, cos) = (f64::from(step) * 0.0157).sin_cos();
+        (first.x + 60.0 * (cos - 1.0), first.y + 60.0 * sin)
+    };
+    let lines = (0..=100).map(|step| {
+        let (x, y) = on_circle(step);
+        format!("{x},{y},{},{},{},{}\n", first.z, first.rx, first.ry, first.rz)
+    });
+    let path = scratch("seam.csv");
+    fs::write(&path, format!("x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n{}", lines.collect::<String>())).expect("written");
+    let arm = Arm::simulated().at(start).start();
+    let line = format!("follow {} --model zu5 --yes --within-mm 0.2 --tool-speed 100 --json", path.display());
+    let run = jaka(&arm, line.split_whitespace());
+    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"reached".into()), "{run:?}");
+    let there = tool(arm.state().joint_position.0);
+    let (x, y) = on_circle(100);
+    assert!((there.x - x).hypot(there.y - y) < 0.3, "{there:?}");
 }
 
 #[test]
