@@ -1,5 +1,6 @@
 //! The conventions compared with the vendor's own figures, and poses converted both ways.
 
+use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{Random, apart, assert_close, from_pose, to_pose};
@@ -23,6 +24,21 @@ const CAPTURED: [([f64; 6], [f64; 6]); 4] = [
      [-49.852_504, -613.410_281, 394.960_563, 175.953_287, -2.551_933, -159.806_574]),
     ([-261.539_269, 107.261_397, 76.208_493, 89.979_374, -93.315_612, -1.542_663],
      [-29.852_503, -613.410_289, 394.960_562, 176.457_188, -3.215_444, -169.797_277]),
+];
+
+/// Joint positions and poses, in public status packets of a newer controller with tool 1 and user frame 0:
+/// `moisesoliveira-dev/article`, `dados.json` and, at two commits, `jaka_monitor/data/jaka_monitor.db`.
+#[rustfmt::skip]
+const CAPTURED_NEWER: [([f64; 6], [f64; 6]); 3] = [
+    ([-90.935_89, 78.621_94, 11.783_46, -7.199_99, -1.569_47, 286.683_64],
+     [2.877_734_337_937_711_4, 577.104_892_219_393_6, 229.424_273_779_459_33,
+      -91.167_635_952_102_49, -9.480_430_961_367_986, 179.453_177_770_693_7]),
+    ([-92.7246, -3.171_27, 4.507_77, 22.692_43, -2.233_45, 286.681_58],
+     [-4.007_253_990_122_829_5, -8.556_245_894_451_035, 767.040_209_324_755_7,
+      178.893_738_844_379_33, -0.206_719_525_424_343_27, -143.358_645_942_956_03]),
+    ([-90.569_91, 13.886_38, 82.622_62, 4.924_79, 80.350_77, 286.681_58],
+     [-16.856_803_348_947_118, 269.120_102_441_501_33, 207.417_466_712_425_95,
+      -1.577_666_462_355_306_7, -5.581_022_399_363_026, 162.132_604_064_458_04]),
 ];
 
 fn example_pose() -> Transform {
@@ -110,5 +126,35 @@ fn the_inverse_finds_the_joints_of_a_real_zu_5() {
     for (joints, pose) in CAPTURED {
         let found = Model::default().inverse(from_pose(pose), joints).expect("the arm was there");
         assert!(found.max_distance(&joints.into()) < 0.1, "{found}");
+    }
+}
+
+/// The tool is turned by half a turn about x and has no offset. The arm's lengths differ from the published ones by up to
+/// 0.8 mm.
+#[test]
+fn the_newer_controller_has_a_minicobo() {
+    let tool = from_pose([0.0, 0.0, 0.0, 180.0, 0.0, 0.0]);
+    for model in Model::published() {
+        let off = CAPTURED_NEWER.map(|(joints, pose)| apart(&(model.forward(joints) * tool), &from_pose(pose)));
+        let within = |most: (f64, f64)| off.iter().all(|off| off.0 < most.0 && off.1 < most.1);
+        assert_eq!(within((1.7, 0.000_02)), model.name() == "MiniCobo", "{} {off:?}", model.name());
+        assert!(model.name() == "MiniCobo" || !within((50.0, 5.0)), "{} {off:?}", model.name());
+    }
+}
+
+/// Four lengths fit the nine coordinates of the poses as exactly as joint positions are told.
+#[test]
+fn the_lengths_of_the_newer_controllers_arm_are_calibrated() {
+    let published = Model::named("MiniCobo").expect("published");
+    let mut dh = GetDhParamReply::from(literal::GetDhParamReply {
+        alpha: *published.alpha(),
+        a: *published.a(),
+        d: *published.d(),
+        joint_home_offset: *published.joint_home_offset(),
+    });
+    (dh.a[2], dh.d[0], dh.d[3], dh.d[5]) = (210.360_844, 186.202_853, 210.987_879, 159.898_996);
+    let (arm, tool) = (published.with_dh(&dh).expect("near"), from_pose([0.0, 0.0, 0.0, 180.0, 0.0, 0.0]));
+    for (joints, pose) in CAPTURED_NEWER {
+        assert_close(&(arm.forward(joints) * tool), &from_pose(pose), (0.000_05, 0.000_02), "MiniCobo");
     }
 }
