@@ -11,6 +11,7 @@ mod check;
 mod clear;
 mod completions;
 mod down;
+mod explain;
 mod export;
 mod follow;
 mod jitter;
@@ -66,6 +67,7 @@ commands! {
     Jog(jog::Jog),
     Follow(follow::Follow),
     Check(check::Check),
+    Explain(explain::Explain),
     Probe(probe::Probe),
     Jitter(jitter::Jitter),
     Sim(Box<sim::Sim>),

@@ -2,6 +2,7 @@
 
 pub(crate) mod command_line;
 
+use std::borrow::Cow;
 use std::error::Error as StdError;
 use std::fmt;
 use std::io;
@@ -92,9 +93,9 @@ fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
 
 impl Failure {
     /// What to type, or to do, against the cause.
-    pub(crate) fn hint(&self) -> Option<&'static str> {
+    pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         match self {
-            Self::Refused { explanation: Some(explanation), .. } => verb(explanation.cause().remedy()),
+            Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
             Self::Robot(error) => verb(error.remedy()),
             _ => None,
         }
@@ -102,9 +103,19 @@ impl Failure {
 }
 
 /// What this program offers for a remedy.
-pub(crate) fn verb(remedy: Remedy) -> Option<&'static str> {
-    Some(match remedy {
-        Remedy::None | Remedy::SeeError | Remedy::Connection(jaka_sync::Remedy::None) => return None,
+pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
+    if let Remedy::OfEvent(event) = remedy {
+        let remedy = event.remedy()?;
+        let code = event.code();
+        return Some(
+            format!("{remedy}; when somebody has looked at the arm, `jaka clear` clears the error; `jaka explain {code:#08x}`")
+                .into(),
+        );
+    }
+    Some(Cow::Borrowed(match remedy {
+        Remedy::None | Remedy::SeeError | Remedy::OfEvent(_) | Remedy::Connection(jaka_sync::Remedy::None) => {
+            return None;
+        }
         Remedy::ReleaseEmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
         Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
         Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
@@ -150,7 +161,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<&'static str> {
              shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
              container: `--cap-add SYS_NICE`)"
         }
-    })
+    }))
 }
 
 /// What it means that a stop has failed.

@@ -167,6 +167,7 @@ fn the_help_explains_exit_codes() {
                        trajectory
           check        Look at a robot before it is used: ports, power, stops, payload, rates, model;
                        nothing is changed
+          explain      Explain a code or a refusal of the controller
           probe        Send a controller every query of the protocol, and report where its answers depart
                        from the spec
           jitter       Measure how late this machine begins cycles of set-points, and how long a robot's

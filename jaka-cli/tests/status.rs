@@ -61,8 +61,14 @@ fn the_event_has_its_severity_and_meaning() {
     expect![[r#"
         error_code  0x10f0005 (information: the robot is disabled)
         error_code  0xF0034 (error: a collision was detected)
+          cause     a safety function was triggered, or a safety signal or a safety setting changed (general: no source states it for this code)
+          remedy    look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model are recognised correctly; check the settings of payload and mounting angle
         error_code  0x10f0020 (warning: reduced mode is on)
-        error_code  0x0f0030 (error)
+          cause     a safety function was triggered, or a safety signal or a safety setting changed (general: no source states it for this code)
+          remedy    find out which signal, contact or person triggered it; look at the arm; check the wiring and the safety settings before anything moves (general: no source states it for this code)
+        error_code  0x0f0030 (error: the joint speed limit is set to 0)
+          cause     a value is missing, outside its range, or does not match the robot (general: no source states it for this code)
+          remedy    check in the app's safety settings whether the joint speed limit is 0 °/s
         error_code  0x0f9999 (severity unknown)
         error_code  0x0
         error_code  ""
@@ -79,11 +85,11 @@ fn json_has_the_severity_and_meaning_of_the_event() {
     };
     let lines = ["0x10f0005", "0x0f0030", "0x0f9999", "0x0", "fine"].map(line);
     expect![[r#"
-        "error_code":"0x10f0005","event_severity":"information","event_meaning":"the robot is disabled"}
-        "error_code":"0x0f0030","event_severity":"error","event_meaning":null}
-        "error_code":"0x0f9999","event_severity":"unknown","event_meaning":null}
-        "error_code":"0x0","event_severity":null,"event_meaning":null}
-        "error_code":"fine","event_severity":"unknown","event_meaning":null}
+        "error_code":"0x10f0005","event_severity":"information","event_meaning":"the robot is disabled","event_cause":null,"event_remedy":"nothing has to be done (general: no source states it for this code)"}
+        "error_code":"0x0f0030","event_severity":"error","event_meaning":"the joint speed limit is set to 0","event_cause":"a value is missing, outside its range, or does not match the robot (general: no source states it for this code)","event_remedy":"check in the app's safety settings whether the joint speed limit is 0 °/s"}
+        "error_code":"0x0f9999","event_severity":"unknown","event_meaning":null,"event_cause":null,"event_remedy":null}
+        "error_code":"0x0","event_severity":null,"event_meaning":null,"event_cause":null,"event_remedy":null}
+        "error_code":"fine","event_severity":"unknown","event_meaning":null,"event_cause":null,"event_remedy":null}
     "#]]
     .assert_eq(&lines.concat());
 }

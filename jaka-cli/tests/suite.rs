@@ -6,6 +6,7 @@ mod check;
 mod common;
 mod completions;
 mod console;
+mod explain;
 mod export;
 mod first_robot;
 mod follow;

@@ -35,6 +35,12 @@ pub mod kinematics {
     ///
     /// Sends `kine_inverse` (4.47). Changes nothing on the robot. The reply is [`KineInverseReply`].
     ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - No joint position reaches the pose (the document's own example).
+    ///
     /// # Errata
     ///
     /// - The document's reply prints `[x,y,z,rx,ry,rz]` in `jointPosition`; its text says that these are joint angles.

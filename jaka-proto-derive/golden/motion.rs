@@ -22,6 +22,12 @@ pub mod motion {
     ///
     /// Sends `jog` (4.6). The robot must be powered, enabled and outside servo mode.
     ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - The jog would take a joint beyond its soft limit (the vendor's events `0x000035` and `0x000036`).
+    ///
     /// # Errata
     ///
     /// - The document says that there are three jog modes and lists four.
@@ -128,6 +134,13 @@ pub mod motion {
     /// The reply says that the motion was accepted, not that it has ended.
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - Malformed arguments (transcript).
+    /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
@@ -215,6 +228,13 @@ pub mod motion {
     ///
     /// Sends `moveL` (4.9). The robot must be powered, enabled and outside servo mode.
     ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - A singular or unreachable point on the way, a wrong relative flag, or a speed in another unit (the vendor's FAQ 1.0.2, 3.6).
+    /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
+    ///
     /// # Errata
     ///
     /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit. It is in millimetres (vendor's texts).
@@ -276,6 +296,12 @@ pub mod motion {
     /// The reply says that the motion was accepted, not that it has ended.
     ///
     /// Sends `movc` (4.10). The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - Points that coincide or lie on one line, or one at a singularity (the vendor's event `0x0F0029`).
     ///
     /// # Errata
     ///

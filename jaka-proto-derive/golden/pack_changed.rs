@@ -21,6 +21,13 @@ pub mod changed {
     /// The reply says that the motion was accepted, not that it has ended.
     ///
     /// Sends `joint_move` (4.7). The robot must be powered, enabled and outside servo mode. The method is [`ChangedCommands::joint_move_changed`].
+    ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - Malformed arguments (transcript).
+    /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
@@ -182,6 +189,13 @@ pub mod changed {
         /// The reply says that the motion was accepted, not that it has ended.
         ///
         /// Sends [`joint_move`](type@JointMove) (4.7). The robot must be powered, enabled and outside servo mode.
+        ///
+        /// # Refusals
+        ///
+        /// Known causes of a refusal:
+        ///
+        /// - Malformed arguments (transcript).
+        /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
         ///
         /// # Example
         /// ```text

@@ -37,6 +37,12 @@ pub mod power {
     /// It wants a disabled arm (event `0x0F0026`).
     ///
     /// Sends `power_off` (4.2).
+    ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - The arm is still enabled (the vendor's event `0x0F0026`).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct PowerOff {}
@@ -73,6 +79,13 @@ pub mod power {
     /// It is refused while the arm moves or a program runs (events `0x0F003A` and `0x0F0027`).
     ///
     /// Sends `disable_robot` (4.4).
+    ///
+    /// # Refusals
+    ///
+    /// Known causes of a refusal:
+    ///
+    /// - A program runs (the vendor's event `0x0F0027`).
+    /// - The arm moves (the vendor's event `0x0F003A`); firmware 1.5.14 acknowledged it twice all the same (transcripts).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct DisableRobot {}

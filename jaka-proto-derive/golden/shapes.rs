@@ -1362,13 +1362,11 @@ impl ::jaka_proto::ErrorCode {
     }
 }
 impl ::jaka_proto::ControllerEvent {
-    /// Ranges of codes, first and last, in their order.
-    pub(crate) const SEVERITIES: &'static [(u32, u32, ::jaka_proto::Severity)] = &[
-        (0x0F0006, 0x0F0007, ::jaka_proto::Severity::Error),
-    ];
-    /// Ranges of codes, first and last, in their order.
-    pub(crate) const MEANINGS: &'static [(u32, u32, &'static str)] = &[
-        (0x0F0006, 0x0F0007, "a joint is at its hard limit"),
+    /// Ranges of codes, first and last, in their order, each with its place in `EXPLANATIONS`.
+    pub(crate) const RANGES: &'static [(u32, u32, usize)] = &[(0x0F0006, 0x0F0007, 0)];
+    /// Severity, meaning, cause and remedy.
+    pub(crate) const EXPLANATIONS: &'static [::jaka_proto::controller_event::Explanation] = &[
+        (::jaka_proto::Severity::Error, Some("a joint is at its hard limit"), None, None),
     ];
 }
 pub mod shapes {

@@ -279,9 +279,11 @@ fn remarks(command: &Command) -> String {
     let reconstructed = command.reconstructed.as_ref();
     let reconstructed =
         reconstructed.map(|evidence| format!("\n\nReconstructed, since the document's page is lost: {evidence}"));
+    let refused = (!command.refused_because.is_empty())
+        .then(|| format!("\n\n# Refusals\n\nKnown causes of a refusal:\n\n{}", list(&command.refused_because)));
     let errata = (!command.errata.is_empty()).then(|| format!("\n\n# Errata\n\n{}", list(&command.errata)));
     let known = words::known_to(command).map(|known| format!("\n\n{known}"));
-    [known, withdrawn, evidence, reconstructed, errata].into_iter().flatten().collect()
+    [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
 }
 
 /// What is sent and what comes back, a message in a line. After an arrow, no message of a pack can end the block.

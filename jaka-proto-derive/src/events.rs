@@ -1,10 +1,10 @@
-//! The severities and meanings of the controller's events, as tables in the order of their codes.
+//! The severities and explanations of the controller's events, as tables in the order of their codes.
 
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-use jaka_spec::{Event, Spec};
-use proc_macro2::{Ident, Literal, TokenStream};
+use jaka_spec::{Event, EventTexts, Spec};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::scope::ident;
@@ -12,31 +12,49 @@ use crate::scope::ident;
 /// The tables in which `ControllerEvent` looks.
 pub(crate) fn render(spec: &Spec) -> TokenStream {
     let events: Vec<_> = spec.events().collect();
-    let severities =
-        severities(&events, |first, last, severity| quote!((#first, #last, ::jaka_proto::Severity::#severity)));
-    let meanings = meanings(&events, |first, last, meaning| quote!((#first, #last, #meaning)));
+    let (mut ranges, mut explanations) = (Vec::new(), Vec::new());
+    for (first, last, event) in table(&events, Some) {
+        let place = Literal::usize_unsuffixed(explanations.len());
+        ranges.push(quote!((#first, #last, #place)));
+        let severity = ident(event.severity.variant());
+        let meaning = option(event.texts.meaning.as_ref().map(|meaning| quote!(#meaning)));
+        let note = |note: Option<Note<'_>>| option(note.map(|note| note.render(&quote!(::jaka_proto))));
+        let (cause, remedy) = (note(Note::of(spec, event, cause)), note(Note::of(spec, event, remedy)));
+        explanations.push(quote!((::jaka_proto::Severity::#severity, #meaning, #cause, #remedy)));
+    }
     quote! {
         impl ::jaka_proto::ControllerEvent {
-            /// Ranges of codes, first and last, in their order.
-            pub(crate) const SEVERITIES: &'static [(u32, u32, ::jaka_proto::Severity)] = &[#(#severities,)*];
+            /// Ranges of codes, first and last, in their order, each with its place in `EXPLANATIONS`.
+            pub(crate) const RANGES: &'static [(u32, u32, usize)] = &[#(#ranges,)*];
 
-            /// Ranges of codes, first and last, in their order.
-            pub(crate) const MEANINGS: &'static [(u32, u32, &'static str)] = &[#(#meanings,)*];
+            /// Severity, meaning, cause and remedy.
+            pub(crate) const EXPLANATIONS: &'static [::jaka_proto::controller_event::Explanation] =
+                &[#(#explanations,)*];
         }
     }
 }
 
 /// Functions that know the events that a pack adds, and all others.
-pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
+pub(crate) fn in_pack(spec: &Spec, events: &[Event]) -> Option<TokenStream> {
     let events: Vec<_> = events.iter().collect();
-    let severities = severities(&events, |first, last, severity| quote!(#first..=#last => proto::Severity::#severity,));
-    let meanings = meanings(&events, |first, last, meaning| quote!(#first..=#last => Some(#meaning),));
+    let severities = rows(table(&events, |event| Some(event.severity)), |severity| {
+        let severity = ident(severity.variant());
+        quote!(proto::Severity::#severity)
+    });
+    let meanings = rows(table(&events, |event| event.texts.meaning.as_deref()), |meaning| quote!(Some(#meaning)));
+    let notes = |text: Text| {
+        rows(table(&events, |event| Note::of(spec, event, text)), |note| {
+            let note = note.render(&quote!(proto));
+            quote!(Some(#note))
+        })
+    };
+    let (causes, remedies) = (notes(cause), notes(remedy));
     (!events.is_empty()).then(|| {
         quote! {
             /// How severe an event of the controller is, also one that only this module names.
             pub fn event_severity(event: proto::ControllerEvent) -> proto::Severity {
                 match event.code() {
-                    #(#severities)*
+                    #severities
                     _ => event.severity(),
                 }
             }
@@ -44,30 +62,71 @@ pub(crate) fn in_pack(events: &[Event]) -> Option<TokenStream> {
             /// What an event of the controller means, also one of which only this module says so.
             pub fn event_meaning(event: proto::ControllerEvent) -> Option<&'static str> {
                 match event.code() {
-                    #(#meanings)*
+                    #meanings
                     _ => event.meaning(),
+                }
+            }
+
+            /// Causes of an event of the controller, also of one of which only this module says so.
+            pub fn event_cause(event: proto::ControllerEvent) -> Option<proto::EventNote> {
+                match event.code() {
+                    #causes
+                    _ => event.cause(),
+                }
+            }
+
+            /// Remedies for an event of the controller, also for one of which only this module says so.
+            pub fn event_remedy(event: proto::ControllerEvent) -> Option<proto::EventNote> {
+                match event.code() {
+                    #remedies
+                    _ => event.remedy(),
                 }
             }
         }
     })
 }
 
-/// A row for each range of codes of one severity.
-fn severities(events: &[&Event], row: impl Fn(Literal, Literal, Ident) -> TokenStream) -> Vec<TokenStream> {
-    table(events, |event| Some(event.severity), |first, last, severity| row(first, last, ident(severity.variant())))
+/// One of the texts of an explanation.
+type Text = fn(&EventTexts) -> Option<&str>;
+
+fn cause(texts: &EventTexts) -> Option<&str> {
+    texts.cause.as_deref()
 }
 
-/// A row for each range of codes of one meaning.
-fn meanings(events: &[&Event], row: impl Fn(Literal, Literal, &str) -> TokenStream) -> Vec<TokenStream> {
-    table(events, |event| event.meaning.as_deref(), row)
+fn remedy(texts: &EventTexts) -> Option<&str> {
+    texts.remedy.as_deref()
 }
 
-/// The events of ranges of codes, in the order of the codes. Neighbours with the same event are one range.
-fn table<'s, T: PartialEq>(
-    events: &[&'s Event],
-    say: impl Fn(&'s Event) -> Option<T>,
-    row: impl Fn(Literal, Literal, T) -> TokenStream,
-) -> Vec<TokenStream> {
+/// Cause or remedy of an event: its own, or that of its family.
+#[derive(PartialEq)]
+enum Note<'s> {
+    OfCode(&'s str),
+    OfFamily(&'s str),
+}
+
+impl<'s> Note<'s> {
+    fn of(spec: &'s Spec, event: &'s Event, text: Text) -> Option<Self> {
+        let of_family = || spec.family_of(event).and_then(|family| text(&family.texts)).map(Self::OfFamily);
+        text(&event.texts).map(Self::OfCode).or_else(of_family)
+    }
+
+    fn render(&self, proto: &TokenStream) -> TokenStream {
+        match self {
+            Self::OfCode(text) => quote!(#proto::EventNote::OfCode(#text)),
+            Self::OfFamily(text) => quote!(#proto::EventNote::OfFamily(#text)),
+        }
+    }
+}
+
+fn option(value: Option<TokenStream>) -> TokenStream {
+    value.map_or_else(|| quote!(None), |value| quote!(Some(#value)))
+}
+
+/// First and last code of a range, and what is said of it.
+type Row<T> = (Literal, Literal, T);
+
+/// What is said of the events of ranges of codes, in the order of the codes. Neighbours of which the same is said are one range.
+fn table<'s, T: PartialEq>(events: &[&'s Event], say: impl Fn(&'s Event) -> Option<T>) -> Vec<Row<T>> {
     let mut ranges: Vec<_> =
         events.iter().flat_map(|event| event.codes.iter().map(move |codes| (codes, event))).collect();
     ranges.sort_by_key(|(codes, _)| *codes.start());
@@ -81,8 +140,16 @@ fn table<'s, T: PartialEq>(
             _ => table.push((codes.clone(), said)),
         }
     }
-    let rows = table.into_iter().map(|(codes, said)| row(hexadecimal(*codes.start()), hexadecimal(*codes.end()), said));
-    rows.collect()
+    table.into_iter().map(|(codes, said)| (hexadecimal(*codes.start()), hexadecimal(*codes.end()), said)).collect()
+}
+
+/// Arms of a `match` on the code.
+fn rows<T>(table: Vec<Row<T>>, value: impl Fn(T) -> TokenStream) -> TokenStream {
+    let arms = table.into_iter().map(|(first, last, said)| {
+        let value = value(said);
+        quote!(#first..=#last => #value,)
+    });
+    arms.collect()
 }
 
 /// The code as the vendor's table has it, so that the expansion can be compared with it.

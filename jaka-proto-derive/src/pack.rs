@@ -110,7 +110,7 @@ pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> To
     let status = motion_status(module, built_in, sync);
     let methods = methods(module, scope, sync);
     let codes = error_codes::in_pack(docs, &module.codes);
-    let events = events::in_pack(&module.events);
+    let events = events::in_pack(&module.spec, &module.events);
     let docs = docs.topic(topic);
     quote! {
         #[allow(unreachable_pub, dead_code, clippy::self_named_constructors)]

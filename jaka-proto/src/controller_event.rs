@@ -46,6 +46,29 @@ crate::worded! {
     }
 }
 
+/// Severity, meaning, cause and remedy of an event.
+pub(crate) type Explanation = (Severity, Option<&'static str>, Option<EventNote>, Option<EventNote>);
+
+crate::worded! {
+    /// Cause or remedy of an event: phrases on one line, without full stop.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum EventNote {
+        /// Statement of the vendor's table for the code.
+        OfCode(text: &'static str) => "{text}",
+        /// General statement for the event's family, such as brakes, since the table states nothing for the code.
+        OfFamily(text: &'static str) => "{text} (general: the vendor's table states nothing for this code)",
+    }
+}
+
+impl EventNote {
+    /// The text alone.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::OfCode(text) | Self::OfFamily(text) => text,
+        }
+    }
+}
+
 impl ControllerEvent {
     /// The event of this code; `None` for zero, which says that there is no event.
     pub const fn new(code: u32) -> Option<Self> {
@@ -79,24 +102,38 @@ impl ControllerEvent {
         self.0.get()
     }
 
-    /// How severe the event is; [`Severity::Unknown`] for a code that the table does not have.
+    /// Severity of the event; [`Severity::Unknown`] for a code that the table does not have.
     pub fn severity(self) -> Severity {
-        find(Self::SEVERITIES, self.code()).unwrap_or(Severity::Unknown)
+        self.explanation().map_or(Severity::Unknown, |(severity, ..)| *severity)
     }
 
-    /// What the event means, such as `the robot is disabled`; `None` for events less often met.
+    /// Meaning of the event, such as `the robot is disabled`; `None` for a code that the table does not have.
     ///
-    /// The vendor's table, to which the chapter on events in jaka-spec's `REFERENCE.md` links, has all of them.
+    /// Meanings, causes and remedies are those of the vendor's table of February 2024, in our own words. jaka-spec's
+    /// `EVENTS.md` has all of them by code.
     pub fn meaning(self) -> Option<&'static str> {
-        find(Self::MEANINGS, self.code())
+        self.explanation().and_then(|(_, meaning, ..)| *meaning)
     }
-}
 
-/// The table's entry for the range that has the code.
-fn find<T: Copy>(table: &[(u32, u32, T)], code: u32) -> Option<T> {
-    let at = table.partition_point(|(_, last, _)| *last < code);
-    let (first, _, found) = table.get(at)?;
-    (*first <= code).then_some(*found)
+    /// Possible causes of the event; `None` for a code that the table does not have, and for reports of what was done.
+    pub fn cause(self) -> Option<EventNote> {
+        self.explanation().and_then(|(_, _, cause, _)| *cause)
+    }
+
+    /// Remedies for the event; `None` for a code that the table does not have.
+    ///
+    /// No remedy acts on the arm before somebody has looked at it. None of them knows who stands beside the arm.
+    pub fn remedy(self) -> Option<EventNote> {
+        self.explanation().and_then(|(.., remedy)| *remedy)
+    }
+
+    /// The table's entry for the range that has the code.
+    fn explanation(self) -> Option<&'static Explanation> {
+        let code = self.code();
+        let at = Self::RANGES.partition_point(|(_, last, _)| *last < code);
+        let (first, _, found) = Self::RANGES.get(at)?;
+        Self::EXPLANATIONS.get(*found).filter(|_| *first <= code)
+    }
 }
 
 /// The code, its severity and its meaning, such as `0x10f0005 (information: the robot is disabled)`.

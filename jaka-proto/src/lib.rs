@@ -27,7 +27,7 @@ pub mod messages {
 }
 
 pub use command::{Change, Command, CommandInfo, Effect, Requirement, Role, Visit};
-pub use controller_event::{ControllerEvent, Severity, UnreadableEvent};
+pub use controller_event::{ControllerEvent, EventNote, Severity, UnreadableEvent};
 pub use envelope::Envelope;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
 pub use messages::Request;

@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::{Command as _, ControllerEvent, Severity, read_payload};
+use jaka_proto::{Command as _, ControllerEvent, EventNote, Severity, read_payload};
 use serde_json::json;
 
 fn event(code: u32) -> ControllerEvent {
@@ -51,7 +51,7 @@ fn events_that_captures_and_manuals_show_have_the_severity_known_of_them() {
         (0x010F_000B, Severity::Information, "a protective stop began after a collision"),
         (0x000F_0034, Severity::Error, "a collision was detected"),
         (0x010F_0020, Severity::Warning, "reduced mode is on"),
-        (0x0005_0031, Severity::Error, "a joint is at its soft limit"),
+        (0x0005_0031, Severity::Error, "the joint is at its positive soft limit"),
         (0x000F_0029, Severity::Error, "the circular motion was not taken: its points may coincide"),
     ];
     for (code, severity, meaning) in known {
@@ -74,16 +74,32 @@ fn the_neighbours_of_known_codes_are_not_taken_for_known() {
 }
 
 #[test]
-fn each_meaning_is_of_an_event_with_a_severity() {
-    let uppers = [0x00, 0x05, 0x0F, 0x10, 0x15, 0x20, 0x30, 0x3F, 0x10F];
-    let codes = uppers.into_iter().flat_map(|upper| (0..=0xFFFF).map(move |lower| upper << 16 | lower));
-    let codes = codes.filter_map(ControllerEvent::new).filter(|event| event.meaning().is_some());
+fn each_event_of_the_table_has_a_meaning_and_a_remedy_and_no_other_code_has() {
+    let codes = (0..0x200).flat_map(|upper| (0..=0xFFFF).map(move |lower| upper << 16 | lower));
     let mut count = 0;
-    for event in codes {
-        assert_ne!(event.severity(), Severity::Unknown, "{event}");
-        count += 1;
+    for event in codes.filter_map(ControllerEvent::new) {
+        let texts = [event.meaning(), event.cause().map(EventNote::text), event.remedy().map(EventNote::text)];
+        if event.severity() == Severity::Unknown {
+            assert_eq!(texts, [None; 3], "{event}");
+        } else {
+            assert!(texts[0].is_some() && texts[2].is_some(), "{event}");
+            count += 1;
+        }
     }
-    assert!(count > 100, "{count}");
+    assert_eq!(count, 894);
+}
+
+#[test]
+fn a_general_cause_says_so() {
+    let collision = event(0x000F_0034);
+    let cause = collision.cause().expect("the family has one");
+    assert!(matches!(cause, EventNote::OfFamily(_)));
+    assert_eq!(
+        cause.to_string(),
+        format!("{} (general: the vendor's table states nothing for this code)", cause.text())
+    );
+    let remedy = collision.remedy().expect("the table has one");
+    assert!(matches!(remedy, EventNote::OfCode(_)) && remedy.to_string() == remedy.text(), "{remedy}");
 }
 
 #[test]
@@ -116,8 +132,8 @@ fn an_event_says_its_code_severity_and_meaning() {
         [
             "0x10f0005 (information: the robot is disabled)",
             "0x0f0034 (error: a collision was detected)",
-            "0x0f0030 (error)",
-            "0x0e0001 (warning)",
+            "0x0f0030 (error: the joint speed limit is set to 0)",
+            "0x0e0001 (warning: a gRPC call failed)",
             "0x00002f (severity unknown)",
             "0x17760261 (severity unknown)",
         ]

@@ -209,6 +209,10 @@ impl<'s, T: Ord + Clone + std::fmt::Display> Unique<'s, T> {
         false
     }
 
+    pub(crate) fn has(&self, name: &T) -> bool {
+        self.0.contains_key(name)
+    }
+
     /// The names that are taken before anything is read.
     pub(crate) fn taken(names: impl Iterator<Item = T>) -> Self {
         Self(names.map(|name| (name, None)).collect())

@@ -54,8 +54,8 @@ use std::collections::BTreeMap;
 pub use builtin::{BUILTIN, builtin};
 pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, Example, Field, Form, FormKind, Refusal, Reply, Request,
-    Requirement, Severity, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Form, FormKind,
+    Refusal, Reply, Request, Requirement, Severity, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use needed::{FieldSource, NEEDED_FIELDS, NeededField, NeededSource};

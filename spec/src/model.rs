@@ -37,6 +37,8 @@ pub struct Topic {
     pub errors: Vec<ErrorCode>,
     /// Events of the controller defined in this file.
     pub events: Vec<Event>,
+    /// Families of events defined in this file.
+    pub event_families: Vec<EventFamily>,
 }
 
 impl Topic {
@@ -98,6 +100,8 @@ pub struct Command {
     pub bare_reply: Option<String>,
     /// What the controller answers when a requirement is not met, where it is not the usual refusal.
     pub refusal: Option<Refusal>,
+    /// Known causes of refusals, each with its source, other than the states that it requires.
+    pub refused_because: Vec<String>,
     /// The document's own messages, as far as it prints them.
     pub examples: Vec<Example>,
 }
@@ -619,21 +623,55 @@ pub struct ErrorCode {
     pub doc: String,
 }
 
-/// Events of the controller, as `errcode` reports them: codes of one severity and, where that is stated, one meaning.
+/// Events of the controller, as `errcode` reports them: codes of one severity that are explained alike.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
-    /// How severe they are.
+    /// Severity of the events.
     pub severity: Severity,
     /// The codes, in the order of the file. No code is in two events.
     pub codes: Vec<RangeInclusive<u32>>,
-    /// What they mean: a phrase on one line, without full stop.
+    /// Explanation in English, from sources about these codes.
+    pub texts: EventTexts,
+    /// Explanation in Chinese. It has no text that the English one lacks.
+    pub texts_zh: EventTexts,
+    /// Name of the family whose cause and remedy hold where no source about the codes states them.
+    pub family: Option<String>,
+}
+
+/// Explanation of events, or of a family of events. Each text is phrases on one line, without full stop.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct EventTexts {
+    /// Description of the event.
     pub meaning: Option<String>,
+    /// Possible causes of the event.
+    pub cause: Option<String>,
+    /// Remedies. None of them acts on the arm before somebody has looked at it.
+    pub remedy: Option<String>,
+}
+
+/// Family of events, such as those of brakes: causes and remedies for events of which no source states them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct EventFamily {
+    /// Name of the family in the spec.
+    pub name: String,
+    /// Texts in English. The family has a meaning, which is its title, and a remedy.
+    pub texts: EventTexts,
+    /// Texts in Chinese.
+    pub texts_zh: EventTexts,
 }
 
 impl Event {
     /// True if the code is one of its codes.
     pub fn has(&self, code: u32) -> bool {
         self.codes.iter().any(|range| range.contains(&code))
+    }
+
+    /// Joint that the code is about, counted from 1, where the event has one code for each of six joints.
+    pub fn joint(&self, code: u32) -> Option<usize> {
+        let joints: Vec<_> = self.codes().collect();
+        let is_of_joints =
+            joints.len() == 6 && joints.windows(2).all(|pair| pair[1].checked_sub(pair[0]) == Some(0x1_0000));
+        joints.iter().position(|of_joint| *of_joint == code).filter(|_| is_of_joints).map(|index| index + 1)
     }
 
     /// Its codes, one by one.

@@ -22,7 +22,7 @@ mod wire;
 
 use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
-pub(crate) use event::event;
+pub(crate) use event::{event, event_family};
 pub(crate) use field::{OPTIONAL_LAST, changed_field, field, fields};
 pub(crate) use form::type_forms;
 pub(crate) use role::motion;
@@ -36,6 +36,8 @@ pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Repo
         topic.commands = root.items("command", "command").iter().map(|item| command(item, index)).collect();
         topic.types = root.items("type", "type").iter().map(|item| type_def(item, index)).collect();
         topic.errors = root.items("error", "error code").iter().map(|item| error_code(item, index)).collect();
+        let families = root.items("event_family", "family of events");
+        topic.event_families = families.iter().map(|item| event_family(item, index)).collect();
         topic.events = root.items("event", "event").iter().map(|item| event(item, index)).collect();
     })
 }
@@ -53,6 +55,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
         types: Vec::new(),
         errors: Vec::new(),
         events: Vec::new(),
+        event_families: Vec::new(),
         name: stem(source.path).to_owned(),
         is_pack: false,
     };
@@ -121,6 +124,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         versions: versions(item, &Versions::default()),
         doc: required_doc(item),
         errata: item.texts("errata").into_iter().map(|text| text.value).collect(),
+        refused_because: item.texts("refused_because").into_iter().map(|text| text.value).collect(),
         request,
         reply,
         bare_reply: bare_reply.map(|text| text.value),

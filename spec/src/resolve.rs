@@ -27,6 +27,7 @@ pub(crate) struct Index<'s> {
     error_names: Unique<'s, String>,
     /// Ranges of codes of events by their first code, each with its last one and its place.
     event_codes: BTreeMap<u32, (u32, At<'s>)>,
+    event_families: Unique<'s, String>,
     /// All types that are defined or used, each at the place of its id; without content as long as it is not defined.
     types: Vec<TypeDef>,
     defined: BTreeSet<TypeId>,
@@ -56,6 +57,8 @@ pub(crate) enum Need {
     Remembers(Box<Command>),
     /// The command's role and motion fit its fields.
     Meaning(Box<Command>),
+    /// The family of events exists.
+    EventFamily(String),
 }
 
 impl<'s> Index<'s> {
@@ -70,6 +73,7 @@ impl<'s> Index<'s> {
             type_names: Unique::taken(messages.chain(base.types.iter().map(|def| def.name.clone()))),
             error_wires: Unique::taken(base.errors().map(|code| code.wire)),
             error_names: Unique::taken(base.errors().map(|code| code.name.clone())),
+            event_families: Unique::taken(base.event_families().map(|family| family.name.clone())),
             own_trait: Some(trait_name(module)),
             settings: commands()
                 .filter(|command| is_setting(command))
@@ -180,6 +184,11 @@ impl<'s> Index<'s> {
         }
     }
 
+    /// A family of events, none of which has another's name.
+    pub(crate) fn event_family(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>) {
+        self.event_families.add(item, "family", name);
+    }
+
     /// The codes of an event, none of which another event may have.
     pub(crate) fn event_codes(&mut self, item: &Item<'_, 's>, codes: &Placed<'s, RangeInclusive<u32>>) {
         let (first, last) = (*codes.value.start(), *codes.value.end());
@@ -223,6 +232,9 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             Need::Parts(ty) => (!has_parts(index, ty)).then(|| LITERAL.to_owned()),
             Need::Remembers(query) => meaning::remembers_problem(query, &index.settings, &index.types),
             Need::Meaning(command) => meaning::problem(command, &index.types),
+            Need::EventFamily(name) => {
+                (!index.event_families.has(name)).then(|| format!("there is no `[[event_family]]` named `{name}`"))
+            }
         };
         if let Some(problem) = problem {
             report.error(*at, format!("{what}: {problem}"));

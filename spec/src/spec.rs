@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::form::{settle, settle_type};
 use crate::model::{
-    Choice, Command, EnumValue, ErrorCode, Event, Field, Reply, Topic, Type, TypeDef, TypeId, TypeKind,
+    Choice, Command, EnumValue, ErrorCode, Event, EventFamily, Field, Reply, Topic, Type, TypeDef, TypeId, TypeKind,
 };
 use crate::names::nearest;
 use crate::needed::{FieldSource, NEEDED_FIELDS, NeededSource, StatusLine};
@@ -86,6 +86,17 @@ impl Spec {
     /// The events among which this code is.
     pub fn event(&self, code: u32) -> Option<&Event> {
         self.events().find(|event| event.has(code))
+    }
+
+    /// All families of events, topic by topic.
+    pub fn event_families(&self) -> impl Iterator<Item = &EventFamily> {
+        self.topics.iter().flat_map(|topic| &topic.event_families)
+    }
+
+    /// The family of an event, if it has one.
+    pub fn family_of(&self, event: &Event) -> Option<&EventFamily> {
+        let name = event.family.as_ref()?;
+        self.event_families().find(|family| family.name == *name)
     }
 
     /// The command with this `cmdName`.

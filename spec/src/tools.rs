@@ -17,5 +17,5 @@ mod reference;
 mod schema;
 
 pub use diff::{Difference, Impact, diff, impact, summary};
-pub use reference::{reference, reference_zh};
+pub use reference::{events, events_zh, reference, reference_zh};
 pub use schema::schema;

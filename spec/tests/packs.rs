@@ -255,7 +255,7 @@ meaning = "the arm is tired"
 "#,
     );
     let event = pack.spec.event(u32::MAX).expect("the pack has it");
-    assert_eq!((event.severity, event.meaning.as_deref()), (Severity::Warning, Some("the arm is tired")));
+    assert_eq!((event.severity, event.texts.meaning.as_deref()), (Severity::Warning, Some("the arm is tired")));
     assert_eq!(event_codes(&pack.spec), event_codes(&spec()) + 48);
     assert_eq!(pack.notes, &[]);
 }
@@ -266,7 +266,7 @@ fn events_that_the_spec_has_by_now_are_noted_or_complete_it() {
     let text = r#"
 [[event]]
 severity = "error"
-codes = ["0x0F0034", "0x0F0030"]
+codes = ["0x0F0034", "0x0F0004"]
 
 [[event]]
 severity = "information"
@@ -275,7 +275,7 @@ meaning = "it is enabled or not"
 
 [[event]]
 severity = "error"
-codes = ["0x0F0001", "0x0F0032", "0x0F0005", "0x0EFFFE"]
+codes = ["0x0F0001", "0xFE0001", "0xFE0002"]
 meaning = "something else"
 "#;
     notes(
@@ -285,13 +285,13 @@ meaning = "something else"
             newer.toml:7:1: event: the spec has this by now, so the entry changes nothing; delete it once no program uses the names that it gives
         "]],
     );
-    let spec = pack(text).spec;
-    let meaning = |code| spec.event(code).and_then(|event| event.meaning.as_deref());
+    let spec = upgraded(text, "[[event]]\nseverity = \"error\"\ncodes = [\"0xFE0001\"]\n").spec;
+    let meaning = |code| spec.event(code).and_then(|event| event.texts.meaning.as_deref());
     assert_eq!(meaning(0x000F_0034), Some("a collision was detected"));
     assert_eq!(meaning(0x010F_0005), Some("the robot is disabled"));
     assert_eq!(meaning(0x000F_0001), Some("the arm has no power"));
-    assert_eq!([0x000F_0032, 0x000F_0005, 0x000E_FFFE].map(meaning), [Some("something else"); 3]);
-    assert_eq!(event_codes(&spec), event_codes(&self::spec()) + 1);
+    assert_eq!([0x00FE_0001, 0x00FE_0002].map(meaning), [Some("something else"); 2]);
+    assert_eq!(event_codes(&spec), event_codes(&self::spec()) + 2);
 }
 
 /// A pack, and the one that its spec is when the first is in it already: as after an upgrade.

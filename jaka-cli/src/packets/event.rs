@@ -1,6 +1,8 @@
 //! The controller's events: what is printed next to a code.
 
-use jaka_spec::Event;
+use std::fmt;
+
+use jaka_spec::{Event, EventTexts, Spec};
 use jaka_sync::{ControllerEvent, Severity, UnreadableEvent};
 use serde_json::Value;
 
@@ -32,12 +34,69 @@ pub(crate) fn severity(event: &Reading) -> Option<Severity> {
 
 /// What the event means, if that is known.
 pub(crate) fn meaning(event: &Reading) -> Option<&'static str> {
-    event.as_ref().ok().copied().flatten().and_then(known).and_then(|known| known.meaning.as_deref())
+    reading(event).and_then(|known| known.texts.meaning.as_deref())
+}
+
+/// Possible causes of the event.
+pub(crate) fn cause(event: &Reading) -> Option<Note> {
+    note(of_status(), reading(event)?, Language::English, |texts| texts.cause.as_deref())
+}
+
+/// Remedies for the event.
+pub(crate) fn remedy(event: &Reading) -> Option<Note> {
+    note(of_status(), reading(event)?, Language::English, |texts| texts.remedy.as_deref())
+}
+
+fn reading(event: &Reading) -> Option<&'static Event> {
+    event.as_ref().ok().copied().flatten().and_then(known)
 }
 
 /// What the spec, or a pack, says of it.
 fn known(event: ControllerEvent) -> Option<&'static Event> {
     of_status().event(event.code())
+}
+
+/// Language of an explanation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Language {
+    English,
+    Chinese,
+}
+
+/// Cause or remedy of an event, and whether it is that of the event's family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Note {
+    pub(crate) text: &'static str,
+    pub(crate) of_family: bool,
+    pub(crate) language: Language,
+}
+
+/// With a mark where it is general.
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text)?;
+        match (self.of_family, self.language) {
+            (false, _) => Ok(()),
+            (true, Language::English) => f.write_str(" (general: no source states it for this code)"),
+            (true, Language::Chinese) => f.write_str("（一般说明：没有资料专门说明此事件码）"),
+        }
+    }
+}
+
+/// Own text of an event, or that of its family.
+pub(crate) fn note(
+    spec: &'static Spec,
+    event: &'static Event,
+    language: Language,
+    text: fn(&EventTexts) -> Option<&str>,
+) -> Option<Note> {
+    let family = spec.family_of(event);
+    let (own, family) = match language {
+        Language::English => (&event.texts, family.map(|family| &family.texts)),
+        Language::Chinese => (&event.texts_zh, family.map(|family| &family.texts_zh)),
+    };
+    let note = |text, of_family| Note { text, of_family, language };
+    text(own).map(|text| note(text, false)).or_else(|| family.and_then(text).map(|text| note(text, true)))
 }
 
 /// Severity and meaning, such as `information: the robot is disabled`; nothing where there is no event.

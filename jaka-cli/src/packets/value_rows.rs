@@ -4,6 +4,7 @@ use itertools::Itertools as _;
 use jaka_dynamic::Node;
 use jaka_robot::proto::text::visible;
 use jaka_spec::Shape;
+use jaka_sync::Severity;
 use serde_json::Value;
 
 use crate::packets::event;
@@ -24,8 +25,23 @@ pub(crate) fn value_rows(path: &str, node: &Node<'_>) -> Vec<Row> {
         return parts.flat_map(|part| value_rows(&part.label().path(path), part)).collect();
     }
     let text = text(path, node);
+    let mut rows = Vec::new();
+    if path == event::CODE {
+        rows = explanation(&node.named());
+    }
     let unit = node.unit().filter(|_| text != ABSENT).map(|unit| format!(" {unit}"));
-    vec![(path.to_owned(), visible(&(text + &unit.unwrap_or_default())).into_owned())]
+    rows.insert(0, (path.to_owned(), visible(&(text + &unit.unwrap_or_default())).into_owned()));
+    rows
+}
+
+/// Rows with the cause and the remedy of an event that is more than information.
+fn explanation(code: &Value) -> Vec<Row> {
+    let event = event::read(Some(code));
+    if matches!(event::severity(&event), None | Some(Severity::Information)) {
+        return Vec::new();
+    }
+    let rows = [("cause", event::cause(&event)), ("remedy", event::remedy(&event))];
+    rows.into_iter().filter_map(|(name, note)| Some((format!("  {name}"), note?.to_string()))).collect()
 }
 
 /// True for a value whose parts have rows of their own: they have names, or parts themselves.

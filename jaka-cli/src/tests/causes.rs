@@ -50,7 +50,9 @@ const EVENTS: [Row; 8] = [
         },
         26,
         "the controller reports an error",
-        "when somebody has looked at the arm, `jaka clear` clears the error",
+        "look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model \
+         are recognised correctly; check the settings of payload and mounting angle; when somebody has looked at the arm, \
+         `jaka clear` clears the error; `jaka explain 0x0f0034`",
     ),
     (
         |arm| arm.take_over().expect("it listens"),

@@ -3,6 +3,7 @@
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 
+use super::remedy::Remedy;
 use super::table::Cause;
 
 jaka_proto::worded! {
@@ -59,6 +60,14 @@ impl Explanation {
             Self::Event(_) => Cause::ControllerError,
             Self::SoftLimit => Cause::SoftLimit,
             Self::BeyondLimit(_) => Cause::BeyondLimit,
+        }
+    }
+
+    /// Remedy: that of the cause, or of the controller's event.
+    pub fn remedy(&self) -> Remedy {
+        match self {
+            Self::Event(event) => Remedy::for_event(Some(*event)),
+            other => other.cause().remedy(),
         }
     }
 

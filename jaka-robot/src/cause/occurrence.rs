@@ -60,6 +60,13 @@ pub enum Evidence {
     },
 }
 
+impl Evidence {
+    /// Event that explains a refusal; the controller's message is that of the refusal.
+    pub(crate) fn of_event(event: ControllerEvent) -> Self {
+        Self::Event { code: format!("{:#08x}", event.code()), event: Some(event), message: String::new() }
+    }
+}
+
 impl From<Cause> for Occurrence {
     fn from(cause: Cause) -> Self {
         Self { cause, evidence: Evidence::None }
@@ -104,15 +111,14 @@ impl Occurrence {
         }
     }
 
-    /// Remedy: that of the cause, or of the trip of a guard.
+    /// Remedy: that of the cause, of the controller's event, or of the trip of a guard.
     pub(crate) fn remedy(&self) -> Remedy {
         match &self.evidence {
             Evidence::Trip(trip) => trip.remedy(),
-            Evidence::None
-            | Evidence::Event { .. }
-            | Evidence::Frames(_)
-            | Evidence::Commands { .. }
-            | Evidence::Status { .. } => self.cause.remedy(),
+            Evidence::Event { event, .. } => Remedy::for_event(*event),
+            Evidence::None | Evidence::Frames(_) | Evidence::Commands { .. } | Evidence::Status { .. } => {
+                self.cause.remedy()
+            }
         }
     }
 
@@ -136,6 +142,7 @@ impl fmt::Display for Occurrence {
         let text = match &self.evidence {
             Evidence::None => fact.to_string(),
             Evidence::Status { cause: None, unreadable: None } => format!("{fact}: no status packets come"),
+            Evidence::Event { event: Some(event), message, .. } if message.is_empty() => format!("{fact}: {event}"),
             Evidence::Event { event: Some(event), message, .. } => format!("{fact}: {event}: {message}"),
             Evidence::Event { event: None, code, message } => format!("{fact}: code {code}: {message}"),
             Evidence::Trip(trip) => format!("{fact}: {trip}"),

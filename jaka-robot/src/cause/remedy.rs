@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use jaka_proto::ControllerEvent;
+
 jaka_proto::worded! {
     /// What somebody can do about a [`Cause`](crate::Cause) or an [`Error`](crate::Error), in the calls of this crate.
     /// A program that shows other calls matches on it.
@@ -17,6 +19,8 @@ jaka_proto::worded! {
         PowerUp => "when somebody has looked at the arm, call `power_up`",
         /// Read the controller's error, and clear it, when somebody has looked at the arm.
         SeeController => "look up the error; when somebody has looked at the arm, call `clear_error`",
+        /// Do what the vendor's table says of the controller's event, and clear it, when somebody has looked at the arm.
+        OfEvent(event: ControllerEvent) => (of_event(*event)),
         /// Move the arm away from the limit.
         MoveAway => "move the arm away from the limit",
         /// Grant remote control on the controller's panel.
@@ -70,7 +74,24 @@ jaka_proto::worded! {
     }
 }
 
+/// Remedy of an event, before its error is cleared.
+fn of_event(event: ControllerEvent) -> String {
+    let Some(remedy) = event.remedy() else { return Remedy::SeeController.to_string() };
+    // No remedy clears the error before a look at the arm, and many say so themselves.
+    let look = if remedy.text().contains("when somebody has looked at the arm") {
+        "then"
+    } else {
+        "when somebody has looked at the arm,"
+    };
+    format!("{remedy}; {look} call `clear_error`")
+}
+
 impl Remedy {
+    /// Remedy for an error that the controller reports by an event; none of the table's for a code that it does not have.
+    pub(crate) fn for_event(event: Option<ControllerEvent>) -> Self {
+        event.filter(|event| event.remedy().is_some()).map_or(Self::SeeController, Self::OfEvent)
+    }
+
     /// Appends it to a fact.
     pub(crate) fn append(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -83,5 +104,35 @@ impl Remedy {
 impl From<jaka_sync::Remedy> for Remedy {
     fn from(remedy: jaka_sync::Remedy) -> Self {
         if remedy == jaka_sync::Remedy::None { Self::None } else { Self::Connection(remedy) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn event(code: u32) -> ControllerEvent {
+        ControllerEvent::new(code).expect("the code is not zero")
+    }
+
+    #[test]
+    fn the_remedy_of_an_event_clears_its_error_after_a_look_at_the_arm() {
+        let texts = (1..0x200_0000).map(event).filter_map(|event| {
+            let remedy = Remedy::for_event(Some(event));
+            (remedy != Remedy::SeeController).then(|| remedy.to_string())
+        });
+        let mut count = 0;
+        for text in texts {
+            let (before, _) = text.split_once("`clear_error`").expect("the error is cleared at last");
+            assert!(before.contains("when somebody has looked at the arm"), "{text}");
+            count += 1;
+        }
+        assert_eq!(count, 894);
+    }
+
+    #[test]
+    fn an_event_of_no_table_has_the_remedy_of_an_error() {
+        assert_eq!(Remedy::for_event(None), Remedy::SeeController);
+        assert_eq!(Remedy::for_event(Some(event(0x0F_9999))), Remedy::SeeController);
     }
 }

@@ -359,6 +359,8 @@ impl ErrorKind {
     pub(super) fn evidence(&self) -> Evidence {
         match self {
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
+            Self::Refused { explanation: Some(Explanation::Event(event)), .. }
+            | Self::NotReady { explanation: Explanation::Event(event) } => Evidence::of_event(*event),
             Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
             Self::NotReached { end } => end.evidence().clone(),
             Self::FramesChanged { change } => Evidence::Frames(*change),
@@ -385,8 +387,10 @@ impl ErrorKind {
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).remedy(),
             Self::NotLanded { first, landing } => Sequence::new(first, landing).remedy(),
             Self::RestNotSeen { first: Some(first), .. } => first.remedy_of_event(),
-            Self::Refused { .. }
-            | Self::NotReady { .. }
+            Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation, .. } => {
+                explanation.remedy()
+            }
+            Self::Refused { explanation: None, .. }
             | Self::CommandsLost { .. }
             | Self::SetPointLate { .. }
             | Self::SetPointsUnanswered { .. }

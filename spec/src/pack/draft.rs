@@ -211,8 +211,8 @@ impl<'s> Draft<'s, '_> {
             }
         }
         self.events.push(event.clone());
-        let adds = event.meaning.is_some();
-        let says_as_much = |known: &Event| known.meaning.is_some() || !adds;
+        let adds = event.texts.meaning.is_some();
+        let says_as_much = |known: &Event| known.texts.meaning.is_some() || !adds;
         let spec = &self.spec;
         event.retain(|code| !spec.event(code).is_some_and(says_as_much));
         if event.codes.is_empty() {

@@ -12,6 +12,7 @@ mod wire_names;
 use std::fmt::Write as _;
 
 pub use self::chinese::reference_zh;
+pub use self::events::{events, events_zh};
 use self::markdown::{Table, code, escape, link};
 use crate::words::first_sentence;
 use crate::{Command, ErrorCode, Spec, Topic};

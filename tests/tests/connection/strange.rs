@@ -8,7 +8,7 @@ use jaka_dynamic::{Node, Reading};
 use jaka_pack_user::strange::{self, StrangeCommands as _};
 use jaka_proto::check::{AdvisoryRanges, NotSent};
 use jaka_proto::wire::{Reader, Writer};
-use jaka_proto::{Command, CommandInfo, read_payload};
+use jaka_proto::{Command, CommandInfo, EventNote, read_payload};
 use jaka_spec::{Source, Spec};
 use jaka_sync::{Client, Severity};
 use jaka_tests::{Arm, any_object, any_request_of, same, spec};
@@ -211,7 +211,13 @@ fn events_of_a_pack_are_known_in_addition_to_all_others() {
         assert_eq!(found(code), (Severity::Warning, strange), "{code:#x}");
         assert_eq!(event(code).severity(), Severity::Unknown, "{code:#x}");
     }
-    assert_eq!(found(0x000F_0030), (Severity::Error, Some("of a code that the spec has without a meaning")));
+    let notes = |code| (strange::event_cause(event(code)), strange::event_remedy(event(code)));
+    let (cause, remedy) = notes(0x2F);
+    assert_eq!(cause, Some(EventNote::OfCode(r#"a "cause" \of {them}"#)));
+    assert!(matches!(remedy, Some(EventNote::OfFamily(text)) if text.contains("look at the arm")), "{remedy:?}");
+    let known = event(0x000F_0034);
+    assert_eq!(notes(known.code()), (known.cause(), known.remedy()));
+    assert!(known.cause().is_some() && known.remedy().is_some());
     assert_eq!(found(0x010F_0005), (Severity::Information, Some("the robot is disabled")));
     assert_eq!(found(u32::MAX - 2), (Severity::Unknown, None));
 }

@@ -506,31 +506,37 @@ fn values_variants_and_error_codes() {
 fn events_of_the_controller() {
     check(
         &[
-            ("events", r#"["0x0F0001", "0x0F0015"]"#, r#"["0x0F0001"]"#),
+            ("events", r#"["0x10F0050", "0x10F0057-0x10F0058"]"#, r#"["0x10F0050"]"#),
             ("events", "error\"\ncodes = [\"0x0F0034\"]", "warning\"\ncodes = [\"0x0F0034\"]"),
             ("events", "the robot is disabled", "the robot is off"),
-            ("events", r#""0x0F2010-0x0F2043""#, r#""0x0F2010-0x0F2020", "0x0F2031-0x0F2044""#),
+            ("events", r#""0x0F2030-0x0F2032""#, r#""0x0F2032", "0xFE2044-0xFE2046""#),
+            ("events", "look for obstacles around the arm", "look around the arm"),
+            ("events", "检查机械臂周围有无", "检查周围有无"),
             ("events", "warning\"\ncodes = [\"0x303184\"]", "error\"\ncodes = [\"0x303184\"]"),
             ("events", "a safety signal prevents powering on", "no power"),
         ],
-        &expect![[r"
-            minor: event `0x0F0015`: removed
+        &expect![[r#"
             minor: event `0x0F0034`: severity changed from `error` to `warning`
-            minor: event `0x0F2021-0x0F2030`: removed
-            minor: event `0x0F2044`: added
+            minor: event `0x0F2030-0x0F2031`: removed
+            minor: event `0x10F0057-0x10F0058`: removed
             minor: event `0x303184`: severity changed from `warning` to `error`
+            minor: event `0xFE2044-0xFE2046`: added
+            patch: event `0x0F0034`: remedy changed
+            patch: event `0x0F0034`: Chinese texts changed
             patch: event `0x10F0005`: meaning changed
             patch: event `0x303184`: meaning changed
-        "]],
-        &expect![[r"
-            minor: event `0x0F0015`: added
+        "#]],
+        &expect![[r#"
             minor: event `0x0F0034`: severity changed from `warning` to `error`
-            minor: event `0x0F2021-0x0F2030`: added
-            minor: event `0x0F2044`: removed
+            minor: event `0x0F2030-0x0F2031`: added
+            minor: event `0x10F0057-0x10F0058`: added
             minor: event `0x303184`: severity changed from `error` to `warning`
+            minor: event `0xFE2044-0xFE2046`: removed
+            patch: event `0x0F0034`: remedy changed
+            patch: event `0x0F0034`: Chinese texts changed
             patch: event `0x10F0005`: meaning changed
             patch: event `0x303184`: meaning changed
-        "]],
+        "#]],
     );
 }
 

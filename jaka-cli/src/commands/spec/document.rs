@@ -19,7 +19,10 @@ use crate::terminal::output;
 pub(super) struct Reference {
     /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to `REFERENCE.md`
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
-    lang: Make,
+    lang: Edition,
+    /// Write the page of the controller's events instead, by code
+    #[arg(long)]
+    events: bool,
     #[command(flatten)]
     document: Document,
 }
@@ -27,11 +30,22 @@ pub(super) struct Reference {
 /// Makes a document of a spec.
 type Make = fn(&Spec) -> String;
 
-const LANGUAGES: [Choice<Make>; 2] = [("en", "English", tools::reference), ("zh", "Chinese", tools::reference_zh)];
+/// Documents in one language.
+#[derive(Debug, Clone, Copy)]
+struct Edition {
+    reference: Make,
+    events: Make,
+}
+
+const LANGUAGES: [Choice<Edition>; 2] = [
+    ("en", "English", Edition { reference: tools::reference, events: tools::events }),
+    ("zh", "Chinese", Edition { reference: tools::reference_zh, events: tools::events_zh }),
+];
 
 impl Reference {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        self.document.run(self.lang, visible_lines)
+        let make = if self.events { self.lang.events } else { self.lang.reference };
+        self.document.run(make, visible_lines)
     }
 }
 

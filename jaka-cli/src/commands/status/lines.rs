@@ -40,7 +40,7 @@ impl LineColumns {
 
 /// A packet as one line, its fields in the order in which they are asked for. A field that it does not have is null.
 ///
-/// The code of an event is followed by its severity and meaning, which are null where there is no event or no meaning.
+/// The code of an event is followed by its severity, meaning, cause and remedy, which are null where nothing is known.
 pub(super) fn json(fields: &[Field], packet: &Packet) -> String {
     let time = format!("\"time_s\":{}", packet.time);
     let mut entries = vec![time];
@@ -51,6 +51,8 @@ pub(super) fn json(fields: &[Field], packet: &Packet) -> String {
         if let Some(event) = code {
             entries.push(entry("event_severity", event::severity(&event).map(|severity| severity.to_string().into())));
             entries.push(entry("event_meaning", event::meaning(&event).map(Value::from)));
+            entries.push(entry("event_cause", event::cause(&event).map(|cause| cause.to_string().into())));
+            entries.push(entry("event_remedy", event::remedy(&event).map(|remedy| remedy.to_string().into())));
         }
     }
     visible_json(&format!("{{{}}}\n", entries.join(","))).into_owned()

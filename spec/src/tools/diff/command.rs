@@ -58,6 +58,7 @@ fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.reworded(place, "evidence of the reconstruction", &old.reconstructed, &new.reconstructed);
     d.reworded(place, "source of the requirement", &old.requires_source, &new.requires_source);
     d.reworded(place, "refusal", &old.refusal, &new.refusal);
+    d.reworded(place, "causes of refusals", &old.refused_because, &new.refused_because);
     d.reworded(place, "examples", &old.examples, &new.examples);
 }
 

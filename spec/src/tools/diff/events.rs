@@ -49,8 +49,15 @@ fn changes(old: Option<&Event>, new: Option<&Event>) -> Vec<What> {
         let (old, new) = (old.severity.word(), new.severity.word());
         changes.push((format!("severity changed from `{old}` to `{new}`"), Impact::Minor));
     }
-    if old.meaning != new.meaning {
-        changes.push(("meaning changed".to_owned(), Impact::Patch));
+    let texts = [
+        ("meaning", old.texts.meaning != new.texts.meaning),
+        ("cause", old.texts.cause != new.texts.cause),
+        ("remedy", old.texts.remedy != new.texts.remedy),
+        ("Chinese texts", old.texts_zh != new.texts_zh),
+        ("family", old.family != new.family),
+    ];
+    for (text, _) in texts.into_iter().filter(|(_, is_changed)| *is_changed) {
+        changes.push((format!("{text} changed"), Impact::Patch));
     }
     changes
 }

@@ -15,14 +15,20 @@ pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
     *out += "\n";
     request(out, spec, command);
     reply(out, spec, command);
-    if !command.errata.is_empty() {
-        *out += "**Errata**\n\n";
-        for erratum in &command.errata {
-            let _ = writeln!(out, "- {}", escape(erratum));
+    items(out, "Known causes of a refusal", &command.refused_because);
+    items(out, "Errata", &command.errata);
+    examples(out, command);
+}
+
+/// List with a heading; nothing without items.
+fn items(out: &mut String, heading: &str, items: &[String]) {
+    if !items.is_empty() {
+        let _ = writeln!(out, "**{heading}**\n");
+        for item in items {
+            let _ = writeln!(out, "- {}", escape(item));
         }
         *out += "\n";
     }
-    examples(out, command);
 }
 
 /// What can be said in a line each.

@@ -47,9 +47,12 @@ impl Changes {
         let event = event::read(Some(&code.into()));
         let Some(description) = event::describe(&event) else { return };
         let message = message.filter(|message| !message.is_empty()).map(|message| format!(": {message}"));
-        let what = format!("{code} ({description}){}", message.unwrap_or_default());
         let severity = event::severity(&event);
         let is_wrong = severity.is_some_and(|severity| !matches!(severity, jaka_sync::Severity::Information));
+        let remedy = event::remedy(&event)
+            .filter(|remedy| is_wrong && !remedy.of_family)
+            .map(|remedy| format!("; remedy: {remedy}"));
+        let what = format!("{code} ({description}){}{}", message.unwrap_or_default(), remedy.unwrap_or_default());
         self.happenings.push(Happening { time, kind: HappeningKind::ControllerEvent, what, is_wrong });
     }
 
