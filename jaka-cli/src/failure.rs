@@ -108,7 +108,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         let remedy = event.remedy()?;
         let code = event.code();
         return Some(
-            format!("{remedy}; when somebody has looked at the arm, `jaka clear` clears the error; `jaka explain {code:#08x}`")
+            format!("{remedy}; when the cause is gone and somebody has looked at the arm, `jaka clear` clears the error; `jaka explain {code:#08x}`")
                 .into(),
         );
     }
@@ -120,7 +120,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
         Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
         Remedy::SeeController => "when somebody has looked at the arm, `jaka clear` clears the error",
-        Remedy::MoveAway => "`jaka jog` moves the arm away from the limit",
+        Remedy::MoveAway => "when somebody has looked at the arm, `jaka jog` moves it away from the limit",
         Remedy::GrantRemoteControl => "grant remote control on the controller's panel",
         Remedy::SeeServoMode => "find out which program uses servo mode",
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",

@@ -73,6 +73,11 @@ impl Fields<'_> {
         let (Some(path), Some(speed)) = (motion.path, self.number(motion.speed.as_ref())?) else {
             return Ok(Path::Unknown);
         };
+        for field in &motion.unknown_with {
+            if self.value(field)?.is_some() {
+                return Ok(Path::Unknown);
+            }
+        }
         let acceleration = self.number(motion.acceleration.as_ref())?;
         Ok(match (path, &motion.through) {
             (PathKind::Joints, _) => Path::Joints { speed, acceleration },

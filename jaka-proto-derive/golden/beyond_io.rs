@@ -12,13 +12,13 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: two clients, one of them on version 1.7.2.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); several independent clients (two, one of them on version 1.7.2).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalOutput {
         /// Where the output is. `type` on the wire.
         pub kind: super::io::DigitalOutputKind,
-        /// Number of the output, sent as given: counted from 1 on version 1.7.2 (one client). At least 0. [`set_digital_output`](crate::messages::io::SetDigitalOutput) counts from 0 on some firmware.
+        /// Number of the output, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
     }
     impl GetDigitalOutput {
@@ -68,13 +68,13 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: two clients.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); several independent clients (two).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalInput {
         /// Where the input is. At least 0. No source lists the values; for digital outputs 0 is the cabinet. `type` on the wire.
         pub kind: i64,
-        /// Number of the input, sent as given. At least 0. No source says whether firmware counts inputs from 0 or from 1.
+        /// Number of the input, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of outputs: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
     }
     impl GetDigitalInput {
@@ -97,13 +97,13 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetAnalogOutput {
         /// Where the output is. `type` on the wire.
         pub kind: super::io::AnalogOutputKind,
-        /// Number of the output, sent as given. At least 0. No source says whether firmware counts analog outputs from 0 or from 1.
+        /// Number of the output, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of digital ones: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
     }
     impl GetAnalogOutput {
@@ -115,7 +115,7 @@ pub mod beyond_io {
         ///
         /// - `index`: at least 0
         pub const fn cabinet(index: i64) -> Self {}
-        /// At the tool end of the arm (one client).
+        /// At the tool end of the arm.
         ///
         /// - `index`: at least 0
         pub const fn tool(index: i64) -> Self {}
@@ -123,7 +123,7 @@ pub mod beyond_io {
         ///
         /// - `index`: at least 0
         pub const fn extension(index: i64) -> Self {}
-        /// Reserved (one client); a relay where the output is digital.
+        /// Reserved; a relay where the output is digital.
         ///
         /// - `index`: at least 0
         pub const fn reserved(index: i64) -> Self {}
@@ -147,6 +147,35 @@ pub mod beyond_io {
         /// Value of the output. Unit not stated.
         pub value: f64,
     }
+    /// Reads one analog input.
+    ///
+    /// Sends `get_analog_input`. Changes nothing on the robot. The reply is [`GetAnalogInputReply`].
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetAnalogInput {
+        /// Where the input is. At least 0. No source lists the values; for analog outputs 0 is the cabinet. `type` on the wire.
+        pub kind: i64,
+        /// Number of the input, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of outputs: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
+        pub index: i64,
+    }
+    impl GetAnalogInput {
+        /// With the required fields alone.
+        ///
+        /// - `kind`: at least 0
+        /// - `index`: at least 0
+        pub const fn new(kind: i64, index: i64) -> Self {}
+    }
+    /// What the controller answers to [`type@GetAnalogInput`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetAnalogInputReply {
+        /// Value of the input. Unit not stated.
+        pub value: f64,
+    }
     /// Sends bytes on a serial channel of the tool.
     ///
     /// What is connected there may move: a gripper, say.
@@ -155,64 +184,70 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Certain: two independent clients.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); several independent clients (two).
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct SendTioRsCommand {
-        /// Number of the channel. At least 0. `chn_id` on the wire.
-        pub channel: i64,
+        /// Channel. `chn_id` on the wire.
+        pub channel: SerialChannel,
         /// The bytes, in order. 0 to 255. `cmdBuf` on the wire.
         pub bytes: Vec<i64>,
     }
     impl SendTioRsCommand {
         /// With the required fields alone.
         ///
-        /// - `channel`: at least 0
         /// - `bytes`: 0 to 255
-        pub const fn new(channel: i64, bytes: Vec<i64>) -> Self {}
+        pub const fn new(channel: SerialChannel, bytes: Vec<i64>) -> Self {}
     }
-    /// Reads what pins of the tool are used for.
+    /// Reads the use of the tool's pins.
     ///
-    /// The reply's keys are not known, so they are given as they come.
-    ///
-    /// Sends `get_tio_pin_mode`. Changes nothing on the robot.
+    /// Sends `get_tio_pin_mode`. Changes nothing on the robot. The reply is [`GetTioPinModeReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client; no source shows the reply.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTioPinMode {
-        /// Which pins. At least 0. The values are not explained. `pinType` on the wire.
-        pub pin_type: i64,
+        /// Kind of the pins. `pinType` on the wire.
+        pub pin_type: ToolPinType,
     }
     impl GetTioPinMode {
         /// With the required fields alone.
-        ///
-        /// - `pin_type`: at least 0
-        pub const fn new(pin_type: i64) -> Self {}
+        pub const fn new(pin_type: ToolPinType) -> Self {}
     }
-    /// Sets what pins of the tool are used for.
+    /// What the controller answers to [`type@GetTioPinMode`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetTioPinModeReply {
+        /// Use of the pins, as [`set_tio_pin_mode`](type@SetTioPinMode) sets it. `pinMode` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub pin_mode: wire::Typed<i64>,
+    }
+    /// Sets the use of the tool's pins.
     ///
     /// Sends `set_tio_pin_mode`.
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetTioPinMode {
-        /// Which pins. At least 0. The values are not explained. `pinType` on the wire.
-        pub pin_type: i64,
-        /// What for. At least 0. The values are not explained. `pinMode` on the wire.
+        /// Kind of the pins. `pinType` on the wire.
+        pub pin_type: ToolPinType,
+        /// Use of the pins, by their kind. 0 to 255. `pinMode` on the wire.
+        ///
+        /// Inputs: one bit for each of DI1 and DI2, for NPN or PNP, 0 to 3; which value is PNP is not stated. Outputs: the low four bits are DO1,
+        /// the high four DO2, each 0 for NPN, 1 for PNP, 2 for push-pull and 15 for RS485H. Analog inputs: 0 for an analog input, 1 for RS485L.
         pub pin_mode: i64,
     }
     impl SetTioPinMode {
         /// With the required fields alone.
         ///
-        /// - `pin_type`: at least 0
-        /// - `pin_mode`: at least 0
-        pub const fn new(pin_type: i64, pin_mode: i64) -> Self {}
+        /// - `pin_mode`: 0 to 255
+        pub const fn new(pin_type: ToolPinType, pin_mode: i64) -> Self {}
     }
     /// Reads the mode of a serial channel of the tool.
     ///
@@ -220,70 +255,90 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetRs485ChnMode {
-        /// Number of the channel. At least 0. `chnId` on the wire.
-        pub channel: i64,
+        /// Channel. `chnId` on the wire.
+        pub channel: SerialChannel,
     }
     impl GetRs485ChnMode {
         /// With the required fields alone.
-        ///
-        /// - `channel`: at least 0
-        pub const fn new(channel: i64) -> Self {}
+        pub const fn new(channel: SerialChannel) -> Self {}
     }
     /// What the controller answers to [`type@GetRs485ChnMode`].
-    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetRs485ChnModeReply {
-        /// Mode of the channel. The values are not explained. `chnMode` on the wire.
-        pub mode: i64,
+        /// Mode of the channel. `chnMode` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub mode: wire::Typed<SerialChannelMode>,
     }
     /// Sets the mode of a serial channel of the tool.
+    ///
+    /// Raw RS485 and signals share a channel: another mode drops the channel's signals (one client).
     ///
     /// Sends `set_rs485_chn_mode`.
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetRs485ChnMode {
-        /// Number of the channel. At least 0. `chnId` on the wire.
-        pub channel: i64,
-        /// Mode of the channel. At least 0. The values are not explained. `chnMode` on the wire.
-        pub mode: i64,
+        /// Channel. `chnId` on the wire.
+        pub channel: SerialChannel,
+        /// Mode of the channel. `chnMode` on the wire.
+        pub mode: SerialChannelMode,
     }
     impl SetRs485ChnMode {
         /// With the required fields alone.
-        ///
-        /// - `channel`: at least 0
-        /// - `mode`: at least 0
-        pub const fn new(channel: i64, mode: i64) -> Self {}
+        pub const fn new(channel: SerialChannel, mode: SerialChannelMode) -> Self {}
     }
     /// Reads the line settings of a serial channel of the tool.
     ///
     /// The key of the channel is `chn_id` here and `chnId` in [`get_rs485_chn_mode`](type@GetRs485ChnMode).
     ///
-    /// The reply's keys are not known, so they are given as they come. [`set_rs485_chn_comm`](type@SetRs485ChnComm) has the settings.
-    ///
-    /// Sends `get_rs485_chn_comm`. Changes nothing on the robot.
+    /// Sends `get_rs485_chn_comm`. Changes nothing on the robot. The reply is [`GetRs485ChnCommReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client; no source shows the reply.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetRs485ChnComm {
-        /// Number of the channel. At least 0. `chn_id` on the wire.
-        pub channel: i64,
+        /// Channel. `chn_id` on the wire.
+        pub channel: SerialChannel,
     }
     impl GetRs485ChnComm {
         /// With the required fields alone.
+        pub const fn new(channel: SerialChannel) -> Self {}
+    }
+    /// What the controller answers to [`type@GetRs485ChnComm`].
+    #[derive(Debug, Clone, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetRs485ChnCommReply {
+        /// Number of the Modbus slave. `slaveId` on the wire.
         ///
-        /// - `channel`: at least 0
-        pub const fn new(channel: i64) -> Self {}
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub slave_id: Option<wire::Typed<i64>>,
+        /// Baud rate. `baudrate` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub baud_rate: Option<wire::Typed<i64>>,
+        /// Data bits. `databit` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub data_bits: Option<wire::Typed<i64>>,
+        /// Stop bits. `stopbit` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub stop_bits: Option<wire::Typed<i64>>,
+        /// Parity.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub parity: Option<wire::Typed<SerialParity>>,
     }
     /// Sets the line of a serial channel of the tool.
     ///
@@ -293,19 +348,25 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetRs485ChnComm {
-        /// Number of the channel. At least 0. `chn_id` on the wire.
-        pub channel: i64,
-        /// Number of the Modbus slave. At least 0. `slaveId` on the wire.
+        /// Channel. `chn_id` on the wire.
+        pub channel: SerialChannel,
+        /// Number of the Modbus slave. At least 0. It counts in the mode for Modbus alone. `slaveId` on the wire.
         pub slave_id: i64,
-        /// Baud rate. At least 0. `baudrate` on the wire.
+        /// Baud rate: one of eight values from 4800 to 230400. 4800 to 230400. `baudrate` on the wire.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub baud_rate: i64,
-        /// Data bits. At least 0. `databit` on the wire.
+        /// Data bits. 7 to 8. `databit` on the wire.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub data_bits: i64,
-        /// Stop bits. At least 0. `stopbit` on the wire.
+        /// Stop bits. 1 to 2. `stopbit` on the wire.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub stop_bits: i64,
         /// Parity.
         pub parity: SerialParity,
@@ -313,13 +374,12 @@ pub mod beyond_io {
     impl SetRs485ChnComm {
         /// With the required fields alone.
         ///
-        /// - `channel`: at least 0
         /// - `slave_id`: at least 0
-        /// - `baud_rate`: at least 0
-        /// - `data_bits`: at least 0
-        /// - `stop_bits`: at least 0
+        /// - `baud_rate`: 4800 to 230400
+        /// - `data_bits`: 7 to 8
+        /// - `stop_bits`: 1 to 2
         pub const fn new(
-            channel: i64,
+            channel: SerialChannel,
             slave_id: i64,
             baud_rate: i64,
             data_bits: i64,
@@ -336,7 +396,7 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetRs485SignalList {}
@@ -350,7 +410,7 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetTioSignals {}
@@ -373,31 +433,32 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct AddTioRsSignal {
-        /// Name of the signal. `tio_signal_name` on the wire.
+        /// Name of the signal, of fewer than 20 characters. `tio_signal_name` on the wire.
         pub name: String,
-        /// Number of the channel. At least 0. `tio_signal_chnId` on the wire.
-        pub channel: i64,
+        /// Channel. `tio_signal_chnId` on the wire.
+        pub channel: SerialChannel,
         /// Type of the signal. At least 0. The values are not explained. `tio_signal_sigType` on the wire.
         pub signal_type: i64,
         /// Address of the signal's register, by the name. At least 0. `tio_signal_sigAddr` on the wire.
         pub address: i64,
-        /// How often the signal is read. At least 0. Unit not stated.
+        /// How often the signal is read, at most 10. 0 to 10. Unit not stated.
+        ///
+        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub frequency: f64,
     }
     impl AddTioRsSignal {
         /// With the required fields alone.
         ///
-        /// - `channel`: at least 0
         /// - `signal_type`: at least 0
         /// - `address`: at least 0
-        /// - `frequency`: at least 0
+        /// - `frequency`: 0 to 10
         pub fn new(
             name: impl Into<String>,
-            channel: i64,
+            channel: SerialChannel,
             signal_type: i64,
             address: i64,
             frequency: f64,
@@ -409,7 +470,7 @@ pub mod beyond_io {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client (on a MiniCobo, port 10001).
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct DeleteTioRsSignal {
@@ -420,6 +481,55 @@ pub mod beyond_io {
         /// With the required fields alone.
         pub fn new(name: impl Into<String>) -> Self {}
     }
+    /// Kind of the tool's pins.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum ToolPinType {
+        /// Digital inputs. `0` on the wire.
+        DigitalInputs,
+        /// Digital outputs; they may carry RS485H, channel 1. `1` on the wire.
+        DigitalOutputs,
+        /// Analog inputs; they may carry RS485L, channel 2. `2` on the wire.
+        AnalogInputs,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for ToolPinType {}
+    impl From<ToolPinType> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for ToolPinType {}
+    /// Serial channel of the tool.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum SerialChannel {
+        /// RS485H, which the vendor calls channel 1. `0` on the wire.
+        Rs485H,
+        /// RS485L, which the vendor calls channel 2. `1` on the wire.
+        Rs485L,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for SerialChannel {}
+    impl From<SerialChannel> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for SerialChannel {}
+    /// Mode of a serial channel of the tool.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum SerialChannelMode {
+        /// Modbus RTU, for signals. `0` on the wire.
+        ModbusRtu,
+        /// Raw RS485, for [`send_tio_rs_command`](type@SendTioRsCommand). `1` on the wire.
+        Raw,
+        /// Torque sensor. `2` on the wire.
+        TorqueSensor,
+        /// A value that the spec does not list.
+        Other(i64),
+    }
+    impl From<i64> for SerialChannelMode {}
+    impl From<SerialChannelMode> for i64 {}
+    /// The value in words; one that the spec does not list as its number.
+    impl ::core::fmt::Display for SerialChannelMode {}
     /// Parity of a serial line: the code of a letter.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]

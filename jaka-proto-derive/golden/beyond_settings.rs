@@ -13,7 +13,7 @@ pub mod beyond_settings {
     ///
     /// Sends `torque_feedforward`.
     ///
-    /// Not in the document. Certain: two independent clients.
+    /// Not in the document. Evidence: another text of the vendor (the header of SDK 1.0.19); several independent clients (two).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct TorqueFeedforward {
@@ -32,7 +32,7 @@ pub mod beyond_settings {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetMotionPlanner {
@@ -43,17 +43,17 @@ pub mod beyond_settings {
         /// With the required fields alone.
         pub const fn new(planner: MotionPlanner) -> Self {}
     }
-    /// Sets how far from a limit the controller warns, by the name.
+    /// Sets how far from singularities and joint limits the controller warns.
     ///
     /// Sends `set_motion_limit_warning_range`.
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetMotionLimitWarningRange {
-        /// Level of the range. 1 to 5. What the levels mean is not explained. `range_level` on the wire.
+        /// Level of the warning range, from 1 to 5. 1 to 5. No source says which one is the widest. `range_level` on the wire.
         pub level: i64,
     }
     impl SetMotionLimitWarningRange {
@@ -62,13 +62,13 @@ pub mod beyond_settings {
         /// - `level`: 1 to 5
         pub const fn new(level: i64) -> Self {}
     }
-    /// Reads how far from a limit the controller warns, by the name.
+    /// Reads how far from singularities and joint limits the controller warns.
     ///
     /// Sends `get_motion_limit_warning_range`. Changes nothing on the robot. The reply is [`GetMotionLimitWarningRangeReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetMotionLimitWarningRange {}
@@ -91,7 +91,7 @@ pub mod beyond_settings {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client, which copies the vendor's English page.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it, in degrees); another text of the vendor (the English page); one client.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetInstallationAngle {
@@ -107,13 +107,87 @@ pub mod beyond_settings {
         /// - `angle_z`: in deg, 0 to 360
         pub const fn new(angle_x: f64, angle_z: f64) -> Self {}
     }
+    /// Reads how the arm is mounted.
+    ///
+    /// The reply's keys are not known, so they are given as they come.
+    ///
+    /// Sends `get_installation_angle`. Changes nothing on the robot.
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct GetInstallationAngle {}
+    impl GetInstallationAngle {
+        /// Without any optional field.
+        pub const fn new() -> Self {}
+    }
+    /// Sets the filter of the torque sensor.
+    ///
+    /// What a force control that is on does with another filter is not stated: keep clear of the arm.
+    ///
+    /// Sends `set_torque_sensor_filter`.
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetTorqueSensorFilter {
+        /// Filter. At least 0. Its unit is not stated, nor its range. `torqueSensorFilter` on the wire.
+        pub filter: f64,
+    }
+    impl SetTorqueSensorFilter {
+        /// With the required fields alone.
+        ///
+        /// - `filter`: at least 0
+        pub const fn new(filter: f64) -> Self {}
+    }
+    /// Sets the frame of force control.
+    ///
+    /// An arm under force control may move by it: keep clear of it. [`set_compliant_type`](crate::messages::force::SetCompliantType) and the commands of the document switch force control.
+    ///
+    /// Sends `set_ft_ctrl_frame`.
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    #[non_exhaustive]
+    pub struct SetFtCtrlFrame {
+        /// Frame. At least 0. The values are not explained. `ftFrame` on the wire.
+        pub frame: i64,
+    }
+    impl SetFtCtrlFrame {
+        /// With the required fields alone.
+        ///
+        /// - `frame`: at least 0
+        pub const fn new(frame: i64) -> Self {}
+    }
+    /// Takes the present reading of the torque sensor as its zero, by the name.
+    ///
+    /// An arm under force control may move by it: keep clear of it.
+    ///
+    /// Sends `zero_end_sensor`.
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct ZeroEndSensor {}
+    impl ZeroEndSensor {
+        /// Without any optional field.
+        pub const fn new() -> Self {}
+    }
     /// Sets the time between two packets of port 10000.
     ///
     /// Sends `set_port10000_delay_ms`.
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Certain: two independent clients.
+    /// Not in the document. Evidence: several independent clients (two).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetPort10000DelayMs {
@@ -132,7 +206,7 @@ pub mod beyond_settings {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Certain: two independent clients.
+    /// Not in the document. Evidence: several independent clients (two).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetPort10000DelayMs {}
@@ -157,7 +231,7 @@ pub mod beyond_settings {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
+    /// Not in the document. Evidence: another text of the vendor (the configuration file with both sections is published); several independent clients (two, one for each section).
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct SetOptionalInfoConfig {
@@ -182,7 +256,7 @@ pub mod beyond_settings {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Certain: two independent clients, one for each of the two sections; the configuration file with both is published.
+    /// Not in the document. Evidence: another text of the vendor (the configuration file with both sections is published); several independent clients (two, one for each section).
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct GetOptionalInfoConfig {

@@ -14,7 +14,7 @@ pub mod beyond_state {
     ///
     /// Taken to be known to firmware 1.4 and later.
     ///
-    /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 1.0.19 sends it); several independent clients (seven programs, on controllers from 1.4 on).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetData {}
@@ -28,7 +28,7 @@ pub mod beyond_state {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client; the vendor's SDK has the same state with further keys, which are optional here.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetMotionState {}
@@ -45,7 +45,7 @@ pub mod beyond_state {
         /// Further ones may wait: see `queue`.
         pub in_position: bool,
         /// Whether motion is paused.
-        pub paused: bool,
+        pub paused: Option<bool>,
         /// How many commands wait in the motion queue.
         pub queue: i64,
         /// How many motions are in the buffer for blending.
@@ -73,11 +73,13 @@ pub mod beyond_state {
     }
     /// Reads whether the robot is in an emergency stop.
     ///
+    /// Firmware 1.5.14 refuses it. The vendor's library takes 1, `"1"` and true for an emergency stop.
+    ///
     /// Sends `emergency_stop_status`. Changes nothing on the robot. The reply is [`EmergencyStopStatusReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: the TCP document V2.0.6 of January 2024 has it, and one client; firmware 1.5.14 refuses it.
+    /// Not in the document. Evidence: another text of the vendor (the TCP document V2.0.6 of January 2024); bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct EmergencyStopStatus {}
@@ -92,15 +94,40 @@ pub mod beyond_state {
         /// Whether the robot is in an emergency stop.
         pub emergency_stop: bool,
     }
-    /// Reads whether the robot is in drag mode, by the name.
+    /// Reads whether a soft limit was hit.
     ///
-    /// The reply's keys are not known, so they are given as they come. [`drag_status`](crate::messages::force::DragStatus) of the document reads the same.
+    /// The status packet has it as `on_soft_limit`.
     ///
-    /// Sends `get_drag_status`. Changes nothing on the robot.
+    /// Sends `is_on_limit`. Changes nothing on the robot. The reply is [`IsOnLimitReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it).
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    #[non_exhaustive]
+    pub struct IsOnLimit {}
+    impl IsOnLimit {
+        /// Without any optional field.
+        pub const fn new() -> Self {}
+    }
+    /// What the controller answers to [`type@IsOnLimit`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct IsOnLimitReply {
+        /// Whether a soft limit was hit.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub on_limit: wire::Typed<bool>,
+    }
+    /// Reads whether the robot is in drag mode, by the name.
+    ///
+    /// [`drag_status`](crate::messages::force::DragStatus) of the document reads the same under another key.
+    ///
+    /// Sends `get_drag_status`. Changes nothing on the robot. The reply is [`GetDragStatusReply`].
+    ///
+    /// Taken to be known to firmware 1.5.15 and later.
+    ///
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); another text of the vendor (the list of commands has the name); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetDragStatus {}
@@ -108,15 +135,24 @@ pub mod beyond_state {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
+    /// What the controller answers to [`type@GetDragStatus`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetDragStatusReply {
+        /// Whether the robot is in drag mode. `status` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub drag_mode: wire::Typed<bool>,
+    }
     /// Reads the speed rate, by the name.
     ///
-    /// The reply's keys are not known, so they are given as they come. The status packet has the rate as `rapidrate`.
+    /// The status packet has the rate as `rapidrate`.
     ///
-    /// Sends `get_rapid_rate`. Changes nothing on the robot.
+    /// Sends `get_rapid_rate`. Changes nothing on the robot. The reply is [`GetRapidRateReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client and the vendor's list of commands have the name; no source shows a reply.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); another text of the vendor (the list of commands has the name); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetRapidRate {}
@@ -124,13 +160,22 @@ pub mod beyond_state {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
+    /// What the controller answers to [`type@GetRapidRate`].
+    #[derive(Debug, Clone, PartialEq)]
+    #[non_exhaustive]
+    pub struct GetRapidRateReply {
+        /// Speed rate, from 0 to 1 as in status packets; no source shows a value. `value` on the wire.
+        ///
+        /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
+        pub rapid_rate: wire::Typed<f64>,
+    }
     /// Reads the id of the selected tool frame.
     ///
     /// Sends `get_curr_tool_id`. Changes nothing on the robot. The reply is [`GetCurrToolIdReply`].
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetCurrToolId {}
@@ -151,7 +196,7 @@ pub mod beyond_state {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 2.1.14 sends it); one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetCurrUserId {}
@@ -174,7 +219,7 @@ pub mod beyond_state {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client, which asks every 20 ms on version 1.7.2.
+    /// Not in the document. Evidence: one client (asks every 20 ms on version 1.7.2).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetActualJointPos {}
@@ -197,7 +242,7 @@ pub mod beyond_state {
     ///
     /// Taken to be known to firmware 1.5.15 and later.
     ///
-    /// Not in the document. Likely: one client.
+    /// Not in the document. Evidence: one client.
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetActualTcpPos {}

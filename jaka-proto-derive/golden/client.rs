@@ -376,10 +376,16 @@ impl Client {
     pub fn emergency_stop_status(
         &mut self,
     ) -> Result<self::beyond_state::EmergencyStopStatusReply, Error> {}
+    /// Reads whether a soft limit was hit.
+    pub fn is_on_limit(&mut self) -> Result<self::beyond_state::IsOnLimitReply, Error> {}
     /// Reads whether the robot is in drag mode, by the name.
-    pub fn get_drag_status(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
+    pub fn get_drag_status(
+        &mut self,
+    ) -> Result<self::beyond_state::GetDragStatusReply, Error> {}
     /// Reads the speed rate, by the name.
-    pub fn get_rapid_rate(&mut self) -> Result<::jaka_proto::wire::Value, Error> {}
+    pub fn get_rapid_rate(
+        &mut self,
+    ) -> Result<self::beyond_state::GetRapidRateReply, Error> {}
     /// Reads the id of the selected tool frame.
     pub fn get_curr_tool_id(
         &mut self,
@@ -416,17 +422,22 @@ impl Client {
         &mut self,
         request: &self::beyond_io::GetAnalogOutput,
     ) -> Result<self::beyond_io::GetAnalogOutputReply, Error> {}
+    /// Reads one analog input.
+    pub fn get_analog_input(
+        &mut self,
+        request: &self::beyond_io::GetAnalogInput,
+    ) -> Result<self::beyond_io::GetAnalogInputReply, Error> {}
     /// Sends bytes on a serial channel of the tool.
     pub fn send_tio_rs_command(
         &mut self,
         request: &self::beyond_io::SendTioRsCommand,
     ) -> Result<(), Error> {}
-    /// Reads what pins of the tool are used for.
+    /// Reads the use of the tool's pins.
     pub fn get_tio_pin_mode(
         &mut self,
-        pin_type: i64,
-    ) -> Result<::jaka_proto::wire::Value, Error> {}
-    /// Sets what pins of the tool are used for.
+        pin_type: self::beyond_io::ToolPinType,
+    ) -> Result<self::beyond_io::GetTioPinModeReply, Error> {}
+    /// Sets the use of the tool's pins.
     pub fn set_tio_pin_mode(
         &mut self,
         request: &self::beyond_io::SetTioPinMode,
@@ -434,7 +445,7 @@ impl Client {
     /// Reads the mode of a serial channel of the tool.
     pub fn get_rs485_chn_mode(
         &mut self,
-        channel: i64,
+        channel: self::beyond_io::SerialChannel,
     ) -> Result<self::beyond_io::GetRs485ChnModeReply, Error> {}
     /// Sets the mode of a serial channel of the tool.
     pub fn set_rs485_chn_mode(
@@ -444,8 +455,8 @@ impl Client {
     /// Reads the line settings of a serial channel of the tool.
     pub fn get_rs485_chn_comm(
         &mut self,
-        channel: i64,
-    ) -> Result<::jaka_proto::wire::Value, Error> {}
+        channel: self::beyond_io::SerialChannel,
+    ) -> Result<self::beyond_io::GetRs485ChnCommReply, Error> {}
     /// Sets the line of a serial channel of the tool.
     pub fn set_rs485_chn_comm(
         &mut self,
@@ -482,9 +493,9 @@ impl Client {
         &mut self,
         planner: self::beyond_settings::MotionPlanner,
     ) -> Result<(), Error> {}
-    /// Sets how far from a limit the controller warns, by the name.
+    /// Sets how far from singularities and joint limits the controller warns.
     pub fn set_motion_limit_warning_range(&mut self, level: i64) -> Result<(), Error> {}
-    /// Reads how far from a limit the controller warns, by the name.
+    /// Reads how far from singularities and joint limits the controller warns.
     pub fn get_motion_limit_warning_range(
         &mut self,
     ) -> Result<self::beyond_settings::GetMotionLimitWarningRangeReply, Error> {}
@@ -493,6 +504,16 @@ impl Client {
         &mut self,
         request: &self::beyond_settings::SetInstallationAngle,
     ) -> Result<(), Error> {}
+    /// Reads how the arm is mounted.
+    pub fn get_installation_angle(
+        &mut self,
+    ) -> Result<::jaka_proto::wire::Value, Error> {}
+    /// Sets the filter of the torque sensor.
+    pub fn set_torque_sensor_filter(&mut self, filter: f64) -> Result<(), Error> {}
+    /// Sets the frame of force control.
+    pub fn set_ft_ctrl_frame(&mut self, frame: i64) -> Result<(), Error> {}
+    /// Takes the present reading of the torque sensor as its zero, by the name.
+    pub fn zero_end_sensor(&mut self) -> Result<(), Error> {}
     /// Sets the time between two packets of port 10000.
     pub fn set_port10000_delay_ms(&mut self, delay: i64) -> Result<(), Error> {}
     /// Reads the time between two packets of port 10000.

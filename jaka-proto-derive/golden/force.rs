@@ -146,8 +146,8 @@ pub mod force {
     }
     /// Switches the torque sensor on or off.
     ///
-    /// Sources contradict each other on which value is on, so the value is sent as given: the TCP documents say 0, all other texts 1, and no
-    /// capture shows it. Try it with the arm clear of people.
+    /// Sources contradict each other on which value is on, so the value is sent as given: the TCP documents say 0, all other texts 1. The bytes of
+    /// the vendor's own client library (SDK 2.1.14) support 1; no capture shows it. Try it with the arm clear of people.
     ///
     /// Sends `set_torque_sensor_mode` (4.65).
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,7 +158,7 @@ pub mod force {
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - the TCP documents alone, 2.0.4 among them: 0 = on, 1 = off
-        /// - vendor header, SDK 2.2.2, and all others: 1 = on, 0 = off
+        /// - bytes of the vendor's SDK 2.1.14, its header (SDK 2.2.2), and all others: 1 = on, 0 = off
         pub mode: i64,
     }
     impl SetTorqueSensorMode {

@@ -4,8 +4,10 @@ pub mod io {
     //! Digital and analog inputs and outputs of the cabinet, the tool and extension modules.
     /// Sets one digital output.
     ///
-    /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. Check
-    /// on the controller at hand which output switches before anything is wired to it.
+    /// Controllers do not agree on the first output's number: some firmware counts `index` from 0, other firmware from 1. For one and the same call
+    /// (output 1 of its own count, which begins with 0) the vendor's SDK 1.0.19 and 2.1.9.7 send 1, SDK 2.1.14 sends 2, whatever the version of the
+    /// controller, for digital and analog inputs and outputs of the cabinet and the tool (bytes). Clients of version 1.7 count from 1, clients of
+    /// Lexium V3 from 0. Check on the controller at hand which output switches before anything is wired to it.
     ///
     /// Sends `set_digital_output` (4.25).
     ///
@@ -98,8 +100,8 @@ pub mod io {
     pub struct SetAnalogOutput {
         /// Where the output is. `type` on the wire.
         pub kind: AnalogOutputKind,
-        /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Some firmware counts
-        /// digital outputs from 1 (field notes); no source says whether it does so for analog outputs.
+        /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Whether a controller counts from 0 or from 1
+        /// depends on it, as of digital outputs: see [`set_digital_output`](type@SetDigitalOutput).
         pub index: i64,
         /// Value to set. The document states neither unit nor range.
         pub value: f64,
@@ -113,7 +115,7 @@ pub mod io {
         ///
         /// - `index`: at least 0
         pub const fn cabinet(index: i64, value: f64) -> Self {}
-        /// At the tool end of the arm (one client).
+        /// At the tool end of the arm.
         ///
         /// - `index`: at least 0
         pub const fn tool(index: i64, value: f64) -> Self {}
@@ -121,7 +123,7 @@ pub mod io {
         ///
         /// - `index`: at least 0
         pub const fn extension(index: i64, value: f64) -> Self {}
-        /// Reserved (one client); a relay where the output is digital.
+        /// Reserved; a relay where the output is digital.
         ///
         /// - `index`: at least 0
         pub const fn reserved(index: i64, value: f64) -> Self {}
@@ -209,9 +211,10 @@ pub mod io {
     }
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
-    /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
-    /// known. With no tool connected, measure first which value gives which voltage.
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The bytes of the
+    /// vendor's own client library (SDK 2.1.14) support the reading 1 = on and 0 = 24 V: it sends its own values untranslated. So do its headers,
+    /// the manual, six users, and one program on port 10001 itself. The TCP document stands alone; no measurement is known. Who sends 0 for 12 V may
+    /// put 24 V on the tool: with no tool connected, measure first which value gives which voltage.
     ///
     /// The setting wants a disabled arm (one client).
     ///
@@ -224,14 +227,14 @@ pub mod io {
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
-        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
+        /// - bytes of the vendor's SDK 2.1.14, its headers (SDK 2.2.2 and another), its manual, six users, one program on port 10001: 0 = off, 1 = on
         pub output_enable: i64,
         /// Raw choice of the voltage. 0 to 1. The sources contradict each other on which of them is 12 V and which 24 V. `tio_vout_vol` on the wire.
         ///
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = 12 V, 1 = 24 V
-        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
+        /// - bytes of the vendor's SDK 2.1.14, its headers (SDK 2.2.2 and another), its manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
         pub output_voltage: i64,
     }
     impl SetTioVoutParam {
@@ -303,11 +306,11 @@ pub mod io {
     pub enum AnalogOutputKind {
         /// In the control cabinet. `0` on the wire.
         Cabinet,
-        /// At the tool end of the arm (one client). Taken by newer firmware only. `1` on the wire.
+        /// At the tool end of the arm. Taken by newer firmware only. `1` on the wire.
         Tool,
         /// On an extension I/O module. `2` on the wire.
         Extension,
-        /// Reserved (one client); a relay where the output is digital. Taken by newer firmware only. `3` on the wire.
+        /// Reserved; a relay where the output is digital. Taken by newer firmware only. `3` on the wire.
         Reserved,
         /// An output of the Modbus slave. Taken by newer firmware only. `4` on the wire.
         ModbusSlave,

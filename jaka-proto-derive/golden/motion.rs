@@ -128,8 +128,7 @@ pub mod motion {
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram). The vendor's texts have a
-    /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](type@MoveL), rests on one client, so it is left out here.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](crate::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -141,6 +140,10 @@ pub mod motion {
     ///
     /// - Malformed arguments (transcript).
     /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
+    ///
+    /// # Errata
+    ///
+    /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
@@ -158,6 +161,16 @@ pub mod motion {
         ///
         /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        ///
+        /// Its unit is not stated, so a robot with limits refuses a motion that has it.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub tolerance: Option<f64>,
+        /// Id of the line that the motion belongs to, by the name. [`get_motion_state`](crate::messages::beyond_state::GetMotionState) may show it as `motion_line`.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub executing_line_id: Option<i64>,
     }
     impl JointMove {
         /// With the required fields alone.
@@ -187,6 +200,10 @@ pub mod motion {
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        pub fn tolerance(mut self, tolerance: f64) -> Self {}
+        /// Id of the line that the motion belongs to, by the name.
+        pub fn executing_line_id(mut self, executing_line_id: i64) -> Self {}
     }
     /// Moves all joints so that the tool centre point reaches a pose.
     ///
@@ -198,6 +215,10 @@ pub mod motion {
     /// The reply says that the motion was accepted, not that it has ended.
     ///
     /// Sends `end_move` (4.8). The robot must be powered, enabled and outside servo mode.
+    ///
+    /// # Errata
+    ///
+    /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct EndMove {
@@ -237,6 +258,7 @@ pub mod motion {
     ///
     /// # Errata
     ///
+    /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
     /// - The sample has `tol`, which the text of 4.9 leaves out. 4.10 explains it, without a unit. It is in millimetres (vendor's texts).
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
@@ -259,6 +281,16 @@ pub mod motion {
         /// With a positive value the arm may never be there (vendor's texts). The document explains the key in 4.10 alone, as the
         /// greatest error, and names no unit. Controllers take the command without it (field notes).
         pub tolerance: Option<f64>,
+        /// Speed of the orientation. In deg/s, at least 0. `ori_vel` on the wire.
+        ///
+        /// How it counts beside `speed` is not stated, so a robot with limits refuses a motion that has it.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub orientation_speed: Option<f64>,
+        /// Acceleration of the orientation; see `orientation_speed`. In deg/s², at least 0. `ori_acc` on the wire.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub orientation_acceleration: Option<f64>,
     }
     impl MoveL {
         /// With the required fields alone.
@@ -288,6 +320,13 @@ pub mod motion {
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
         /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
+        /// Speed of the orientation. In deg/s, at least 0. `ori_vel` on the wire.
+        pub fn orientation_speed(mut self, orientation_speed: f64) -> Self {}
+        /// Acceleration of the orientation; see `orientation_speed`. In deg/s², at least 0. `ori_acc` on the wire.
+        pub fn orientation_acceleration(
+            mut self,
+            orientation_acceleration: f64,
+        ) -> Self {}
     }
     /// Moves the tool centre point along an arc, through one pose to another (MoveC).
     ///
@@ -330,6 +369,16 @@ pub mod motion {
         ///
         /// With a positive value the arm may never be there (vendor's texts). The document calls it the greatest error allowed.
         pub tolerance: f64,
+        /// Number of circles, by the name. At least 0. `circle_cnt` on the wire.
+        ///
+        /// What the arm does with it is not stated. It may go far beyond the arc, so a robot with limits refuses a motion that has it.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub circle_count: Option<i64>,
+        /// Mode of the circle. The values are not explained; see `circle_count`.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub circle_mode: Option<i64>,
     }
     impl MoveC {
         /// With the required fields alone.
@@ -369,6 +418,10 @@ pub mod motion {
             acceleration: f64,
             tolerance: f64,
         ) -> Self {}
+        /// Number of circles, by the name. At least 0. `circle_cnt` on the wire.
+        pub fn circle_count(mut self, circle_count: i64) -> Self {}
+        /// Mode of the circle.
+        pub fn circle_mode(mut self, circle_mode: i64) -> Self {}
     }
     /// Waits until the motion that is running has ended.
     ///

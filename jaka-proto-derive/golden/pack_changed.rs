@@ -15,8 +15,7 @@ pub mod changed {
     }
     /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
     ///
-    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram). The vendor's texts have a
-    /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](proto::messages::motion::MoveL), rests on one client, so it is left out here.
+    /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
     ///
     /// The reply says that the motion was accepted, not that it has ended.
     ///
@@ -28,6 +27,10 @@ pub mod changed {
     ///
     /// - Malformed arguments (transcript).
     /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
+    ///
+    /// # Errata
+    ///
+    /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct JointMove {
@@ -45,6 +48,16 @@ pub mod changed {
         ///
         /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        ///
+        /// Its unit is not stated, so a robot with limits refuses a motion that has it.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub tolerance: Option<f64>,
+        /// Id of the line that the motion belongs to, by the name. [`get_motion_state`](proto::messages::beyond_state::GetMotionState) may show it as `motion_line`.
+        ///
+        /// Known to firmware 1.5.15 and later.
+        pub executing_line_id: Option<i64>,
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
         ///
         /// Known to firmware 1.7.1 and later.
@@ -78,6 +91,10 @@ pub mod changed {
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
+        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        pub fn tolerance(mut self, tolerance: f64) -> Self {}
+        /// Id of the line that the motion belongs to, by the name.
+        pub fn executing_line_id(mut self, executing_line_id: i64) -> Self {}
         /// Distance from the target at which the next motion may begin. In mm, at least 0.
         pub fn zone(mut self, zone: f64) -> Self {}
     }
@@ -101,9 +118,10 @@ pub mod changed {
     }
     /// Sets the voltage output of a version 3 tool I/O board.
     ///
-    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
-    /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
-    /// known. With no tool connected, measure first which value gives which voltage.
+    /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The bytes of the
+    /// vendor's own client library (SDK 2.1.14) support the reading 1 = on and 0 = 24 V: it sends its own values untranslated. So do its headers,
+    /// the manual, six users, and one program on port 10001 itself. The TCP document stands alone; no measurement is known. Who sends 0 for 12 V may
+    /// put 24 V on the tool: with no tool connected, measure first which value gives which voltage.
     ///
     /// The setting wants a disabled arm (one client).
     ///
@@ -116,7 +134,7 @@ pub mod changed {
         /// Sources contradict each other on the meaning, so the value is passed on as it is:
         ///
         /// - document 2.0.4 alone: 0 = enabled, 1 = not enabled
-        /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on
+        /// - bytes of the vendor's SDK 2.1.14, its headers (SDK 2.2.2 and another), its manual, six users, one program on port 10001: 0 = off, 1 = on
         pub output_enable: i64,
         /// Voltage of the tool's output. `tio_vout_vol` on the wire.
         ///
@@ -138,7 +156,7 @@ pub mod changed {
     ///
     /// Taken to be known to firmware 1.4 and later.
     ///
-    /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+    /// Not in the document. Evidence: bytes of the vendor's client library (SDK 1.0.19 sends it); several independent clients (seven programs, on controllers from 1.4 on).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct GetData {}
@@ -183,8 +201,7 @@ pub mod changed {
         fn read_whole_state(&mut self) -> Result<RobotStatus, ::jaka_sync::Error>;
         /// Moves all joints to a position, or by an offset, at a joint speed (MoveJ).
         ///
-        /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram). The vendor's texts have a
-        /// tolerance of joint motions; that it is sent as `tol`, as in [`move_l`](proto::messages::motion::MoveL), rests on one client, so it is left out here.
+        /// The motion starts when the one before it has ended. To move at once, stop that one first with [`stop_program`](proto::messages::program::StopProgram).
         ///
         /// The reply says that the motion was accepted, not that it has ended.
         ///
@@ -196,6 +213,10 @@ pub mod changed {
         ///
         /// - Malformed arguments (transcript).
         /// - A target beyond the ranges of the joints (the vendor's event `0x0F0011`).
+        ///
+        /// # Errata
+        ///
+        /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
         ///
         /// # Example
         /// ```text
@@ -230,9 +251,10 @@ pub mod changed {
         ) -> Result<(), ::jaka_sync::Error>;
         /// Sets the voltage output of a version 3 tool I/O board.
         ///
-        /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The TCP
-        /// document stands alone against two SDK headers, the vendor's manual, six users, and one program on port 10001 itself; no measurement is
-        /// known. With no tool connected, measure first which value gives which voltage.
+        /// The sources contradict each other on both values, and a tool meant for 12 V can be destroyed by 24 V. So both values stay raw. The bytes of the
+        /// vendor's own client library (SDK 2.1.14) support the reading 1 = on and 0 = 24 V: it sends its own values untranslated. So do its headers,
+        /// the manual, six users, and one program on port 10001 itself. The TCP document stands alone; no measurement is known. Who sends 0 for 12 V may
+        /// put 24 V on the tool: with no tool connected, measure first which value gives which voltage.
         ///
         /// The setting wants a disabled arm (one client).
         ///
@@ -259,7 +281,7 @@ pub mod changed {
         ///
         /// Taken to be known to firmware 1.4 and later.
         ///
-        /// Not in the document. Certain: seven independent programs, the vendor's SDK 1.0.19 among them, on controllers from 1.4 on.
+        /// Not in the document. Evidence: bytes of the vendor's client library (SDK 1.0.19 sends it); several independent clients (seven programs, on controllers from 1.4 on).
         ///
         /// # Example
         /// ```text

@@ -76,7 +76,8 @@ pub mod power {
     }
     /// Disables the arm.
     ///
-    /// It is refused while the arm moves or a program runs (events `0x0F003A` and `0x0F0027`).
+    /// The vendor's table of events has it refused while the arm moves or a program runs (`0x0F003A` and `0x0F0027`). Firmware 1.5.14 acknowledged
+    /// it while the arm moved, twice (transcripts); what the arm did is not recorded. Stop the arm first.
     ///
     /// Sends `disable_robot` (4.4).
     ///
@@ -85,7 +86,7 @@ pub mod power {
     /// Known causes of a refusal:
     ///
     /// - A program runs (the vendor's event `0x0F0027`).
-    /// - The arm moves (the vendor's event `0x0F003A`); firmware 1.5.14 acknowledged it twice all the same (transcripts).
+    /// - The arm moves (the vendor's event `0x0F003A`); firmware 1.5.14 acknowledged it all the same, twice (transcripts).
     #[derive(Debug, Clone, Copy, PartialEq, Default)]
     #[non_exhaustive]
     pub struct DisableRobot {}
@@ -151,11 +152,11 @@ pub mod power {
     pub struct GetVersionReply {
         /// Version, such as `1.6.5_01_X86`, or `1.5.14_13_X64` (transcript).
         pub version: String,
-        /// Name of the robot. Sent by version 3.2.10 (one client).
+        /// Name of the robot.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub robot_name: Option<wire::Typed<String>>,
-        /// Id of the robot. Sent by version 3.2.10 (one client).
+        /// Id of the robot.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub robot_id: Option<wire::Typed<String>>,

@@ -139,9 +139,9 @@ pub mod program {
     pub enum ProgramState {
         /// No program runs. `"idle"` on the wire.
         Idle,
-        /// A program runs. Likely, not certain (field notes). `"running"` on the wire.
+        /// A program runs. `"running"` on the wire.
         Running,
-        /// A program is paused. Likely, not certain (field notes). `"paused"` on the wire.
+        /// A program is paused. `"paused"` on the wire.
         Paused,
         /// A value that the spec does not list.
         Other(String),

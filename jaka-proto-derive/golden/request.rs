@@ -172,6 +172,8 @@ pub enum Request {
     GetMotionState(beyond_state::GetMotionState),
     /// `emergency_stop_status`
     EmergencyStopStatus(beyond_state::EmergencyStopStatus),
+    /// `is_on_limit`
+    IsOnLimit(beyond_state::IsOnLimit),
     /// `get_drag_status`
     GetDragStatus(beyond_state::GetDragStatus),
     /// `get_rapid_rate`
@@ -190,6 +192,8 @@ pub enum Request {
     GetDigitalInput(beyond_io::GetDigitalInput),
     /// `get_analog_output`
     GetAnalogOutput(beyond_io::GetAnalogOutput),
+    /// `get_analog_input`
+    GetAnalogInput(beyond_io::GetAnalogInput),
     /// `send_tio_rs_command`
     SendTioRsCommand(beyond_io::SendTioRsCommand),
     /// `get_tio_pin_mode`
@@ -222,6 +226,14 @@ pub enum Request {
     GetMotionLimitWarningRange(beyond_settings::GetMotionLimitWarningRange),
     /// `set_installation_angle`
     SetInstallationAngle(beyond_settings::SetInstallationAngle),
+    /// `get_installation_angle`
+    GetInstallationAngle(beyond_settings::GetInstallationAngle),
+    /// `set_torque_sensor_filter`
+    SetTorqueSensorFilter(beyond_settings::SetTorqueSensorFilter),
+    /// `set_ft_ctrl_frame`
+    SetFtCtrlFrame(beyond_settings::SetFtCtrlFrame),
+    /// `zero_end_sensor`
+    ZeroEndSensor(beyond_settings::ZeroEndSensor),
     /// `set_port10000_delay_ms`
     SetPort10000DelayMs(beyond_settings::SetPort10000DelayMs),
     /// `get_port10000_delay_ms`
@@ -322,6 +334,7 @@ impl From<session::Quit> for Request {}
 impl From<beyond_state::GetData> for Request {}
 impl From<beyond_state::GetMotionState> for Request {}
 impl From<beyond_state::EmergencyStopStatus> for Request {}
+impl From<beyond_state::IsOnLimit> for Request {}
 impl From<beyond_state::GetDragStatus> for Request {}
 impl From<beyond_state::GetRapidRate> for Request {}
 impl From<beyond_state::GetCurrToolId> for Request {}
@@ -331,6 +344,7 @@ impl From<beyond_state::GetActualTcpPos> for Request {}
 impl From<beyond_io::GetDigitalOutput> for Request {}
 impl From<beyond_io::GetDigitalInput> for Request {}
 impl From<beyond_io::GetAnalogOutput> for Request {}
+impl From<beyond_io::GetAnalogInput> for Request {}
 impl From<beyond_io::SendTioRsCommand> for Request {}
 impl From<beyond_io::GetTioPinMode> for Request {}
 impl From<beyond_io::SetTioPinMode> for Request {}
@@ -347,6 +361,10 @@ impl From<beyond_settings::SetMotionPlanner> for Request {}
 impl From<beyond_settings::SetMotionLimitWarningRange> for Request {}
 impl From<beyond_settings::GetMotionLimitWarningRange> for Request {}
 impl From<beyond_settings::SetInstallationAngle> for Request {}
+impl From<beyond_settings::GetInstallationAngle> for Request {}
+impl From<beyond_settings::SetTorqueSensorFilter> for Request {}
+impl From<beyond_settings::SetFtCtrlFrame> for Request {}
+impl From<beyond_settings::ZeroEndSensor> for Request {}
 impl From<beyond_settings::SetPort10000DelayMs> for Request {}
 impl From<beyond_settings::GetPort10000DelayMs> for Request {}
 impl From<beyond_settings::SetOptionalInfoConfig> for Request {}

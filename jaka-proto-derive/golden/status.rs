@@ -125,11 +125,11 @@ pub mod status {
         pub joint_commanded_position: Option<super::types::JointPosition>,
         /// Commanded pose of the tool centre point. Sent by newer firmware. `position` on the wire.
         pub commanded_position: Option<super::types::Pose>,
-        /// Keys at the tool: free, point and pause, in this order (vendor's English page). Sent by newer firmware. `tio_key` on the wire.
+        /// Keys at the tool: free, point and pause, in this order. Sent by newer firmware. `tio_key` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub tool_keys: Option<wire::Typed<Vec<i64>>>,
-        /// Speeds of the six joints (vendor's English page). Sent by newer firmware. Unit not stated. `instVel` on the wire.
+        /// Speeds of the six joints. Sent by newer firmware. Unit not stated. `instVel` on the wire.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub joint_velocities: Option<wire::Typed<Vec<f64>>>,
@@ -211,7 +211,7 @@ pub mod status {
         ///
         /// Which of 2 and 3 follows [`power_on`](crate::messages::power::PowerOn) directly is not shown. `2` on the wire.
         PoweredOn,
-        /// The robot has power and is disabled (five clients). The document says enabled, as of 4. `3` on the wire.
+        /// The robot has power and is disabled. The document says enabled, as of 4. `3` on the wire.
         Disabled,
         /// The robot is enabled. The document's sample prints it next to `enabled` true. `4` on the wire.
         Enabled,
@@ -373,7 +373,7 @@ pub mod status {
         pub scb_major_version: i64,
         /// Minor version number of the SCB. It can be two ASCII characters as one number, too.
         pub scb_minor_version: i64,
-        /// Temperature of the cabinet. Unit not stated.
+        /// Temperature of the cabinet. In °C.
         pub cabinet_temperature: f64,
         /// Average power of the cabinet's bus. Unit not stated.
         pub bus_average_power: f64,
@@ -393,8 +393,8 @@ pub mod status {
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub ninth: Option<wire::Typed<i64>>,
-        /// A tenth value, which newer firmware sends and no source explains. 23.39 in a capture, a voltage of the bus by the look of it.
-        pub tenth: Option<f64>,
+        /// Voltage of the bus. In V. Newer firmware sends it.
+        pub bus_voltage: Option<f64>,
     }
     /// Measurements of one joint.
     ///
@@ -415,18 +415,18 @@ pub mod status {
         pub current_fluctuation: f64,
         /// Revolutions in all.
         pub total_revolutions: f64,
-        /// Running time in all. Unit not stated.
+        /// Running time in all. In s.
         pub total_running_time: f64,
         /// Running cycles since this start.
         ///
         /// The document has another word here than for `total_revolutions`, and does not say whether both count the same.
         pub cycles_since_start: f64,
-        /// Running time since this start. Unit not stated.
+        /// Running time since this start. In s.
         pub running_time_since_start: f64,
-        /// Torque of the joint. Unit not stated.
+        /// Torque of the joint from its measured current; 0 without power. In Nm.
         pub torque: f64,
-        /// An eleventh value, which no source explains.
-        pub eleventh: Option<f64>,
+        /// Torque of the controller's model for the pose. In Nm. The measured torque minus it shows a contact: `RobotStatus::external_torques`.
+        pub model_torque: Option<f64>,
     }
     /// Settings and state of the torque sensor.
     #[derive(Debug, Clone, PartialEq)]
@@ -517,9 +517,9 @@ pub mod status {
         pub contact_force: [f64; 6],
         /// Raw reading of the sensor, six values. Unit and order not stated.
         pub raw_reading: [f64; 6],
-        /// Six further values, which newer firmware sends and no source explains.
+        /// Contact force whatever the initialisation setting of the sensor is. `contact_force` is the force or the raw reading, by that setting.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
-        pub fifth: Option<wire::Typed<[f64; 6]>>,
+        pub unconditional_contact_force: Option<wire::Typed<[f64; 6]>>,
     }
 }

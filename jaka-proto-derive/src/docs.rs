@@ -5,7 +5,7 @@
 
 use jaka_spec::prose::{code_span, linked_prose, shown};
 use jaka_spec::words::{self, first_sentence};
-use jaka_spec::{Command, Effect, Example, Field, Module, Reply, Spec, Topic, TypeKind};
+use jaka_spec::{Command, Effect, Example, Field, Module, Reply, Spec, Topic, TypeKind, evidence_sentence};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -275,7 +275,7 @@ fn list(items: &[String]) -> String {
 
 fn remarks(command: &Command) -> String {
     let withdrawn = command.deprecated.as_ref().map(|instead| format!("\n\nWithdrawn by the vendor: {instead}."));
-    let evidence = command.evidence.as_ref().map(|evidence| format!("\n\nNot in the document. {evidence}"));
+    let evidence = evidence_sentence(&command.evidence).map(|evidence| format!("\n\nNot in the document. {evidence}"));
     let reconstructed = command.reconstructed.as_ref();
     let reconstructed =
         reconstructed.map(|evidence| format!("\n\nReconstructed, since the document's page is lost: {evidence}"));

@@ -91,13 +91,24 @@ fn path(command: &Command, motion: &Motion) -> Option<TokenStream> {
         }
         None => quote!(None),
     };
-    Some(match path {
+    let known = match path {
         PathKind::Joints => quote!(proto::Path::Joints { speed: #speed, acceleration: #acceleration }),
         PathKind::Line => quote!(proto::Path::Line { speed: #speed, acceleration: #acceleration }),
         PathKind::Arc => {
             let through = value(command, motion.through.as_ref()?);
             quote!(proto::Path::Arc { through: #through, speed: #speed, acceleration: #acceleration })
         }
+    };
+    let unknown_with: Vec<_> = motion.unknown_with.iter().map(|field| value(command, field)).collect();
+    if unknown_with.is_empty() {
+        return Some(known);
+    }
+    Some(quote! {
+        // No source says how these change the path.
+        if #(#unknown_with.is_some())||* {
+            return proto::Path::Unknown;
+        }
+        #known
     })
 }
 

@@ -8,6 +8,7 @@ mod command;
 mod controller_event;
 mod envelope;
 pub mod exchange;
+mod external_torque;
 mod firmware;
 pub mod framing;
 pub mod geometry;

@@ -89,9 +89,9 @@ fn an_array_with_places_has_neither_fewer_nor_more_elements() {
 #[test]
 fn the_last_elements_may_be_absent_or_null_and_new_ones_may_follow() {
     let ten = "1,2,3,4,5,6,7,8,9,10";
-    let eleventh = |end: &str| decode::<JointMonitor>(&format!("[{ten}{end}]")).expect(end).eleventh;
+    let model_torque = |end: &str| decode::<JointMonitor>(&format!("[{ten}{end}]")).expect(end).model_torque;
     assert_eq!(
-        [eleventh(""), eleventh(",null"), eleventh(",11"), eleventh(", 11, \"new\", [12]")],
+        [model_torque(""), model_torque(",null"), model_torque(",11"), model_torque(", 11, \"new\", [12]")],
         [None, None, Some(11.0), Some(11.0)]
     );
     assert_eq!(words::<JointMonitor>("[1,2,3,4,5,6,7,8,9]"), "field `torque`: the element is missing");

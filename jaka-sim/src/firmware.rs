@@ -10,6 +10,8 @@ use std::time::Duration;
 pub(crate) use self::shape::Shape;
 pub(crate) use self::values::Values;
 pub(crate) use self::writing::Writing;
+use jaka_proto::messages::status::TaskState;
+
 use crate::{Habit, Habits};
 
 /// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
@@ -57,12 +59,16 @@ firmwares! {
     /// | extension I/O modules in packets | no | yes | yes | no |
     /// | numbers that may have a fraction | `3.0` | `3.0` | `3` | `"3"` |
     /// | whole numbers | `3` | `3` | `3` | `3.0` |
-    /// | decimals of positions in packets, in replies | 5, 6 | 5, 6 | any | any |
+    /// | decimals of joint positions in packets, of positions in replies | 5, 6 | 5, 6 | any | any |
+    /// | decimals of poses in packets | 5 | 13 | any | any |
+    /// | `task_state` of a disabled arm with power | 3 | 3 | 2 | 3 |
+    /// | functions with an input to begin with | those of the document's sample | none | those of the document's sample | those of the document's sample |
     /// | blanks after commas and colons | yes | yes | no | yes |
-    /// | event in `get_robot_state` | a number | a number | no | a text |
+    /// | event in `get_robot_state` | no | a number | no | a text |
+    /// | states in `get_robot_state` | the document's words | `"True"`, `"False"` | the document's words | one of five forms |
     /// | time between packets | 30 ms | 50 ms | 50 ms | 100 ms |
     /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
-    /// | habits | `late-power`, `servo-at-rest`, `events` | `servo-at-rest`, `events` | none | all |
+    /// | habits | `late-power`, `servo-at-rest`, `disable-moving`, `events` | `servo-at-rest`, `events` | none | all |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum Firmware;
@@ -74,7 +80,7 @@ firmwares! {
         version: "1.5.14_13_X64",
         status_period: Duration::from_millis(30),
         writing: Writing::Capture,
-        habits: &[Habit::LatePower, Habit::ServoAtRest, Habit::Events],
+        habits: &[Habit::LatePower, Habit::ServoAtRest, Habit::DisableMoving, Habit::Events],
         extio: false,
         newer_keys: false,
         digital: 135,
@@ -82,6 +88,9 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0, 474.0],
         functions: 15,
+        no_function_input: false,
+        disabled: TaskState::Disabled,
+        pose_decimals: 5,
         monitor_head: "12338,12593,47.0,0.0,0.0",
         joint_row: "0.0,48.0,28.0,0.0,0.10000000149011612,30363.5,390097.0,0.0,1.0,0.0,-1.0188410813171915",
         monitor_tail: "",
@@ -106,6 +115,9 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[466.0, 469.0],
         functions: 15,
+        no_function_input: true,
+        disabled: TaskState::Disabled,
+        pose_decimals: 13,
         monitor_head: "12338,12593,49.0,26.0,1.0720000267028809",
         joint_row: "0.06650000065565109,23.0,50.0,0.0,0.10000000149011612,6007.2001953125,2888860.0,2.5999999046325684,110602.0,0.3330000042915344,-0.06700000166893005",
         monitor_tail: ",0,0,0,23.39",
@@ -127,6 +139,9 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[0.0],
         functions: 15,
+        no_function_input: false,
+        disabled: TaskState::PoweredOn,
+        pose_decimals: 5,
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
         monitor_tail: "",
@@ -161,6 +176,9 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0],
         functions: 12,
+        no_function_input: false,
+        disabled: TaskState::Disabled,
+        pose_decimals: 5,
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
         monitor_tail: "",

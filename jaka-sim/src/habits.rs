@@ -59,6 +59,12 @@ kinds! {
     /// `is_in_servomove` stays false, and `servo_j` is refused with -1.
     ServoAtRest: "servo-at-rest" => habits.servo_at_rest = true;
 
+    /// `disable_robot` is acknowledged while the arm moves, as by firmware 1.5.14. `disable-moving` as a text.
+    ///
+    /// What an arm does then is not known; here it is disabled, and its motion ends. Without this habit it is refused, as the vendor's
+    /// event `0x0F003A` says.
+    DisableMoving: "disable-moving" => habits.disable_moving = true;
+
     /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the start of a
     /// program. `events` as a text.
     ///
@@ -95,6 +101,7 @@ pub struct Habits {
     pub(crate) late_power: bool,
     pub(crate) blend: bool,
     pub(crate) servo_at_rest: bool,
+    pub(crate) disable_moving: bool,
     pub(crate) events: bool,
 }
 
@@ -117,6 +124,7 @@ impl Habits {
             (self.late_power, Habit::LatePower),
             (self.blend, Habit::Blend),
             (self.servo_at_rest, Habit::ServoAtRest),
+            (self.disable_moving, Habit::DisableMoving),
             (self.events, Habit::Events),
         ];
         timed.into_iter().flatten().chain(plain.into_iter().filter(|(on, _)| *on).map(|(_, habit)| habit))
@@ -203,7 +211,7 @@ mod tests {
         assert_eq!(
             error,
             "`pauses`: unknown habit; the habits are `pause 100ms`, `lead 16ms`, `late-queries`, `late-power`, `blend`, \
-             `servo-at-rest`, `events`, and `all`"
+             `servo-at-rest`, `disable-moving`, `events`, and `all`"
         );
     }
 }

@@ -43,7 +43,7 @@ pub(crate) fn packet(
     parts: &mut Vec<Part>,
 ) -> String {
     let shape = firmware.shape();
-    let (values, separators) = (Values::of_packets(&spec_index.spec, shape.writing), shape.writing.separators());
+    let (values, separators) = (Values::of_packets(&spec_index.spec, shape), shape.writing.separators());
     let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
     let own = members(&own).unwrap_or_default().into_iter().collect();
     let fields = fields(spec_index, &own);

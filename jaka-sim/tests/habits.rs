@@ -331,7 +331,7 @@ fn a_habit_of_the_firmware_can_be_left_out() {
         enabled(builder).state().error_code
     };
     let usual = Firmware::V1_5_14.habits();
-    assert_eq!(usual, Habits::from([Habit::LatePower, Habit::ServoAtRest, Habit::Events]));
+    assert_eq!(usual, Habits::from([Habit::LatePower, Habit::ServoAtRest, Habit::DisableMoving, Habit::Events]));
     assert_eq!(events(usual), "0x10f0004");
     assert_eq!(events(usual.iter().filter(|habit| *habit != Habit::Events).collect()), "0x0");
 }
@@ -345,6 +345,21 @@ fn a_protective_stop_is_information_and_a_collision_is_an_error() {
     assert_eq!(controller.state().error_code, "0x0");
     controller.collide();
     assert_eq!(controller.state().error_code, "0xf0034");
+}
+
+/// Firmware 1.5.14 acknowledged it in two transcripts; the vendor's table of events refuses it.
+#[test]
+fn disabling_a_moving_arm_is_acknowledged_or_refused() {
+    let (controller, mut peer) = with(Habit::DisableMoving);
+    assert_accepted(&peer.ask(&turn(10.0, 50.0)), "joint_move");
+    controller.advance(CYCLE * 10);
+    assert_accepted(&peer.call("disable_robot"), "disable_robot");
+    let state = until_rest(&controller).pop().expect("there are states");
+    assert!(!state.enabled && first_joint(&state) < 9.0, "{state:?}");
+    let (controller, mut peer) = with(Habit::Events);
+    assert_accepted(&peer.ask(&turn(10.0, 50.0)), "joint_move");
+    controller.advance(CYCLE * 10);
+    assert_eq!(peer.call("disable_robot")["errorCode"], "2");
 }
 
 #[test]

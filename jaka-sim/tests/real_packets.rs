@@ -4,7 +4,8 @@
 //! controller. They share nothing with the simulator's own.
 
 use crate::common::{Peer, request};
-use jaka_sim::{Controller, Delays, Firmware};
+use jaka_proto::messages::io::ExtioSetup;
+use jaka_sim::{Controller, Delays, Firmware, State};
 
 /// The keys of firmware 1.5.14 in order, each with the shape of its value: `[135 int]` is an array of 135 whole numbers.
 const V1_5_14: &str = "
@@ -45,11 +46,11 @@ const V1_5_14: &str = "
     netState int
 ";
 
-/// The same of the newer controller. How many pins a module has is not the packet's shape.
+/// The same of the newer controller, whose module has 10, 10, 8 and 8 pins.
 const NEWER: &str = "
     len int
     drag_status bool
-    extio {status [[9 int], 3 []], setup [[int, text, [text, 2 int], [4 [2 int]], text]], num int, pinmap [[4 int]], mode int}
+    extio {status [2 [10 int], 2 [8 float]], setup [[int, text, [text, 2 int], [4 [2 int]], text]], num int, pinmap [[4 int]], mode int}
     errcode text
     errmsg text
     monitor_data [2 int, 3 float, [6 [11 float]], 3 int, float]
@@ -208,14 +209,24 @@ fn controller(firmware: Firmware) -> Controller {
     builder.firmware(firmware).start().expect("loopback has ports")
 }
 
+/// Gives the extension module as many pins as that of the newer controller has.
+fn give_pins(state: &mut State) {
+    let Some(ExtioSetup::Tcp { pins, .. }) = state.extio.modules.first_mut().map(|module| &mut module.setup) else {
+        panic!("the module is connected by TCP");
+    };
+    (pins.digital_inputs.count, pins.digital_outputs.count) = (10, 10);
+    (pins.analog_inputs.count, pins.analog_outputs.count) = (8, 8);
+}
+
 #[test]
 fn packets_have_the_keys_lengths_and_number_formats_of_captures() {
-    for (firmware, table, sizes) in [(Firmware::V1_5_14, V1_5_14, 3170..=3240), (Firmware::Newer, NEWER, 8820..=8980)] {
+    for (firmware, table, sizes) in [(Firmware::V1_5_14, V1_5_14, 3170..=3240), (Firmware::Newer, NEWER, 8820..=9100)] {
         let controller = controller(firmware);
         // As many digits as the arm of the first capture has: its packet has 3208 bytes, and those of the second 8955 to 8979,
         // with a torque sensor whose readings are not 0.0.
         controller.set_state(|state| {
             state.joint_position = [-63.40236, 106.90883, 75.54514, 89.82753, -93.42602, -13.40708].into();
+            give_pins(state);
         });
         let packet = Peer::status(&controller).receive();
         let found = members(&packet).into_iter().map(|(key, _, shape)| format!("{key} {shape}"));
@@ -311,28 +322,71 @@ fn the_vendors_sdk_2_1_9_reads_the_packets_of_real_firmware() {
 
 #[test]
 fn the_vendors_sdk_2_1_14_finds_a_number_in_the_robots_state() {
-    for firmware in [Firmware::default(), Firmware::V1_5_14, Firmware::Newer] {
+    let controller = controller(Firmware::Newer);
+    let mut peer = Peer::commands(&controller);
+    let mut ask = |command: &str| {
+        peer.send(request(command));
+        peer.receive()
+    };
+    // It aborts on a string.
+    assert_eq!(text_of(&ask("get_robot_state"), "errcode"), "0");
+    for (command, code) in [("power_on", 0), ("enable_robot", 17_760_260), ("disable_robot", 17_760_261)] {
+        ask(command);
+        assert_eq!(text_of(&ask("get_robot_state"), "errcode"), code.to_string(), "{command}");
+    }
+    assert_eq!(text_of(&ask("get_robot_state"), "msg"), "\"the robot is disabled\"");
+}
+
+/// The reply of 1.5.14 was recorded twice, with the document's words and no further keys; one of the newer controller has `"True"` for
+/// both states.
+#[test]
+fn the_robots_state_has_the_words_of_the_firmware() {
+    let state = |firmware| {
         let controller = controller(firmware);
         let mut peer = Peer::commands(&controller);
         let mut ask = |command: &str| {
             peer.send(request(command));
             peer.receive()
         };
-        // It aborts on a string.
-        assert_eq!(text_of(&ask("get_robot_state"), "errcode"), "0", "{firmware}");
-        for (command, code) in [("power_on", 0), ("enable_robot", 17_760_260), ("disable_robot", 17_760_261)] {
-            ask(command);
-            assert_eq!(text_of(&ask("get_robot_state"), "errcode"), code.to_string(), "{firmware}: {command}");
-        }
-        assert_eq!(text_of(&ask("get_robot_state"), "msg"), "\"the robot is disabled\"");
-    }
+        ask("power_on");
+        ask("enable_robot");
+        ask("get_robot_state")
+    };
+    let old = state(Firmware::V1_5_14);
+    let mut keys: Vec<_> = members(&old).into_iter().map(|(key, ..)| key.to_owned()).collect();
+    keys.sort_unstable();
+    assert_eq!(keys, ["cmdName", "enable", "errorCode", "errorMsg", "power"]);
+    assert_eq!((text_of(&old, "enable"), text_of(&old, "power")), ("\"robot_enabled\"", "\"powered_on\""));
+    let newer = state(Firmware::Newer);
+    assert_eq!((text_of(&newer, "enable"), text_of(&newer, "power")), ("\"True\"", "\"True\""));
+}
+
+/// 311 packets of the newer controller have 13 to 17 digits in poses, no function with an input, and `task_state` 3 is what five clients
+/// have of a disabled arm.
+#[test]
+fn the_newer_packet_has_long_poses_no_function_inputs_and_the_clients_task_state() {
+    let controller = controller(Firmware::Newer);
+    let mut peer = Peer::commands(&controller);
+    peer.send(request("power_on"));
+    peer.receive();
+    controller.set_state(|state| {
+        state.joint_position = [-63.402_361_7, 106.908_83, 75.545_14, 89.827_53, -93.426_02, -13.407_08].into();
+    });
+    let packet = Peer::status(&controller).receive();
+    let digits = |text: &str| text.bytes().filter(u8::is_ascii_digit).count();
+    let pose = text_of(&packet, "actual_position");
+    assert!(pose.split(", ").all(|number| (10..=18).contains(&digits(number))), "{pose}");
+    let joints = text_of(&packet, "joint_actual_position");
+    assert!(joints.starts_with("[-63.40236, 106.90883, "), "{joints}");
+    assert_eq!(text_of(&packet, "funcdi"), format!("[{}]", ["[-1, -1]"; 15].join(", ")));
+    assert_eq!(text_of(&packet, "task_state"), "3");
 }
 
 #[test]
 fn replies_have_the_words_and_the_version_of_the_firmware() {
     let expected = [
         (Firmware::V1_5_14, "\"robot_disabled\"", "\"powered_off\"", "\"1.5.14_13_X64\""),
-        (Firmware::Newer, "false", "0", "\"1.7.2\""),
+        (Firmware::Newer, "\"False\"", "\"False\"", "\"1.7.2\""),
     ];
     for (firmware, enable, power, version) in expected {
         let controller = controller(firmware);

@@ -26,6 +26,7 @@ macro_rules! toml_words {
 
 mod advice;
 mod builtin;
+mod evidence;
 mod form;
 mod item;
 mod keys;
@@ -52,6 +53,7 @@ pub mod words;
 use std::collections::BTreeMap;
 
 pub use builtin::{BUILTIN, builtin};
+pub use evidence::{Evidence, Mark, evidence_sentence};
 pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Form, FormKind,

@@ -53,7 +53,7 @@ pub(crate) fn remembers_problem(
 }
 
 fn motion_problem(command: &Command, motion: &Motion, types: &[TypeDef]) -> Option<String> {
-    let Motion { path, target, mode, through, speed, acceleration, tolerance } = motion;
+    let Motion { path, target, mode, through, speed, acceleration, tolerance, unknown_with } = motion;
     let is_arc = *path == Some(PathKind::Arc);
     if is_arc != through.is_some() {
         return Some("`through` is the pose between the ends of an arc, which has one, and no other path".into());
@@ -97,6 +97,10 @@ fn motion_problem(command: &Command, motion: &Motion, types: &[TypeDef]) -> Opti
         let unit = path.acceleration_unit();
         let expected = format!("a float in {unit}");
         problem = problem.or_else(|| checked("acceleration", acceleration, &expected, &is_number(unit)));
+    }
+    for field in unknown_with {
+        let is_optional = |field: &Field| field.optional;
+        problem = problem.or_else(|| checked("unknown_with", field, "optional", &is_optional));
     }
     if let Some(tolerance) = tolerance {
         problem = problem.or_else(|| checked("tolerance", tolerance, "a float in mm", &is_number("mm")));

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 use std::time::Duration;
 
+use crate::evidence::Evidence;
 use crate::keys::{COMMAND_NAME, key, push_string};
 
 use crate::names::to_camel;
@@ -59,8 +60,8 @@ pub struct Command {
     pub section: Option<String>,
     /// The section's title in the document, which is Chinese.
     pub title_zh: Option<String>,
-    /// What shows the command, where the document does not have it: how far to trust that, and the sources.
-    pub evidence: Option<String>,
+    /// Sources of a command that the document does not have.
+    pub evidence: Vec<Evidence>,
     /// What the command does to the robot.
     pub effect: Effect,
     /// Role of the command to the arm.
@@ -318,6 +319,8 @@ pub struct Field {
     pub disputed: Vec<String>,
     /// First and last firmware that has the field.
     pub versions: Versions,
+    /// Sources of what the document does not say.
+    pub evidence: Vec<Evidence>,
     /// Other forms of the field, each in some firmware; no firmware has two of them.
     pub forms: Vec<Form>,
 }
@@ -540,6 +543,7 @@ impl TypeKind {
             for field in fields {
                 (field.doc, field.range, field.versions) = (String::new(), Range::default(), Versions::default());
                 (field.advised, field.disputed, field.forms) = (Vec::new(), Vec::new(), Vec::new());
+                field.evidence.clear();
             }
         };
         match &mut kind {
@@ -601,11 +605,14 @@ pub struct EnumValue<T> {
     pub advisory: bool,
     /// First and last firmware that takes it.
     pub versions: Versions,
+    /// Sources of what the document does not say.
+    pub evidence: Vec<Evidence>,
 }
 
 impl<T> EnumValue<T> {
     fn undescribe(&mut self) {
         self.doc.clear();
+        self.evidence.clear();
         (self.advisory, self.versions) = (false, Versions::default());
     }
 }

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use crate::Source;
 use crate::item::{Item, parse};
 use crate::keys::{COMMAND_NAME, ENVELOPE};
 use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic, Type};
@@ -11,6 +10,7 @@ use crate::report::{At, Report};
 use crate::resolve::{Index, Need};
 use crate::scalar::Scalar;
 use crate::version::Versions;
+use crate::{Source, evidence};
 
 mod common;
 mod event;
@@ -86,9 +86,9 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         item.error(wire.at, "blanks around a command's name are lost in replies, which are read without them");
     }
     let section = item.text("section");
-    let evidence = item.text("evidence");
-    if let Some(evidence) = evidence.as_ref().filter(|_| section.is_some()) {
-        item.error(evidence.at, "`evidence` is for a command without `section`, which the document does not have");
+    let evidence = evidence::read(item);
+    if section.is_some() && !evidence.is_empty() {
+        item.error(item.at, "`evidence` is for a command without `section`, which the document does not have");
     }
     index.command(item, &wire, section.as_ref());
     let name = snake_name(item, &wire);
@@ -108,7 +108,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
     let command = Command {
         section: section.map(|text| text.value),
         title_zh: item.text("title_zh").map(|text| text.value),
-        evidence: evidence.map(|text| text.value),
+        evidence,
         effect: keyword(item, "effect", Effect::WORDS).unwrap_or(Effect::Query),
         role: role::role(item),
         changes: role::changes(item),

@@ -47,6 +47,8 @@ pub struct Motion {
     pub acceleration: Option<String>,
     /// Field with the tolerance: the distance from the target at which the controller may blend into the next motion.
     pub tolerance: Option<String>,
+    /// Optional fields with which the path is unknown, since no source says how they change it.
+    pub unknown_with: Vec<String>,
 }
 
 /// Enum that says whether the target of a motion is absolute or an offset. With any other value it is unknown.
@@ -116,17 +118,23 @@ impl PathKind {
 impl Motion {
     /// True if it names this field.
     pub(crate) fn names(&self, field: &str) -> bool {
-        let Self { path: _, target, mode, through, speed, acceleration, tolerance } = self;
+        let Self { path: _, target, mode, through, speed, acceleration, tolerance, unknown_with } = self;
         let mode = mode.as_ref().map(|mode| &mode.field);
         let names = [Some(target), mode, through.as_ref(), speed.as_ref(), acceleration.as_ref(), tolerance.as_ref()];
-        names.into_iter().flatten().any(|name| name == field)
+        names.into_iter().flatten().chain(unknown_with).any(|name| name == field)
     }
 
     /// Follows a field that gets another name in Rust.
     pub(crate) fn rename(&mut self, old: &str, new: &str) {
-        let Self { path: _, target, mode, through, speed, acceleration, tolerance } = self;
+        let Self { path: _, target, mode, through, speed, acceleration, tolerance, unknown_with } = self;
         let mode = mode.as_mut().map(|mode| &mut mode.field);
         let names = [mode, through.as_mut(), speed.as_mut(), acceleration.as_mut(), tolerance.as_mut()];
-        names.into_iter().flatten().chain([target]).filter(|name| *name == old).for_each(|name| new.clone_into(name));
+        names
+            .into_iter()
+            .flatten()
+            .chain([target])
+            .chain(unknown_with)
+            .filter(|name| *name == old)
+            .for_each(|name| new.clone_into(name));
     }
 }

@@ -95,7 +95,7 @@ pub fn type_form(form: &TypeForm) -> String {
 /// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an
 /// assumption.
 pub fn known_to(command: &Command) -> Option<String> {
-    let known = if command.evidence.is_some() { "Taken to be known" } else { "Known" };
+    let known = if !command.evidence.is_empty() { "Taken to be known" } else { "Known" };
     versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
 }
 
@@ -139,6 +139,7 @@ pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
         format!(" (absolute where {} is {}{offset})", name(&mode.field), mode.absolute)
     });
     let part = |word: &str, field: &Option<String>| field.as_ref().map(|field| format!("{word} {}", name(field)));
+    let unknown: Vec<_> = motion.unknown_with.iter().map(|field| name(field)).collect();
     let parts = [
         Some(path.to_owned()),
         Some(format!("target {}{}", name(&motion.target), mode.unwrap_or_default())),
@@ -146,6 +147,7 @@ pub fn motion(motion: &Motion, name: impl Fn(&str) -> String) -> String {
         part("speed", &motion.speed),
         part("acceleration", &motion.acceleration),
         part("tolerance", &motion.tolerance),
+        (!unknown.is_empty()).then(|| format!("on an unknown path with {}", list(&unknown, "or"))),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }

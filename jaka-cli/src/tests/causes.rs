@@ -51,8 +51,8 @@ const EVENTS: [Row; 8] = [
         26,
         "the controller reports an error",
         "look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model \
-         are recognised correctly; check the settings of payload and mounting angle; when somebody has looked at the arm, \
-         `jaka clear` clears the error; `jaka explain 0x0f0034`",
+         are recognised correctly; check the settings of payload and mounting angle; when the cause is gone \
+         and somebody has looked at the arm, `jaka clear` clears the error; `jaka explain 0x0f0034`",
     ),
     (
         |arm| arm.take_over().expect("it listens"),

@@ -39,10 +39,8 @@ fn fields_have_names_and_units() {
     simulated(
         "get_robot_state",
         &expect![[r#"
-            enabled        false
-            powered_on     false
-            error_code     0
-            error_message  ""
+            enabled     false
+            powered_on  false
             exit code 0
         "#]],
     );

@@ -22,7 +22,7 @@ jaka_proto::worded! {
         /// Do what the vendor's table says of the controller's event, and clear it, when somebody has looked at the arm.
         OfEvent(event: ControllerEvent) => (of_event(*event)),
         /// Move the arm away from the limit.
-        MoveAway => "move the arm away from the limit",
+        MoveAway => "when somebody has looked at the arm, move it away from the limit",
         /// Grant remote control on the controller's panel.
         GrantRemoteControl => "grant remote control on the controller's panel",
         /// Find out who uses servo mode.
@@ -77,13 +77,7 @@ jaka_proto::worded! {
 /// Remedy of an event, before its error is cleared.
 fn of_event(event: ControllerEvent) -> String {
     let Some(remedy) = event.remedy() else { return Remedy::SeeController.to_string() };
-    // No remedy clears the error before a look at the arm, and many say so themselves.
-    let look = if remedy.text().contains("when somebody has looked at the arm") {
-        "then"
-    } else {
-        "when somebody has looked at the arm,"
-    };
-    format!("{remedy}; {look} call `clear_error`")
+    format!("{remedy}; when the cause is gone and somebody has looked at the arm, call `clear_error`")
 }
 
 impl Remedy {
@@ -124,7 +118,7 @@ mod tests {
         let mut count = 0;
         for text in texts {
             let (before, _) = text.split_once("`clear_error`").expect("the error is cleared at last");
-            assert!(before.contains("when somebody has looked at the arm"), "{text}");
+            assert!(before.ends_with("when the cause is gone and somebody has looked at the arm, call "), "{text}");
             count += 1;
         }
         assert_eq!(count, 894);

@@ -38,7 +38,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         }
         Request::DisableRobot(_) => {
             // Events 0x0F003A and 0x0F0027.
-            if world.is_moving() || world.runner.is_some() {
+            if world.is_moving() && !world.habits.disable_moving || world.runner.is_some() {
                 return Outcome::Refused;
             }
             world.cancel_changes(|change| change != Change::PoweredOn);
@@ -83,8 +83,12 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             reply(command, out, |reply| reply.program_state.clone_from(&state.program_state))
         }
         Request::GetMotionState(command) => reply(command, out, |reply| {
-            (reply.in_position, reply.paused) = (state.in_position, state.program_state == ProgramState::Paused);
+            reply.in_position = state.in_position;
+            reply.paused = Some(state.program_state == ProgramState::Paused);
         }),
+        Request::GetRapidRate(command) => {
+            reply(command, out, |reply| reply.rapid_rate = Typed::Known(state.rapid_rate))
+        }
         Request::SetRapidRate(command) => set(&mut state.rapid_rate, command.rate),
         Request::LoadProgram(command) => {
             let is_there = world.programs.contains_key(&command.program_name);

@@ -2,6 +2,9 @@
 
 use std::time::Duration;
 
+use jaka_proto::messages::io::FunctionInputKind;
+use jaka_proto::messages::status::TaskState;
+
 use super::{Firmware, Writing};
 use crate::{Habit, State};
 
@@ -28,6 +31,12 @@ pub(crate) struct Shape {
     pub(crate) tool_analog: &'static [f64],
     /// Functions that may have an input. The query has two fewer in the document.
     pub(crate) functions: usize,
+    /// True where no function has an input to begin with.
+    pub(crate) no_function_input: bool,
+    /// What `task_state` says of an arm that has power and is disabled.
+    pub(crate) disabled: TaskState,
+    /// Decimals of poses in packets: 13 give the 13 to 17 digits of 311 packets of a newer controller.
+    pub(crate) pose_decimals: usize,
     /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where
     /// there is one.
     pub(crate) monitor_head: &'static str,
@@ -51,5 +60,10 @@ impl Firmware {
         state.tool_digital_inputs.resize(shape.tool_digital, false);
         state.tool_analog_inputs = shape.tool_analog.to_vec();
         state.function_inputs.truncate(shape.functions);
+        if shape.no_function_input {
+            for input in &mut state.function_inputs {
+                (input.kind, input.index) = (FunctionInputKind::Unassigned, -1);
+            }
+        }
     }
 }

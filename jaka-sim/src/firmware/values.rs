@@ -7,6 +7,7 @@ use jaka_proto::wire::{Decode, Reader, Writer};
 use jaka_spec::{COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE, Field, Scalar, Shape, Spec, Type};
 
 use super::Writing;
+use super::shape::Shape as FirmwareShape;
 use crate::json_text::{elements, members, respace};
 
 /// Writes values as a firmware does. What does not fit its type stays as it is.
@@ -14,19 +15,21 @@ use crate::json_text::{elements, members, respace};
 pub(crate) struct Values<'s> {
     spec: &'s Spec,
     writing: Writing,
-    /// Decimals of joint positions and poses of a capture.
-    decimals: usize,
-    /// True inside joint positions and poses, which have few decimals.
-    is_position: bool,
+    /// Decimals of joint positions.
+    joint_decimals: usize,
+    /// Decimals of poses.
+    pose_decimals: usize,
+    /// Decimals of the position that is being written; none outside positions.
+    decimals: Option<usize>,
 }
 
 impl<'s> Values<'s> {
     pub(crate) fn of_replies(spec: &'s Spec, writing: Writing) -> Self {
-        Self { spec, writing, decimals: 6, is_position: false }
+        Self { spec, writing, joint_decimals: 6, pose_decimals: 6, decimals: None }
     }
 
-    pub(crate) fn of_packets(spec: &'s Spec, writing: Writing) -> Self {
-        Self { decimals: 5, ..Self::of_replies(spec, writing) }
+    pub(crate) fn of_packets(spec: &'s Spec, shape: &FirmwareShape) -> Self {
+        Self { joint_decimals: 5, pose_decimals: shape.pose_decimals, ..Self::of_replies(spec, shape.writing) }
     }
 
     /// Rewrites a reply, which was written as the document does. What is not a JSON object stays as it is.
@@ -78,8 +81,8 @@ impl<'s> Values<'s> {
     }
 
     fn value(self, name: &str, ty: &Type, json: &str, out: &mut Writer) {
-        if !self.is_position && is_position(self.spec, ty) {
-            return Self { is_position: true, ..self }.value(name, ty, json, out);
+        if let Some(decimals) = self.decimals_of(ty).filter(|_| self.decimals.is_none()) {
+            return Self { decimals: Some(decimals), ..self }.value(name, ty, json, out);
         }
         if self.restyled(name, ty, json, out).is_none() {
             out.raw(json);
@@ -147,6 +150,8 @@ impl<'s> Values<'s> {
     fn forms<'f>(&'f self, name: &str, printed: [&'f str; 2]) -> [&'f str; 2] {
         match self.writing {
             Writing::Document | Writing::Capture => printed,
+            // The words of the document, as `robot_enabled`: a real reply has these in their place.
+            Writing::AsPackets if printed[1].contains('_') => ["\"False\"", "\"True\""],
             Writing::AsPackets => match self.packet_forms(name) {
                 Some(forms) => forms,
                 None if printed[1].starts_with('"') => ["false", "true"],
@@ -170,16 +175,26 @@ impl<'s> Values<'s> {
     /// A number that may have a fraction.
     fn float(self, json: &str, out: &mut Writer) {
         let Ok(number) = json.parse::<f64>() else { return out.raw(json) };
-        match self.writing {
-            Writing::Document => out.float(number),
-            Writing::Odd => out.text(json),
-            Writing::Capture | Writing::AsPackets if self.is_position => {
-                let text = format!("{number:.0$}", self.decimals);
+        match (self.writing, self.decimals) {
+            (Writing::Document, _) => out.float(number),
+            (Writing::Odd, _) => out.text(json),
+            (Writing::Capture | Writing::AsPackets, Some(decimals)) => {
+                let text = format!("{number:.decimals$}");
                 let short = text.trim_end_matches('0');
                 out.raw(short);
                 out.raw(if short.ends_with('.') { "0" } else { "" });
             }
-            Writing::Capture | Writing::AsPackets => with_fraction(json, out),
+            (Writing::Capture | Writing::AsPackets, None) => with_fraction(json, out),
+        }
+    }
+
+    /// Decimals of a joint position or a pose; none of any other type.
+    fn decimals_of(self, ty: &Type) -> Option<usize> {
+        let Type::Named(id) = ty else { return None };
+        match &*self.spec[*id].name {
+            jaka_spec::JOINT_POSITION => Some(self.joint_decimals),
+            jaka_spec::POSE => Some(self.pose_decimals),
+            _ => None,
         }
     }
 
@@ -193,9 +208,4 @@ fn with_fraction(json: &str, out: &mut Writer) {
     let is_whole = json.starts_with(|c: char| c == '-' || c.is_ascii_digit()) && !json.contains(['.', 'e', 'E']);
     out.raw(json);
     out.raw(if is_whole { ".0" } else { "" });
-}
-
-/// True for joint positions and poses.
-fn is_position(spec: &Spec, ty: &Type) -> bool {
-    matches!(ty, Type::Named(id) if matches!(&*spec[*id].name, "JointPosition" | "Pose"))
 }

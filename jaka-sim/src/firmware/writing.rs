@@ -14,10 +14,10 @@ const UNKNOWN: &str = r#""oddity":[null,{"a":[]}]"#;
 pub(crate) enum Writing {
     /// As the document prints it, and as short as may be.
     Document,
-    /// As captures have it: numbers that may have a fraction with one, positions with few decimals, the controller's
-    /// event.
+    /// As captures have it: numbers that may have a fraction with one, positions with few decimals.
     Capture,
-    /// The same, with truth values in replies as in packets.
+    /// The same, with the controller's event, and with truth values in replies as in packets: `"True"` and `"False"` where the
+    /// document has words as `robot_enabled`.
     AsPackets,
     /// In the other forms that were seen, all at once.
     Odd,
@@ -34,8 +34,8 @@ impl Writing {
     /// The vendor's SDK 2.1.14 reads no other form than a number.
     pub(crate) fn event(self, state: &State) -> Option<Value> {
         match self {
-            Self::Document => None,
-            Self::Capture | Self::AsPackets => {
+            Self::Document | Self::Capture => None,
+            Self::AsPackets => {
                 let event = ControllerEvent::from_text(&state.error_code).ok().flatten();
                 Some(event.map_or(0, ControllerEvent::code).into())
             }

@@ -14,12 +14,36 @@ pub(super) fn filled(mut report: ExtioReport, status: &ExtioStatus, id: Option<&
     report.pin_states.digital_outputs = state.digital_outputs.clone().unwrap_or_default();
     report.pin_states.analog_inputs = state.analog_inputs.clone().unwrap_or_default();
     report.pin_states.analog_outputs = state.analog_outputs.clone().unwrap_or_default();
+    // With newer firmware a module has the states of all of its pins, also where nothing was set.
+    if id.is_some() {
+        let (counts, pins) = (pin_counts(modules), &mut report.pin_states);
+        pins.digital_inputs.resize(counts[0].max(pins.digital_inputs.len()), false);
+        pins.digital_outputs.resize(counts[1].max(pins.digital_outputs.len()), false);
+        pins.analog_inputs.resize(counts[2].max(pins.analog_inputs.len()), 0.0);
+        pins.analog_outputs.resize(counts[3].max(pins.analog_outputs.len()), 0.0);
+    }
     report.setup = modules.iter().map(|module| decoded(&setup(module, id))).collect::<Option<_>>()?;
     report.count = status.count;
     report.pin_maps = modules.iter().map(|module| decoded(&pin_map(module))).collect::<Option<_>>()?;
     // By the document's words on this key.
     report.mode = i64::from(!state.running);
     Some(report)
+}
+
+/// Pins of a module of one kind that are shown at most.
+const MOST_PINS: usize = 256;
+
+/// Numbers of digital inputs, digital outputs, analog inputs and analog outputs of all modules.
+fn pin_counts(modules: &[ExtioModule]) -> [usize; 4] {
+    let mut counts = [0; 4];
+    for module in modules {
+        let (ExtioSetup::Rtu { pins, .. } | ExtioSetup::Tcp { pins, .. }) = &module.setup else { continue };
+        let ranges = [&pins.digital_inputs, &pins.digital_outputs, &pins.analog_inputs, &pins.analog_outputs];
+        for (count, range) in counts.iter_mut().zip(ranges) {
+            *count += usize::try_from(range.count).unwrap_or_default().min(MOST_PINS);
+        }
+    }
+    counts
 }
 
 /// A value of a type that only its codec makes.

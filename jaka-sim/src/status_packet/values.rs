@@ -26,7 +26,7 @@ const NO_READINGS: [f64; 6] = [0.0; 6];
 pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) -> RobotStatus {
     let mut status = RobotStatus::default();
     status.length = Some(0);
-    modes(state, &mut status);
+    modes(state, shape, &mut status);
     inputs_and_outputs(state, shape, &mut status);
     let report = extio.filter(|_| shape.extio).cloned();
     let report = report.and_then(|report| extio::filled(report, &state.extio, shape.extio_module_id));
@@ -38,7 +38,7 @@ pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) 
     status
 }
 
-fn modes(state: &State, status: &mut RobotStatus) {
+fn modes(state: &State, shape: &Shape, status: &mut RobotStatus) {
     let is_paused = state.program_state == ProgramState::Paused;
     status.drag_status = Some(state.drag_mode);
     status.error_code = Some(state.error_code.clone());
@@ -47,7 +47,7 @@ fn modes(state: &State, status: &mut RobotStatus) {
     status.actual_position = Some(state.tcp_pose);
     status.task_state = Some(match (state.powered, state.enabled) {
         (false, _) => TaskState::PoweredOff,
-        (true, false) => TaskState::PoweredOn,
+        (true, false) => shape.disabled,
         (true, true) => TaskState::Enabled,
     });
     status.homed = Some([vec![true; 6], vec![false; 3]].concat().into());

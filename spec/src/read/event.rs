@@ -28,13 +28,36 @@ const LOOK_FIRST: Language = Language {
         "resume",
         "run again",
         "switch it on",
+        "turn it on",
+        "turn on",
+        "drag the",
+        "jog the",
+        "jog it",
+        "update the",
+        "upgrade it",
+        "install the",
+        "install a",
     ],
 };
 
 /// The same in Chinese.
 const LOOK_FIRST_ZH: Language = Language {
     look: "查看过机械臂之后",
-    acts: &["使能", "上电", "清除", "确认", "复位", "重启", "恢复", "松开", "重新运行"],
+    acts: &[
+        "使能",
+        "上电",
+        "清除",
+        "确认",
+        "复位",
+        "重启",
+        "恢复",
+        "松开",
+        "重新运行",
+        "点动机",
+        "更新到",
+        "升级驱动",
+        "将其升级",
+    ],
 };
 
 /// Words of a remedy's rule in a language.

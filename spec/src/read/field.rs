@@ -3,7 +3,6 @@
 use super::common::{required_doc, snake_name, versions};
 use super::form;
 use super::wire::{NEEDS_KEY, check_written, field_type, key, written};
-use crate::advice;
 use crate::item::{Item, Placed, Unique};
 use crate::model::{Field, Type};
 use crate::names::RESERVED_FIELDS;
@@ -11,6 +10,7 @@ use crate::range::Range;
 use crate::resolve::{Index, NO_ENUM, Need};
 use crate::scalar::Scalar;
 use crate::version::Versions;
+use crate::{advice, evidence};
 
 /// Fields of a struct, from `[[… .key]]`. One written as an object has keys, none of which is one of `taken`; one
 /// written as an array has no `taken`.
@@ -83,6 +83,7 @@ fn read<'s>(
         doc: required_doc(item),
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
         versions: versions(item, &Versions::default()),
+        evidence: evidence::read(item),
         forms: Vec::new(),
         wire,
     };
@@ -148,6 +149,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         disputed: base.disputed.clone(),
         versions: versions(item, &base.versions),
+        evidence: if item.has("evidence") { evidence::read(item) } else { base.evidence.clone() },
         forms: Vec::new(),
     };
     settle(item, &mut field, base);

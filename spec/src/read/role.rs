@@ -37,6 +37,7 @@ pub(crate) fn motion(item: &Item<'_, '_>) -> Option<Motion> {
         speed: name("speed"),
         acceleration: name("acceleration"),
         tolerance: name("tolerance"),
+        unknown_with: item.texts("unknown_with").into_iter().map(|text| text.value).collect(),
     };
     item.finish();
     Some(motion)

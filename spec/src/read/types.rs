@@ -4,6 +4,7 @@ use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{fields, wrapped_type};
 use super::form;
 use super::role::role;
+use crate::evidence;
 use crate::item::{Item, Placed, Unique};
 use crate::model::{Choice, EnumValue, Field, TypeDef, TypeId, TypeKind, Variant};
 use crate::resolve::{Index, Need};
@@ -97,7 +98,14 @@ const OTHER: &str = "`Other` is the variant for values that the spec does not li
 pub(crate) fn enum_value<T>(item: &Item<'_, '_>, wire: T) -> EnumValue<T> {
     let advisory = item.flag("advisory").is_some_and(|flag| flag.value);
     let versions = versions(item, &Versions::default());
-    let value = EnumValue { wire, name: value_name(item), doc: required_doc(item), advisory, versions };
+    let value = EnumValue {
+        wire,
+        name: value_name(item),
+        doc: required_doc(item),
+        advisory,
+        versions,
+        evidence: evidence::read(item),
+    };
     item.finish();
     value
 }
@@ -110,6 +118,7 @@ pub(crate) fn changed_value<T: Clone>(item: &Item<'_, '_>, base: &EnumValue<T>) 
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         advisory: item.flag("advisory").map_or(base.advisory, |flag| flag.value),
         versions: versions(item, &base.versions),
+        evidence: if item.has("evidence") { evidence::read(item) } else { base.evidence.clone() },
     };
     item.finish();
     value

@@ -100,7 +100,7 @@ fn what_is_said_about_a_command() {
             ("motion/joint_move", "acceleration = \"acceleration\"\n", ""),
             (
                 "motion/movc",
-                "[command.motion]\npath = \"arc\"\ntarget = \"end_pose\"\nmode = { field = \"mode\", absolute = 0 }\nthrough = \"mid_pose\"\nspeed = \"speed\"\nacceleration = \"acceleration\"\ntolerance = \"tolerance\"\n",
+                "[command.motion]\npath = \"arc\"\ntarget = \"end_pose\"\nmode = { field = \"mode\", absolute = 0 }\nthrough = \"mid_pose\"\nspeed = \"speed\"\nacceleration = \"acceleration\"\ntolerance = \"tolerance\"\nunknown_with = [\"circle_count\", \"circle_mode\"]\n",
                 "",
             ),
             ("motion/jog", "role = \"stop\"\n", ""),
@@ -123,16 +123,16 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r"
+        &expect![[r#"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
-            major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance`
+            major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
             major: command `moveL`: the session ends with it
             major: command `shutdown`: the reply is certain now, and an error if it is missing
             minor: command `clear_error`: effect changed from `power` to `setting`
             minor: command `end_move`: deadline removed, was `60000 ms`
             minor: command `jog`, variant `0`: role removed, was `stop`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; on an unknown path with tolerance`
             minor: command `moveL`: deadline changed from `60000 ms` to `1500 ms`
             minor: command `play_program`: role added: `resume`
             minor: command `servo_move`: requirement removed, was `powered and enabled`
@@ -149,15 +149,15 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
-        &expect![[r"
+        "#]],
+        &expect![[r#"
             major: command `movc`: name changed from `move_arc` to `move_c`
             minor: command `clear_error`: effect changed from `setting` to `power`
             minor: command `end_move`: deadline added: `60000 ms`
             minor: command `get_extio_status`: bare reply added: `extio_status`
             minor: command `jog`, variant `0`: role added: `stop`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
-            minor: command `movc`: motion added: `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance`
+            minor: command `movc`: motion added: `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
             minor: command `moveL`: deadline changed from `1500 ms` to `60000 ms`
             minor: command `moveL`: the session goes on after it
             minor: command `play_program`: role removed, was `resume`
@@ -176,7 +176,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
+        "#]],
     );
 }
 
@@ -209,7 +209,7 @@ fn fields_of_requests() {
             ("io/set_tio_vout_param/tio_vout_ena", "2.0.4 alone", "2.0.4"),
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
-        &expect![[r"
+        &expect![[r#"
             major: command `end_move`, request field `cartPosition`: added
             major: command `end_move`, request field `endPosition`: removed
             major: command `joint_move`, request field `accel`: name changed from `acceleration` to `joint_acceleration`
@@ -222,7 +222,7 @@ fn fields_of_requests() {
             minor: command `clear_error`, request field `blend`: added
             minor: command `end_move`, request field `accel`: advised range removed, was `-720 to 720, not 0`
             minor: command `end_move`, request field `speed`: advised range changed from `-265 to 265, not 0` to `-300 to 300, not 0`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration; on an unknown path with tolerance`
             minor: command `joint_move`, request field `blend`: added
             minor: command `load_program`, request field `programName`: takes any text
             minor: command `moveL`, request field `speed`: range removed, was `at least 0`
@@ -231,8 +231,8 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: `since` added: `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit added: `share`
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "]],
-        &expect![[r"
+        "#]],
+        &expect![[r#"
             major: command `clear_error`, request field `blend`: removed
             major: command `end_move`, request field `accel`: advised range added: `-720 to 720, not 0`
             major: command `end_move`, request field `cartPosition`: removed
@@ -248,13 +248,13 @@ fn fields_of_requests() {
             major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `int` to `float`
             major: command `set_payload`, request field `mass`: unit changed from `g` to `kg`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration`
+            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance`
             minor: command `joint_move`, request field `speed`: range changed from `1 to 180` to `at least 0`
             patch: command `joint_move`, request field `accel`: doc changed
             patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "]],
+        "#]],
     );
 }
 

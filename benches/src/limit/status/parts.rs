@@ -74,9 +74,9 @@ pub(super) fn monitor(scan: &mut Scan<'_>, into: &mut MonitorData) -> Option<()>
             more = scan.comma(b']')?;
         }
     }
-    into.tenth = None;
+    into.bus_voltage = None;
     if more {
-        into.tenth = Some(scan.float()?);
+        into.bus_voltage = Some(scan.float()?);
         more = scan.comma(b']')?;
     }
     (!more).then_some(())
@@ -114,10 +114,10 @@ fn joint(scan: &mut Scan<'_>) -> Option<JointMonitor> {
         cycles_since_start: first(scan, Scan::float)?,
         running_time_since_start: first(scan, Scan::float)?,
         torque: scan.float()?,
-        eleventh: None,
+        model_torque: None,
     });
     if scan.comma(b']')? {
-        joint.eleventh = Some(scan.float()?);
+        joint.model_torque = Some(scan.float()?);
         last(scan)?;
     }
     Some(joint)
@@ -158,9 +158,9 @@ pub(super) fn torque_sensor(scan: &mut Scan<'_>, into: &mut TorqueSensorReport) 
     into.state.error_code = Typed::Known(first(scan, Scan::int)?);
     into.state.contact_force = first(scan, |scan| scan.array::<f64, 6>(Scan::float))?;
     into.state.raw_reading = scan.array::<f64, 6>(Scan::float)?;
-    into.state.fifth = None;
+    into.state.unconditional_contact_force = None;
     if scan.comma(b']')? {
-        into.state.fifth = Some(Typed::Known(scan.array::<f64, 6>(Scan::float)?));
+        into.state.unconditional_contact_force = Some(Typed::Known(scan.array::<f64, 6>(Scan::float)?));
         last(scan)?;
     }
     last(scan)

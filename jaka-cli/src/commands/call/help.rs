@@ -6,7 +6,7 @@ use std::fmt::Write;
 use itertools::Itertools as _;
 use jaka_dynamic::{Argument, arguments};
 use jaka_spec::words::{first_sentence, requirements};
-use jaka_spec::{Command, Reply, Request, Spec, Topic};
+use jaka_spec::{Command, Reply, Request, Spec, Topic, evidence_sentence};
 use jaka_sync::proto::text::{visible, visible_lines};
 
 use crate::arm::consent::effect;
@@ -25,8 +25,8 @@ pub(super) fn long_about(command: &Command) -> String {
         // A string takes all that is written.
         let _ = write!(text, "\n\nErratum: {erratum}");
     }
-    if let Some(evidence) = &command.evidence {
-        let _ = write!(text, "\n\nNot in the document. Evidence: {evidence}");
+    if let Some(evidence) = evidence_sentence(&command.evidence) {
+        let _ = write!(text, "\n\nNot in the document. {evidence}");
     }
     if let Some(evidence) = &command.reconstructed {
         let _ = write!(text, "\n\nThe document's text is lost. Evidence: {evidence}");

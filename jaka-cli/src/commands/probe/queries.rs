@@ -84,7 +84,7 @@ impl ProbeConnection<'_> {
             ErrorKind::Refused { refusal, .. } => {
                 let outcome = Outcome::Refused { code: refusal.code, message: refusal.message.clone() };
                 // So firmware refuses what it does not know, without a name.
-                let is_unknown = command.evidence.is_some() && refusal.code == ErrorCode::EXCEPTION;
+                let is_unknown = !command.evidence.is_empty() && refusal.code == ErrorCode::EXCEPTION;
                 let finding = finding(reply);
                 let departures = if is_unknown { Vec::new() } else { finding.departures };
                 Finding { outcome, departures, ..finding }

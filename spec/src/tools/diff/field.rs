@@ -145,6 +145,7 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     d.reworded(place, "doc", &old.doc, &new.doc);
     forms(d, place, holder.checks, old, new);
     d.reworded(place, "disputed readings", &old.disputed, &new.disputed);
+    d.reworded(place, "evidence", &old.evidence, &new.evidence);
     d.versions(place, &old.versions, &new.versions);
 }
 

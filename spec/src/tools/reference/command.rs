@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::markdown::{code, escape};
 use super::{command_heading, fields, type_phrase};
-use crate::{Command, Motion, Reply, Request, Spec, words};
+use crate::{Command, Motion, Reply, Request, Spec, evidence_sentence, words};
 
 /// All there is to know about a command.
 pub(super) fn render(out: &mut String, spec: &Spec, command: &Command) {
@@ -40,7 +40,7 @@ fn facts(command: &Command) -> impl Iterator<Item = String> {
         command.motion.as_ref().map(|motion| motion_fact(command, motion)),
         Some(format!("In Rust: `Client::{}`.", command.name)),
         command.title_zh.as_ref().map(|title| format!("In the document: {title}.")),
-        command.evidence.as_ref().map(|evidence| format!("Not in the document. {evidence}")),
+        evidence_sentence(&command.evidence).map(|evidence| format!("Not in the document. {evidence}")),
         requirements(command),
         command.deadline.map(|deadline| format!("The reply may take up to {} s.", deadline.as_secs_f64())),
         (!command.reply_certain).then(|| "The controller may close the connection instead of replying.".to_owned()),

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::markdown::{Table, code, escape};
 use super::type_phrase;
 use crate::words::{self, first_sentence};
-use crate::{Choice, Field, Spec};
+use crate::{Choice, Field, Spec, evidence_sentence};
 
 /// A table of the fields, and below it what does not fit into its rows. `first` is the place of the first element,
 /// where the fields are elements of an array.
@@ -81,7 +81,8 @@ fn meaning(field: &Field) -> String {
         words::versions(&field.versions).map(|versions| format!(" Firmware {versions}.")).unwrap_or_default();
     let disputed = if field.disputed.is_empty() { "" } else { " Disputed: see below." };
     let forms = if field.forms.is_empty() { "" } else { " Other firmware has another form: see below." };
-    format!("{first}{versions}{forms}{disputed}")
+    let evidence = evidence_sentence(&field.evidence).map(|evidence| format!(" {evidence}")).unwrap_or_default();
+    format!("{first}{versions}{forms}{disputed}{evidence}")
 }
 
 /// Forms by firmware, as a list.

@@ -5,7 +5,7 @@ use std::fmt::{Display, Write as _};
 use super::markdown::{Table, code, escape};
 use super::{fields, type_phrase};
 use crate::words::{self, first_sentence};
-use crate::{EnumValue, Spec, Type, TypeDef, TypeId, TypeKind};
+use crate::{EnumValue, Spec, Type, TypeDef, TypeId, TypeKind, evidence_sentence};
 
 /// A named type in full.
 pub(super) fn render(out: &mut String, spec: &Spec, (id, def): (TypeId, &TypeDef)) {
@@ -50,7 +50,8 @@ fn enum_values<T: Display>(out: &mut String, values: &[EnumValue<T>]) {
     for value in values {
         let newer = value.advisory.then(|| "newer only".to_owned());
         let firmware: Vec<_> = newer.into_iter().chain(words::versions(&value.versions)).collect();
-        let first = first_sentence(&value.doc).0.to_owned();
+        let evidence = evidence_sentence(&value.evidence).map(|evidence| format!(" {evidence}")).unwrap_or_default();
+        let first = format!("{}{evidence}", first_sentence(&value.doc).0);
         table.row([code(&value.wire.to_string()), value.name.clone(), first, firmware.join(", ")]);
     }
     table.render(out);

@@ -25,7 +25,7 @@ fn check_arguments(wire: &str, expected: &Expect) {
 fn each_field_is_an_argument() {
     check_arguments(
         "joint_move",
-        &expect![[r"
+        &expect![[r#"
             --mode absolute|relative [relFlag, mode] []
               Whether `joint_position` is a target or an offset.
                 absolute = 0: The coordinates are the target.
@@ -36,20 +36,24 @@ fn each_field_is_an_argument() {
               Joint speed; the direction comes from `joint_position` alone. In deg/s. Allowed: at least 0. Advised: more than 0, at most 265.
             --acceleration NUMBER (optional) [accel, acceleration] []
               Joint acceleration. In deg/s². Allowed: at least 0. Advised: more than 0, at most 720.
-        "]],
+            --tolerance NUMBER (optional) [tol, tolerance] []
+              How far from its end the motion may blend into the next one: 0 reaches the end. Allowed: at least 0.
+            --executing-line-id INTEGER (optional) [executing_line_id, executing_line_id] []
+              Id of the line that the motion belongs to, by the name.
+        "#]],
     );
     check_arguments(
         "set_tio_vout_param",
-        &expect![[r"
+        &expect![[r#"
             --output-enable INTEGER [tio_vout_ena, output_enable] []
-              Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = enabled, 1 = not enabled; vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = off, 1 = on.
+              Raw switch of the voltage output. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = enabled, 1 = not enabled; bytes of the vendor's SDK 2.1.14, its headers (SDK 2.2.2 and another), its manual, six users, one program on port 10001: 0 = off, 1 = on.
             --output-voltage INTEGER [tio_vout_vol, output_voltage] []
-              Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = 12 V, 1 = 24 V; vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V.
-        "]],
+              Raw choice of the voltage. Allowed: 0 to 1. Sources disagree: document 2.0.4 alone: 0 = 12 V, 1 = 24 V; bytes of the vendor's SDK 2.1.14, its headers (SDK 2.2.2 and another), its manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V.
+        "#]],
     );
     check_arguments(
         "moveL",
-        &expect![[r"
+        &expect![[r#"
             --mode absolute|relative|relative-to-tool [relFlag, mode] []
               Whether `pose` is a target or an offset, and along which axes an offset goes.
                 absolute = 0: The pose is the target.
@@ -63,7 +67,11 @@ fn each_field_is_an_argument() {
               Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0. Advised: more than 0, at most 8000.
             --tolerance NUMBER (optional) [tol, tolerance] []
               How far from its end the motion may blend into the next one: 0 reaches the end. In mm. Allowed: at least 0.
-        "]],
+            --orientation-speed NUMBER (optional) [ori_vel, orientation_speed] []
+              Speed of the orientation. In deg/s. Allowed: at least 0.
+            --orientation-acceleration NUMBER (optional) [ori_acc, orientation_acceleration] []
+              Acceleration of the orientation; see `orientation_speed`. In deg/s². Allowed: at least 0.
+        "#]],
     );
     check_arguments("power_on", &expect![[""]]);
 }

@@ -190,7 +190,7 @@ fn status_packets_are_held_against_their_type() {
         lenient: `extio.pinmap` is missing; expected is an array, each an array [digital_inputs, digital_outputs, analog_inputs, analog_outputs]
         unreadable: `errcode` is 0; expected is text
         lenient: `torqsensor.settings` is 0; expected is an array that begins with 0 (Tcp) or 1 (Serial)
-        lenient: `torqsensor.state` is missing; expected is an array [working, error_code, contact_force, raw_reading, fifth]
+        lenient: `torqsensor.state` is missing; expected is an array [working, error_code, contact_force, raw_reading, unconditional_contact_force]
         unreadable: `actual_position` has another length; expected is an array [x, y, z, rx, ry, rz]: [0,1,2,3,4,5,6]
         lenient: `din[2]` is "1"; expected is 0 or 1 (and 1 more like it)
         unreadable: `din[4]` is 2; expected is 0 or 1
