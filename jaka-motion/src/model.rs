@@ -209,8 +209,8 @@ impl Model {
         Ok(model)
     }
 
-    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions
-    /// that are not finite.
+    /// Distances of these joint positions from the singularities of shoulder, elbow and wrist, or of the whole A12; NaN
+    /// for joint positions that are not finite.
     ///
     /// ```
     /// use jaka_motion::Model;
@@ -231,7 +231,8 @@ impl Model {
     ///
     /// Nearest is the least sum of squares over the six joints. A joint that may turn more than once takes the turn
     /// nearest to the reference. Where the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the
-    /// reference's position. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
+    /// reference's position; on the A12 joint 6 does so where it is on the axis of joint 1 and any position of it would
+    /// do. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
     /// user frame see [`Frames::flange`](crate::Frames::flange).
     pub fn inverse(
         &self,
@@ -248,6 +249,7 @@ impl Model {
     /// [`inverse`](Self::inverse) finds them, the nearest to `reference` first.
     ///
     /// Where the wrist is singular any position of one joint would do, and there is a branch for the reference's alone.
+    /// Where two branches of the A12 meet they are one, also within about a tenth of a degree of each other.
     pub fn inverse_all(
         &self,
         flange: impl Into<Transform>,

@@ -2,8 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use jaka_proto::messages::types::Pose;
+
 use super::{Random, apart, from_pose, to_pose};
-use crate::{Branches, Model, NoSolution, Transform};
+use crate::{Branches, Checker, Frames, Limits, Model, NoSolution, TcpSpeed, Transform};
 
 /// Rotation and position in mm.
 type Frame = [[f64; 4]; 3];
@@ -146,7 +148,7 @@ fn differ(one: &[f64; 6], other: &[f64; 6]) -> f64 {
 
 fn transform(frame: &Frame) -> Transform {
     let rows = frame.map(|[x, y, z, _]| [x, y, z]);
-    let pose = jaka_proto::messages::types::Pose::from_millimetres_degrees(frame.map(|row| row[3]), [0.0; 3]);
+    let pose = Pose::from_millimetres_degrees(frame.map(|row| row[3]), [0.0; 3]);
     pose.with_rotation_matrix(rows).expect("a rotation").into()
 }
 
@@ -335,6 +337,45 @@ fn above_the_base_joint_6_keeps_the_reference() {
         }
     }
     assert!(solved > 40, "{solved}");
+}
+
+/// What bounds the steps of the checker.
+#[test]
+fn the_distance_from_singularities_changes_no_faster_than_its_bound() {
+    let (model, mut random, mut closest) = (a12(), Random::new(2108), 0.0_f64);
+    let checker = Checker::new(Limits::of(model), Frames::new());
+    for _ in 0..20_000 {
+        let joints = random.joints(model);
+        let joint = random.below(6);
+        let mut turned = [0.0; 6];
+        turned[joint] = random.between(0.001, 0.1);
+        let moved = std::array::from_fn(|index| joints[index] + f64::to_degrees(turned[index]));
+        let change = checker.signed_distances(&moved)[2] - checker.signed_distances(&joints)[2];
+        let bound = checker.arm().radii().distances_change(&turned);
+        assert!(change.abs() <= bound[2] + 1e-12 && bound[..2] == [0.0; 2], "{joints:?} {change} {bound:?}");
+        if bound[2] > 0.0 {
+            closest = closest.max(change.abs() / bound[2]);
+        }
+    }
+    assert!(closest > 0.5, "{closest}");
+}
+
+/// Towards the edge of reach the tool keeps its orientation until no joints do; the way there is followed up to it.
+#[test]
+fn lines_are_followed_and_told_where_the_orientation_ends() {
+    let checker = Checker::new(Limits::of(a12()), Frames::new());
+    let (joints, slow) = ([0.0, 40.0, -80.0, 30.0, 70.0, 20.0], TcpSpeed { speed_mm_s: 20.0, tolerance_mm: 0.0 });
+    let from = a12().forward(joints);
+    let ahead = |mm: f64| Pose { x: Pose::from(from).x + mm, ..from.into() };
+    let found = checker.check_line(joints.into(), ahead(60.0), slow).expect("clear");
+    assert!(a12().forward(found).distance_mm(&ahead(60.0).into()) < 1e-6, "{found}");
+    // Where the pose is the first to be out of reach, only its orientation is.
+    let is_turned = |mm: &f64| a12().inverse(ahead(*mm), joints) == Err(NoSolution::Orientation);
+    let edge = (0..2_000).map(f64::from).find(is_turned).expect("there is an edge");
+    let words = checker.check_line(joints.into(), ahead(edge), slow).expect_err("too far").to_string();
+    assert_eq!(words, "the orientation is out of reach (A12)");
+    let words = checker.check_pose_set_point([joints.into(); 2], ahead(edge), 0.008).expect_err("too far").to_string();
+    assert_eq!(words, "the orientation is out of reach (A12)");
 }
 
 /// As on the wire: six decimals.
