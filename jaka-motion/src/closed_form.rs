@@ -55,7 +55,7 @@ impl Precision {
     /// How finely the angle of joint 6 is looked for on an offset wrist.
     fn search(self) -> Search {
         match self {
-            Self::Exact => Search { touching: 1e-7, finest: 2e-5 },
+            Self::Exact => Search { touching: 1e-6, finest: 2e-5 },
             Self::FirstGuess => Search { touching: 1e-3, finest: 1e-3 },
         }
     }
@@ -138,13 +138,25 @@ impl ClosedForm {
     pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Solutions {
         let mut found = Solutions { angles: AngleSets::new(), short_mm: None };
         match self.wrist {
-            Wrist::Parallel | Wrist::Spherical => match self.base_angles(self.wrist_centre(target), self.room()) {
-                Ok(firsts) => firsts.iter().for_each(|first| self.wrist(target, *first, reference, &mut found)),
-                Err(short_mm) => found.falls_short(short_mm),
-            },
+            Wrist::Parallel => {
+                self.in_planes(target, &mut found, |first, found| self.parallel_wrist(target, first, reference, found));
+            }
+            Wrist::Spherical => {
+                self.in_planes(target, &mut found, |first, found| {
+                    self.spherical_wrist(target, first, reference, found);
+                });
+            }
             Wrist::Offset => self.offset_wrist(target, reference, &mut found),
         }
         found
+    }
+
+    /// Solves for each angle of joint 1 that brings the arm's plane to the wrist.
+    fn in_planes(&self, target: &Isometry3<f64>, found: &mut Solutions, solve: impl Fn(f64, &mut Solutions)) {
+        match self.base_angles(self.wrist_centre(target), self.room()) {
+            Ok(firsts) => firsts.into_iter().for_each(|first| solve(first, found)),
+            Err(short_mm) => found.falls_short(short_mm),
+        }
     }
 
     /// The links nearest to others that have this closed form: their lengths where it can have any, and its twists.
@@ -177,8 +189,8 @@ impl ClosedForm {
         }
     }
 
-    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is by how many mm the point
-    /// is too near to the axis.
+    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is by how many mm the
+    /// point is too near to the axis.
     fn base_angles(&self, point: Point3<f64>, room: Room) -> Result<[f64; 2], f64> {
         let (offset, radius) = (self.aside(), point.x.hypot(point.y));
         let short_mm = offset.abs() - radius;
@@ -188,14 +200,6 @@ impl ClosedForm {
         let most = FRAC_PI_2 - room.apart;
         let (direction, aside) = (point.y.atan2(point.x), (offset / radius).clamp(-1.0, 1.0).asin().clamp(-most, most));
         Ok([direction + aside, direction + PI - aside])
-    }
-
-    fn wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Solutions) {
-        match self.wrist {
-            Wrist::Parallel => self.parallel_wrist(target, first, reference, found),
-            Wrist::Spherical => self.spherical_wrist(target, first, reference, found),
-            Wrist::Offset => {}
-        }
     }
 
     /// Joint 4 parallel to 2 and 3: joints 5 and 6 follow from where the plane's normal points in the flange's frame.
@@ -261,8 +265,8 @@ impl ClosedForm {
         }
     }
 
-    /// Joint 6 from a polynomial, the arm's plane and its two bars from where joints 4 and 5 then meet, and joints 4 and 5
-    /// from their axes.
+    /// Joint 6 from a polynomial, the arm's plane and its two bars from where joints 4 and 5 then meet, and joints 4
+    /// and 5 from their axes.
     fn offset_wrist(&self, target: &Isometry3<f64>, reference: &[f64; 6], found: &mut Solutions) {
         let (a, d, length) = (&self.links.a, &self.links.d, self.links.length());
         let wrist = self.wrist_centre(target) - Point3::new(0.0, 0.0, d[0]);

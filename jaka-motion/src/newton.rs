@@ -14,7 +14,8 @@ pub(crate) const ACCEPTED: f64 = 1e-3;
 pub(crate) struct Refinement {
     /// An error not worth a step, as [`off`] counts it.
     pub(crate) exact: f64,
-    /// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from singularities.
+    /// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
+    /// singularities.
     pub(crate) damping: f64,
 }
 

@@ -1,18 +1,19 @@
 //! Angles of joint 6 for a pose, where the three axes of the wrist do not meet.
 //!
 //! Joints 2 and 3 are parallel, the axis of joint 4 lies along the forearm and meets that of joint 5 in a point P, and
-//! the axis of joint 6 meets that of joint 5 at an offset from P. An angle of joint 6 gives the axis `z` of joint 5, and
-//! with it P. Joint 1 turns the arm's plane, with the unit normal `n`, so that P is in it: two ways. In the plane upper
-//! arm and forearm reach P two ways. At a solution the forearm is at a right angle to `z`.
+//! the axis of joint 6 meets that of joint 5 at an offset from P. An angle of joint 6 gives the axis `z` of joint 5,
+//! and with it P. Joint 1 turns the arm's plane, with the unit normal `n`, so that P is in it: two ways. In the plane
+//! upper arm and forearm reach P two ways. At a solution the forearm is at a right angle to `z`.
 //!
-//! The product of this condition over both elbows is `k² (1 - (n·z)²) = (n·m)²`, where `k` is the part of the forearm
-//! along the line from the shoulder to P, and `m` the moment of `z` about the shoulder. The product over both normals is
+//! The product of this condition over both elbows is `k² (1 - (n·z)²) = (n·m)²`, where `k` is how far P is from the
+//! shoulder along the forearm, which follows from the lengths, and `m` the moment of `z` about the shoulder. The product
+//! over both normals is
 //!
 //! `(k² (ρ² - ν²) - μ² - c² (k² (2 - h²) - g²))² + 4 c² (ρ² - c²) k² z_z² (k² - m²) = 0`
 //!
 //! with `p` for P seen from the shoulder, `ρ` for its distance from the base axis, `c` for the arm's distance from its
-//! plane, `h` and `g` for the horizontal parts of `z` and `m`, and `ν` and `μ` for the z coordinates of `p×z` and `p×m`.
-//! In the angle of joint 6 it is a trigonometric polynomial of degree 8: it has no more than sixteen roots.
+//! plane, `h` and `g` for the horizontal parts of `z` and `m`, and `ν` and `μ` for the z coordinates of `p×z` and
+//! `p×m`. In the angle of joint 6 it is a trigonometric polynomial of degree 8: it has no more than sixteen roots.
 
 use std::f64::consts::TAU;
 

@@ -138,10 +138,10 @@ fn distances(model: &Model, wrist: &[f64; 6]) -> [[f64; 6]; 3] {
 
 /// Bounds of how the determinant of an offset wrist's Jacobian changes with the joints, as a share of its bound.
 ///
-/// Up to the sign it is the length of the upper arm times `p q s + p e t + u t f + v q f`, where `p` is the lever of the
-/// wrist about the elbow, `q` about the base axis, `u` along the axis of joint 2, `t` and `v` parts of the offset, and
-/// `s`, `e` and `f` cosines between directions. Each is no larger than its length, and changes at most by that length or
-/// the one with which a joint turns it.
+/// Up to the sign it is the length of the upper arm times `p q s + p e t + u t f + v q f`, where `p` is the lever of
+/// the wrist about the elbow, `q` about the base axis, `u` along the axis of joint 2, `t` and `v` parts of the offset,
+/// and `s`, `e` and `f` cosines between directions. Each is no larger than its length, and changes at most by that
+/// length or the one with which a joint turns it.
 fn determinant(model: &Model) -> [f64; 6] {
     let Links { a, d, .. } = &model.links;
     let (offset, upper_arm) = (a[4].hypot(d[4]), a[2].hypot(d[2]));

@@ -80,8 +80,8 @@ const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Mo
     }
 }
 
-/// The arm whose forearm turns about itself, with an offset in its wrist. The drawing has no ranges but two turns for each
-/// joint.
+/// The arm whose forearm turns about itself, with an offset in its wrist. The drawing has no ranges but two turns for
+/// each joint.
 const A12: Model = {
     let links = Links {
         alpha: [0.0, 90.0, 0.0, 90.0, 90.0, 90.0],

@@ -7,10 +7,10 @@ use nalgebra::Matrix6;
 ///
 /// Each number is zero at a singularity and has no unit.
 ///
-/// The A12, whose wrist has an offset, has no singularities that a single joint shows: its forearm may be stretched, and
-/// its joint 5 at any position, without the loss of a direction. There `wrist` counts for the whole arm, and `shoulder`
-/// and `elbow` are 1. It is a product, and so mostly smaller than the distances of other arms: half of all joint positions
-/// are below 0.11, and one in nine below 0.01.
+/// The A12, whose wrist has an offset, has no singularities that a single joint shows: its forearm may be stretched,
+/// and its joint 5 at any position, without the loss of a direction. There `wrist` counts for the whole arm, and
+/// `shoulder` and `elbow` are 1. It is a product, and so mostly smaller than the distances of other arms: half of all
+/// joint positions are below 0.11, and one in nine below 0.01.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SingularityDistance {

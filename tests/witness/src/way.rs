@@ -226,7 +226,8 @@ impl Bounds {
             let (moved, moved_before) = (to[joint] - last[joint], last[joint] - earlier[joint]);
             excess.speed = excess.speed.max(moved.abs() / period / self.speeds[joint] - 1.0);
             let acceleration = (moved - moved_before).abs() / period / period;
-            // A joint that turns back within the period has slowed down, too, if it sets off within the other acceleration.
+            // A joint that turns back within the period has slowed down, too, if it sets off within the other
+            // acceleration.
             let back = if moved * moved_before < 0.0 { moved.abs() / period / period } else { 0.0 };
             let slows = moved.abs() < moved_before.abs() && back <= self.accelerations[joint];
             let most = if slows { self.accelerations[joint].max(STOP_ACCELERATION) } else { self.accelerations[joint] };
