@@ -130,7 +130,7 @@ fn what_the_simulated_controller_does_not_know_is_named() {
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));
     expect![[r#"
-        error: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, MiniCobo
+        error: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, A12, MiniCobo
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));
 }
 

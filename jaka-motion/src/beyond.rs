@@ -115,6 +115,8 @@ pub enum Exceeded {
         /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
         by_mm: f64,
     },
+    /// The arm's wrist reaches there, but not with this orientation.
+    Orientation,
     /// The arm would come too near to a singularity.
     Singularity {
         /// Which one.
@@ -194,6 +196,7 @@ impl From<NoSolution> for Exceeded {
         match reason {
             NoSolution::NotFinite => Self::NotFinite,
             NoSolution::OutOfReach { by_mm } => Self::OutOfReach { by_mm },
+            NoSolution::Orientation => Self::Orientation,
             NoSolution::BeyondRange { joint, position_deg, limit_deg } => {
                 Self::JointRange { joint, position_deg, limit_deg }
             }
@@ -259,6 +262,7 @@ impl fmt::Display for Beyond {
                 )?;
             }
             Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", Apart(*by_mm, 0.0))?,
+            Exceeded::Orientation => write!(f, "the orientation is out of reach{at}")?,
             Exceeded::Singularity { which, .. } => {
                 write!(f, "the {} passes the {which} singularity{on_the_way}", self.way.noun())?;
             }

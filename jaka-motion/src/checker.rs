@@ -426,7 +426,9 @@ impl Checker {
         let at_end = |exceeded| (exceeded, 1.0);
         asked.check(self.arm.reach_mm()).map_err(at_end)?;
         self.tcp_speed().check(asked.speed_mm_s).map_err(at_end)?;
-        if let Err(unreached @ Exceeded::OutOfReach { .. }) = self.arm.any_branch(&path.at(1.0), from) {
+        if let Err(unreached @ (Exceeded::OutOfReach { .. } | Exceeded::Orientation)) =
+            self.arm.any_branch(&path.at(1.0), from)
+        {
             return Err(at_end(unreached));
         }
         let tcp = |share| path.at(share).translation.vector.into();

@@ -2,7 +2,8 @@
 //!
 //! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane
 //! through the base axis that joint 1 turns: that gives two solutions for joint 1. The wrist gives two for each, and the
-//! triangle of upper arm and forearm two more: eight in all.
+//! triangle of upper arm and forearm two more: eight in all. Where the axes of the wrist do not meet and the first of
+//! them lies along the forearm, joint 6 comes first, as a root of a polynomial ([`OffsetWrist`]): sixteen in all.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -10,6 +11,8 @@ use arrayvec::ArrayVec;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::links::Links;
+use crate::newton::{ACCEPTED, Refinement, USUAL};
+use crate::offset_wrist::{OffsetWrist, Search, SixthAngles};
 
 /// Links that have a closed form: the angles between neighbouring axes are quarter turns or none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +44,22 @@ impl Precision {
         }
     }
 
+    /// The same for guesses of an offset wrist, whose angle of joint 6 is not exact yet.
+    fn rough_mm(self) -> f64 {
+        match self {
+            Self::Exact => 1.0,
+            Self::FirstGuess => 20.0,
+        }
+    }
+
+    /// How finely the angle of joint 6 is looked for on an offset wrist.
+    fn search(self) -> Search {
+        match self {
+            Self::Exact => Search { touching: 1e-6, finest: 2e-5 },
+            Self::FirstGuess => Search { touching: 1e-3, finest: 1e-3 },
+        }
+    }
+
     /// How far from a singularity, in radians, two branches are kept apart, so that steps from each lead to its own.
     fn apart(self) -> f64 {
         match self {
@@ -57,28 +76,59 @@ pub(crate) enum Wrist {
     Parallel,
     /// The three wrist axes meet in one point.
     Spherical,
+    /// The axis of joint 4 lies along the forearm, and that of joint 6 passes it at an offset.
+    Offset,
 }
 
-/// Sets of six numbers: the arms here have no more than eight branches.
-pub(crate) type UpToEight = ArrayVec<[f64; 6], 8>;
+/// Sets of six numbers: the arms here have no more than sixteen branches.
+pub(crate) type AngleSets = ArrayVec<[f64; 6], 16>;
 
 /// Solutions for a target.
 #[derive(Debug)]
 pub(crate) struct Solutions {
     /// Angles of the links in radians.
-    pub(crate) angles: UpToEight,
-    /// How far the nearest branch without angles falls short, in mm.
-    pub(crate) short_mm: f64,
+    pub(crate) angles: AngleSets,
+    /// How far the nearest branch without angles falls short, in mm; none where no branch does.
+    pub(crate) short_mm: Option<f64>,
 }
+
+/// Angles of the links of an offset wrist before their refinement.
+#[derive(Debug, Clone, Copy)]
+struct Guess {
+    /// Whether it is of a place where roots meet.
+    is_rough: bool,
+    /// The cosine between the axes of joints 4 and 5.
+    miss: f64,
+    angles: [f64; 6],
+}
+
+/// Guesses for all roots.
+type Guesses = ArrayVec<Guess, 128>;
+
+/// Room for rounding: how far a length may fall short, in mm, and how far from a singularity branches stay, in radians.
+#[derive(Debug, Clone, Copy)]
+struct Room {
+    slack_mm: f64,
+    apart: f64,
+}
+
+/// Above this cosine between the axes of joints 4 and 5, which is 0 on the arm, a guess is of another branch.
+const MOST_MISS: f64 = 0.05;
+/// Solutions that differ by less, in radians, may be one.
+const NEAR: f64 = 0.02;
+/// How many times as far off as two solutions the middle between them is, where they are not one.
+const BETWEEN: f64 = 10.0;
+/// Refinement of an offset wrist's angles, also where two solutions nearly meet.
+const REFINEMENT: Refinement = Refinement { exact: 1e-11, damping: 1e-6 };
 
 impl Solutions {
     fn add(&mut self, angles: [f64; 6]) {
-        // A ninth is dropped.
+        // A seventeenth is dropped.
         let _ = self.angles.try_push(angles);
     }
 
     fn falls_short(&mut self, by_mm: f64) {
-        self.short_mm = self.short_mm.min(by_mm);
+        self.short_mm = Some(self.short_mm.map_or(by_mm, |least| least.min(by_mm)));
     }
 }
 
@@ -86,47 +136,69 @@ impl ClosedForm {
     /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free keeps
     /// its angle from `reference`.
     pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Solutions {
-        let mut found = Solutions { angles: UpToEight::new(), short_mm: f64::INFINITY };
-        match self.base_angles(target) {
-            Ok(firsts) => {
-                for first in firsts {
-                    match self.wrist {
-                        Wrist::Parallel => self.parallel_wrist(target, first, reference, &mut found),
-                        Wrist::Spherical => self.spherical_wrist(target, first, reference, &mut found),
-                    }
-                }
+        let mut found = Solutions { angles: AngleSets::new(), short_mm: None };
+        match self.wrist {
+            Wrist::Parallel => {
+                self.in_planes(target, &mut found, |first, found| self.parallel_wrist(target, first, reference, found));
             }
-            Err(short_mm) => found.falls_short(short_mm),
+            Wrist::Spherical => {
+                self.in_planes(target, &mut found, |first, found| {
+                    self.spherical_wrist(target, first, reference, found);
+                });
+            }
+            Wrist::Offset => self.offset_wrist(target, reference, &mut found),
         }
         found
+    }
+
+    /// Solves for each angle of joint 1 that brings the arm's plane to the wrist.
+    fn in_planes(&self, target: &Isometry3<f64>, found: &mut Solutions, solve: impl Fn(f64, &mut Solutions)) {
+        match self.base_angles(self.wrist_centre(target), self.room()) {
+            Ok(firsts) => firsts.into_iter().for_each(|first| solve(first, found)),
+            Err(short_mm) => found.falls_short(short_mm),
+        }
     }
 
     /// The links nearest to others that have this closed form: their lengths where it can have any, and its twists.
     pub(crate) fn nearest_to(&self, links: &Links) -> Links {
         let (mut a, mut d) = (self.links.a, links.d);
         (a[2], a[3]) = (links.a[2], links.a[3]);
-        if self.wrist == Wrist::Spherical {
-            d[4] = self.links.d[4];
+        match self.wrist {
+            Wrist::Parallel => {}
+            Wrist::Spherical => d[4] = self.links.d[4],
+            Wrist::Offset => a[3] = self.links.a[3],
         }
         Links { alpha: self.links.alpha, a, d, joint_home_offset: links.joint_home_offset }
     }
 
-    /// Joint 1: the wrist's offset from the plane of the arm is `x sin - y cos`. An error is by how many mm the wrist is
-    /// too near to the axis.
-    fn base_angles(&self, target: &Isometry3<f64>) -> Result<[f64; 2], f64> {
+    /// Where the axis of joint 6 meets that of joint 5.
+    fn wrist_centre(&self, target: &Isometry3<f64>) -> Point3<f64> {
+        target * Point3::new(0.0, 0.0, -self.links.d[5])
+    }
+
+    fn room(&self) -> Room {
+        Room { slack_mm: self.precision.slack_mm(), apart: self.precision.apart() }
+    }
+
+    /// Distance of the wrist, or of the end of the forearm on an offset one, from the plane through the base axis.
+    fn aside(&self) -> f64 {
         let d = &self.links.d;
-        let wrist = target * Point3::new(0.0, 0.0, -d[5]);
-        let offset = match self.wrist {
+        match self.wrist {
             Wrist::Parallel => d[1] + d[2] + d[3],
-            Wrist::Spherical => d[1] + d[2],
-        };
-        let radius = wrist.x.hypot(wrist.y);
+            Wrist::Spherical | Wrist::Offset => d[1] + d[2],
+        }
+    }
+
+    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is by how many mm the
+    /// point is too near to the axis.
+    fn base_angles(&self, point: Point3<f64>, room: Room) -> Result<[f64; 2], f64> {
+        let (offset, radius) = (self.aside(), point.x.hypot(point.y));
         let short_mm = offset.abs() - radius;
-        if short_mm > self.precision.slack_mm() {
+        if short_mm > room.slack_mm {
             return Err(short_mm);
         }
-        let most = FRAC_PI_2 - self.precision.apart();
-        let (direction, aside) = (wrist.y.atan2(wrist.x), (offset / radius).clamp(-1.0, 1.0).asin().clamp(-most, most));
+        let most = FRAC_PI_2 - room.apart;
+        let (direction, aside) = (point.y.atan2(point.x), (offset / radius).clamp(-1.0, 1.0).asin().clamp(-most, most));
         Ok([direction + aside, direction + PI - aside])
     }
 
@@ -151,7 +223,7 @@ impl ClosedForm {
         let total = turn[(1, 0)].atan2(turn[(0, 0)]);
         let (bars, at) = ([self.links.a[2], self.links.a[3]], plane.translation.vector);
         let [first, .., fifth, sixth] = known;
-        match two_bars(bars, at.x, at.y, self.precision) {
+        match two_bars(bars, at.x, at.y, self.room()) {
             Ok(ways) => {
                 for (second, third) in ways {
                     found.add([first, second, third, total - second - third, fifth, sixth]);
@@ -168,7 +240,7 @@ impl ClosedForm {
         let wrist = plane * Point3::new(0.0, 0.0, -d[5]);
         // The second bar leads from joint 3 to the wrist, at a fixed angle to the forearm's x axis.
         let (length, lean) = (a[3].hypot(d[3]), d[3].atan2(a[3]));
-        match two_bars([a[2], length], wrist.x, wrist.y, self.precision) {
+        match two_bars([a[2], length], wrist.x, wrist.y, self.room()) {
             Ok(ways) => {
                 for (second, bend) in ways {
                     self.turns(target, [first, second, bend - lean], reference, found);
@@ -192,20 +264,114 @@ impl ClosedForm {
             found.add([first, second, third, fourth, fifth, last_turn(&left, fourth)]);
         }
     }
+
+    /// Joint 6 from a polynomial, the arm's plane and its two bars from where joints 4 and 5 then meet, and joints 4
+    /// and 5 from their axes.
+    fn offset_wrist(&self, target: &Isometry3<f64>, reference: &[f64; 6], found: &mut Solutions) {
+        let (a, d, length) = (&self.links.a, &self.links.d, self.links.length());
+        let wrist = self.wrist_centre(target) - Point3::new(0.0, 0.0, d[0]);
+        // Joint 4 turns the wrist about the elbow far enough that the two are the sides of a triangle.
+        let (upper_arm, forearm) = (a[2].hypot(self.aside()), d[3].hypot(d[4]));
+        let short_mm = (wrist.norm() - (upper_arm + forearm)).max((upper_arm - forearm).abs() - wrist.norm());
+        if short_mm > self.precision.slack_mm() {
+            found.falls_short(short_mm);
+            return;
+        }
+        let equation = OffsetWrist {
+            wrist: wrist / length,
+            across: [target.rotation * Vector3::x(), target.rotation * Vector3::y()],
+            bars: [a[2] / length, d[3] / length],
+            aside: self.aside() / length,
+            offset: d[4] / length,
+        };
+        let angles = equation.sixth_angles(self.precision.search()).unwrap_or_else(|| SixthAngles::one(reference[5]));
+        let mut guesses = Guesses::new();
+        angles.roots.iter().for_each(|sixth| self.guess(target, &equation, *sixth, false, &mut guesses));
+        angles.touching.iter().for_each(|sixth| self.guess(target, &equation, *sixth, true, &mut guesses));
+        guesses.sort_unstable_by(|one, other| one.is_rough.cmp(&other.is_rough).then(one.miss.total_cmp(&other.miss)));
+        for guess in &guesses {
+            self.add_guess(target, guess, found);
+        }
+    }
+
+    /// Angles of the links for one of joint 6, where they may bring the flange to `target`.
+    fn guess(&self, target: &Isometry3<f64>, equation: &OffsetWrist, sixth: f64, is_rough: bool, all: &mut Guesses) {
+        let (a, d) = (&self.links.a, &self.links.d);
+        let (sin, cos) = sixth.sin_cos();
+        let (axis, room) = (equation.fifth_axis(sin, cos), Room { slack_mm: self.precision.rough_mm(), apart: 0.0 });
+        let point = self.wrist_centre(target) - axis * d[4];
+        let Ok(firsts) = self.base_angles(point, room) else { return };
+        for first in firsts {
+            let place = flatten(&self.links.product(0..1, &[first; 6]).inverse()) * point;
+            let Ok(ways) = two_bars([a[2], d[3]], place.x, place.y, room) else { continue };
+            for (second, bend) in ways {
+                // The axis of joint 4, and with it the forearm, is a quarter turn behind the link.
+                let third = bend + FRAC_PI_2;
+                let arm = self.links.product(0..3, &[first, second, third, 0.0, 0.0, 0.0]).rotation * quarter_turn();
+                let seen = arm.inverse() * axis;
+                let fourth = seen.x.atan2(-seen.y);
+                let hand = arm * Rotation3::from_axis_angle(&Vector3::z_axis(), fourth) * quarter_turn();
+                let last = hand.inverse() * (target.rotation * Vector3::z());
+                let (fifth, miss) = (last.x.atan2(-last.y), seen.z.abs());
+                if miss < MOST_MISS {
+                    let _ =
+                        all.try_push(Guess { is_rough, miss, angles: [first, second, third, fourth, fifth, sixth] });
+                }
+            }
+        }
+    }
+
+    /// Adds the solution to which a guess leads, if there is one and it is new.
+    fn add_guess(&self, target: &Isometry3<f64>, guess: &Guess, found: &mut Solutions) {
+        let error = |angles: &[f64; 6]| self.links.error(&self.links.positions(angles), target);
+        let angles = match self.precision {
+            Precision::Exact => {
+                let joints = self.links.refined(self.links.positions(&guess.angles), target, REFINEMENT);
+                self.links.angles(&joints)
+            }
+            Precision::FirstGuess => guess.angles,
+        };
+        let off = error(&angles);
+        let is_same = |other: &[f64; 6]| {
+            let apart: [f64; 6] =
+                std::array::from_fn(|index| (other[index] - angles[index] + PI).rem_euclid(2.0 * PI) - PI);
+            let middle = std::array::from_fn(|index| angles[index] + 0.5 * apart[index]);
+            let is_near = apart.iter().all(|apart| apart.abs() < NEAR);
+            let between = || self.off_between(&middle, target) >= BETWEEN * off.max(error(other)).max(USUAL.exact);
+            is_near && !(self.is_exact() && between())
+        };
+        if (off < ACCEPTED || !self.is_exact()) && !found.angles.iter().any(is_same) {
+            found.add(angles);
+        }
+    }
+
+    /// How far off the flange is between two solutions, but for what joints take off that are not singular: more than
+    /// nothing, unless the two are one.
+    fn off_between(&self, angles: &[f64; 6], target: &Isometry3<f64>) -> f64 {
+        let mut joints = self.links.positions(angles);
+        for _ in 0..2 {
+            joints = self.links.newton(&joints, target, USUAL.damping).unwrap_or(joints);
+        }
+        self.links.error(&joints, target)
+    }
+
+    fn is_exact(&self) -> bool {
+        self.precision == Precision::Exact
+    }
 }
 
 /// Two bars in a plane, joined end to end: the angles at the first joint and between the bars that bring the end to
 /// `x, y`, two ways.
 ///
 /// An error is by how many mm the end is too far away or too near, where that is more than the slack.
-fn two_bars(bars: [f64; 2], x: f64, y: f64, precision: Precision) -> Result<[(f64, f64); 2], f64> {
+fn two_bars(bars: [f64; 2], x: f64, y: f64, room: Room) -> Result<[(f64, f64); 2], f64> {
     let ([first, second], distance) = (bars, x.hypot(y));
     let short = (distance - (first + second)).max((first - second).abs() - distance);
-    if short > precision.slack_mm() {
+    if short > room.slack_mm {
         return Err(short);
     }
     let cos = (x * x + y * y - first * first - second * second) / (2.0 * first * second);
-    let bend = cos.clamp(-1.0, 1.0).acos().clamp(precision.apart(), PI - precision.apart());
+    let bend = cos.clamp(-1.0, 1.0).acos().clamp(room.apart, PI - room.apart);
     Ok([bend, -bend].map(|bend| (y.atan2(x) - (second * bend.sin()).atan2(first + second * bend.cos()), bend)))
 }
 

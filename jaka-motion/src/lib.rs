@@ -14,6 +14,8 @@ mod generator;
 mod limits;
 mod links;
 mod model;
+mod newton;
+mod offset_wrist;
 mod piece;
 mod speed;
 #[cfg(any(feature = "toml", feature = "trajectory-files"))]

@@ -50,6 +50,13 @@ impl Links {
         self.a.iter().chain(&self.d).map(|length| length.abs()).sum()
     }
 
+    /// Bound of the Jacobian's determinant, in mm³, on an arm with an offset wrist: upper arm, forearm, and both
+    /// together.
+    pub(crate) fn largest_determinant(&self) -> f64 {
+        let (upper_arm, forearm) = (self.a[2].abs(), self.d[3].abs());
+        upper_arm * forearm * (upper_arm + forearm)
+    }
+
     /// The transform across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
     fn link(&self, index: usize, angle: f64) -> Isometry3<f64> {
         let (half_sin, half_cos) = half_turn(self.alpha[index]);

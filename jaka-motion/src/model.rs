@@ -7,13 +7,12 @@ mod singularity;
 
 pub use self::fit::{Fit, FitError, Tolerance};
 pub use self::inverse::{Branches, NoSolution};
-use self::inverse::{RADIAN, off};
 use self::published::PUBLISHED;
 use self::singularity::smallest_singular_value;
 pub use self::singularity::{Singularity, SingularityDistance};
-use crate::closed_form::{ClosedForm, Precision, UpToEight};
-use crate::damped::Damped;
+use crate::closed_form::{AngleSets, ClosedForm, Precision, Wrist};
 use crate::links::{Links, jacobian};
+use crate::newton::{ACCEPTED, USUAL};
 use crate::transform::Transform;
 use jaka_proto::messages::kinematics::GetDhParamReply;
 use jaka_proto::messages::types::{JointPosition, Pose};
@@ -79,15 +78,6 @@ pub struct DhMismatch {
 const LENGTH: f64 = 5.0;
 /// How far an angle of a controller may be from the published one, in degrees.
 const ANGLE: f64 = 1.0;
-/// How far a solution's flange may be off: mm, and radians times [`RADIAN`].
-const ACCEPTED: f64 = 1e-3;
-/// An error not worth a Newton step, in the same unit.
-const EXACT: f64 = 1e-8;
-/// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
-/// singularities.
-pub(crate) const DAMPING: f64 = 1.0;
-/// The most Newton steps. Away from singularities each squares the error.
-const STEPS: usize = 12;
 /// Further away than this, in mm, the closed form's numbers could overflow.
 const FAR: f64 = 1e9;
 /// A joint that is beyond its limit by this many degrees or less, which is rounding, is set to the limit.
@@ -219,8 +209,8 @@ impl Model {
         Ok(model)
     }
 
-    /// How far these joint positions are from the singularities of shoulder, elbow and wrist; NaN for joint positions
-    /// that are not finite.
+    /// Distances of these joint positions from the singularities of shoulder, elbow and wrist, or of the whole A12; NaN
+    /// for joint positions that are not finite.
     ///
     /// ```
     /// use jaka_motion::Model;
@@ -241,7 +231,8 @@ impl Model {
     ///
     /// Nearest is the least sum of squares over the six joints. A joint that may turn more than once takes the turn
     /// nearest to the reference. Where the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the
-    /// reference's position. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
+    /// reference's position; on the A12 joint 6 does so where it is on the axis of joint 1 and any position of it would
+    /// do. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
     /// user frame see [`Frames::flange`](crate::Frames::flange).
     pub fn inverse(
         &self,
@@ -258,6 +249,7 @@ impl Model {
     /// [`inverse`](Self::inverse) finds them, the nearest to `reference` first.
     ///
     /// Where the wrist is singular any position of one joint would do, and there is a branch for the reference's alone.
+    /// Where two branches of the A12 meet they are one, also within about a tenth of a degree of each other.
     pub fn inverse_all(
         &self,
         flange: impl Into<Transform>,
@@ -315,6 +307,19 @@ impl Model {
 
     /// The distances, with another sign on each side of a singularity.
     pub(crate) fn signed_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
+        match self.closed_form.wrist {
+            Wrist::Parallel | Wrist::Spherical => self.three_distances(frames),
+            Wrist::Offset => {
+                let determinant = jacobian(frames, &frames[5].translation.vector).determinant();
+                // NaN where the frames are not finite.
+                let far = if determinant.is_finite() { 1.0 } else { f64::NAN };
+                [far, far, determinant / self.links.largest_determinant()]
+            }
+        }
+    }
+
+    /// The determinant of the Jacobian is the product of these three and of lengths.
+    fn three_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         let at = |index: usize| frames[index].translation.vector;
         let axis = |index: usize| frames[index].rotation * Vector3::z();
         // Joint 2 turns both in one plane, to which lengths along its axis do not count.
@@ -326,15 +331,6 @@ impl Model {
             bend.norm().copysign(bend.dot(&axis(1))) / (upper_arm.norm() * forearm.norm()),
             turn.norm().copysign(turn.dot(&axis(4))),
         ]
-    }
-
-    /// One damped Newton step: damping limits a joint that hardly moves the flange.
-    pub(crate) fn newton(&self, joints: &[f64; 6], target: &Isometry3<f64>, damping: f64) -> Option<[f64; 6]> {
-        let frames = self.links.frames(joints);
-        let mut jacobian = jacobian(&frames, &frames[5].translation.vector);
-        jacobian.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
-        let step = Damped::new(&jacobian, damping)?.turns(&off(&frames[5], target));
-        Some(std::array::from_fn(|index| joints[index] + step[index].to_degrees()))
     }
 
     /// Whether the closed form is that of other links, so that its angles are improved step by step.
@@ -358,7 +354,7 @@ impl Model {
     }
 
     /// What the closed form says, in degrees and within the joints' ranges, nearest to the reference first.
-    fn candidates(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<UpToEight, NoSolution> {
+    fn candidates(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<AngleSets, NoSolution> {
         if !target.to_homogeneous().iter().chain(reference).all(|number| number.is_finite()) {
             return Err(NoSolution::NotFinite);
         }
@@ -368,18 +364,18 @@ impl Model {
         }
         let form = &self.closed_form;
         let found = form.solve(target, &form.links.angles(reference));
-        let (mut candidates, mut beyond) = (UpToEight::new(), None::<(f64, NoSolution)>);
+        let (mut candidates, mut beyond) = (AngleSets::new(), None::<(f64, NoSolution)>);
         for angles in &found.angles {
             let joints = form.links.positions(angles);
-            let joints = if self.is_calibrated() { self.refined(joints, target) } else { joints };
+            let joints = if self.is_calibrated() { self.links.refined(joints, target, USUAL) } else { joints };
             match self.nearest_turns(&joints, reference) {
                 Ok(joints) => candidates.push(joints),
                 Err(other) => beyond = Some(beyond.filter(|least| least.0 <= other.0).unwrap_or(other)),
             }
         }
         if candidates.is_empty() {
-            let out_of_reach = NoSolution::OutOfReach { by_mm: found.short_mm };
-            return Err(beyond.map_or(out_of_reach, |(_, reason)| reason));
+            let missed = found.short_mm.map_or(NoSolution::Orientation, |by_mm| NoSolution::OutOfReach { by_mm });
+            return Err(beyond.map_or(missed, |(_, reason)| reason));
         }
         let distance = |joints: &[f64; 6]| -> f64 {
             joints.iter().zip(reference).map(|(joint, reference)| (joint - reference).powi(2)).sum()
@@ -422,30 +418,9 @@ impl Model {
     /// The joint positions, after Newton steps if rounding has left an error; none if they do not
     /// bring the flange to the target.
     fn confirmed(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> Option<JointPosition> {
-        let refined = self.refined(*joints, target);
+        let refined = self.links.refined(*joints, target, USUAL);
         let joints = if self.is_within_range(refined) { refined } else { *joints };
-        (self.error(&joints, target) < ACCEPTED).then_some(JointPosition(joints))
-    }
-
-    /// The joint positions after as many Newton steps as make the error smaller.
-    fn refined(&self, joints: [f64; 6], target: &Isometry3<f64>) -> [f64; 6] {
-        let (mut best, mut error, mut damping) = (joints, self.error(&joints, target), DAMPING);
-        for _ in 0..STEPS {
-            let Some(next) = (error >= EXACT).then(|| self.newton(&best, target, damping)).flatten() else { break };
-            let next_error = self.error(&next, target);
-            if next_error < error {
-                (best, error, damping) = (next, next_error, DAMPING);
-            } else {
-                // Too far for a straight step.
-                damping *= 100.0;
-            }
-        }
-        best
-    }
-
-    /// How far the flange is off.
-    fn error(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> f64 {
-        off(&self.links.flange(joints), target).norm()
+        (self.links.error(&joints, target) < ACCEPTED).then_some(JointPosition(joints))
     }
 }
 

@@ -12,6 +12,7 @@ mod follower;
 mod generator;
 mod hostile;
 mod limits;
+mod offset_wrist;
 mod overtravel;
 mod round_trip;
 mod trajectory;

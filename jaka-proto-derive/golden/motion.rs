@@ -6,9 +6,9 @@ pub mod motion {
     //!
     //! What is advised of joint positions, speeds and accelerations is what no arm of the vendor exceeds, and can be left to the controller:
     //!
-    //! - Joints turn within 360 degrees of zero at most, so an offset is 720 at most (the joint limits in the vendor's URDF files of 20 arms).
+    //! - Joints turn within 360 degrees of zero at most, so an offset is 720 at most (the joint limits in the vendor's URDF files of 21 arms).
     //! - No joint is faster than 265 deg/s: 220 in the vendor's URDF files (Zu 3, Zu 20 and Zu 30), 265 in one client (the A5's joints 4 to 6).
-    //! - 10000 mm/s is ours. With all joints at their greatest speeds the flange of the fastest arm, the Zu 20, reaches 7900 mm/s; a tool adds
+    //! - 10000 mm/s is ours. With all joints at their greatest speeds the flange of the fastest arm, the A12, reaches 8000 mm/s; a tool adds
     //!   to it.
     //! - The document advises 720 deg/s² and 8000 mm/s² at most.
     //! - With a speed or an acceleration of 0 a motion never ends.

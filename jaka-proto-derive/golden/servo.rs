@@ -9,7 +9,7 @@ pub mod servo {
     //!
     //! What is advised of an offset is what no arm of the vendor does in one controller cycle of 8 ms: 2.12 deg of a joint (265 deg/s, the
     //! greatest speed that any source gives for a joint), and, both ours, 80 mm (10000 mm/s) and 9 deg of the tool centre point; with all
-    //! joints at their greatest speeds the flange of the fastest arms reaches 7900 mm/s (Zu 20) and 1060 deg/s (A5). How far a set-point is
+    //! joints at their greatest speeds the flange of the fastest arms reaches 8000 mm/s (A12) and 1060 deg/s (A5). How far a set-point is
     //! from the one before it is not looked at. That `step_count` is 12 at most is ours: the arm follows no set-point for 96 ms.
     /// Reads whether the robot is in servo mode.
     ///

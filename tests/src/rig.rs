@@ -76,7 +76,7 @@ impl Rig {
     /// # Panics
     /// A published arm has gone.
     pub fn new(random: &mut Random) -> Self {
-        let name = Witness::names().nth(random.below(20) as usize).expect("there are twenty");
+        let name = Witness::names().nth(random.below(21) as usize).expect("there are twenty-one");
         let model = Model::named(name).expect("published");
         let (tool, base) = (random.frame(150.0, 180.0), random.frame(500.0, 180.0));
         let mut limits =

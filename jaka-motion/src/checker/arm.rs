@@ -8,8 +8,8 @@ use super::radii::PieceEnd;
 use super::radii::Radii;
 use super::solved::Solved;
 use crate::beyond::Exceeded;
-use crate::model::inverse::off;
 use crate::model::{Model, Point};
+use crate::newton::off;
 use crate::transform::Transform;
 
 /// An arm with its tool. All places are in the arm's base.

@@ -231,13 +231,22 @@ impl<'a> Following<'a> {
 
     /// Why the joints cannot follow any further: the path leaves the arm's reach, or it leads through a singularity.
     fn lost(&self, share: f64, joints: &[f64; 6]) -> Found {
-        let short = |share: f64| match self.arm.any_branch(&self.path.at(share), joints) {
-            Err(Exceeded::OutOfReach { by_mm }) => Some((by_mm, share)),
-            _ => None,
-        };
-        let shares = (0..=REACH_STEPS).map(|step| share + (1.0 - share) * f64::from(step) / f64::from(REACH_STEPS));
-        if let Some((by_mm, share)) = shares.filter_map(short).max_by(|one, other| one.0.total_cmp(&other.0)) {
+        let (mut furthest, mut turned) = (None::<(f64, f64)>, None);
+        for step in 0..=REACH_STEPS {
+            let share = share + (1.0 - share) * f64::from(step) / f64::from(REACH_STEPS);
+            match self.arm.any_branch(&self.path.at(share), joints) {
+                Err(Exceeded::OutOfReach { by_mm }) if furthest.is_none_or(|(most_mm, _)| by_mm >= most_mm) => {
+                    furthest = Some((by_mm, share));
+                }
+                Err(Exceeded::Orientation) if turned.is_none() => turned = Some(share),
+                _ => {}
+            }
+        }
+        if let Some((by_mm, share)) = furthest {
             return (Exceeded::OutOfReach { by_mm }, share);
+        }
+        if let Some(share) = turned {
+            return (Exceeded::Orientation, share);
         }
         (self.limits.clearance().nearest(&self.arm.distances(&self.arm.frames(joints))), share)
     }

@@ -2,6 +2,8 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use crate::closed_form::Wrist;
+use crate::links::Links;
 use crate::model::{Model, Point};
 use crate::piece::{Hull, Piece};
 
@@ -10,8 +12,8 @@ use crate::piece::{Hull, Piece};
 pub(crate) struct Radii {
     /// The most that each point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
     of: [[f64; 6]; 3],
-    /// That of the model, in mm.
-    reach_mm: f64,
+    /// By how much each distance from a singularity changes at most where a joint turns by a radian.
+    distances: [[f64; 6]; 3],
 }
 
 /// Bounds of the motion of a point along a path, whose length is 1.
@@ -51,7 +53,7 @@ impl Radii {
                 bars + if joint == 5 { tool.x.hypot(tool.y) } else { tool.norm() }
             })
         });
-        Self { of, reach_mm: model.reach_mm() }
+        Self { of, distances: distances(model, &of[Point::Wrist as usize]) }
     }
 
     fn of(&self, point: Point) -> &[f64; 6] {
@@ -65,8 +67,7 @@ impl Radii {
 
     /// By how much the distances from singularities change at most where the joints turn by so many radians.
     pub(crate) fn distances_change(&self, turned: &[f64; 6]) -> [f64; 3] {
-        let wrist: f64 = (1..4).map(|index| turned[index] * self.of(Point::Wrist)[index]).sum();
-        [wrist / self.reach_mm, turned[2], turned[4]]
+        self.distances.map(|rates| rates.iter().zip(turned).map(|(rate, turned)| rate * turned).sum())
     }
 
     /// How a point goes while the joints turn by at most these radians.
@@ -122,6 +123,47 @@ impl Radii {
         }
         largest.max(before.norm()) + 0.125 * bend_mm / piece.seconds
     }
+}
+
+/// Bounds of how the distances from singularities change with the joints, for the wrist's distances from their axes.
+fn distances(model: &Model, wrist: &[f64; 6]) -> [[f64; 6]; 3] {
+    match model.closed_form.wrist {
+        Wrist::Parallel | Wrist::Spherical => {
+            let shoulder = [0.0, wrist[1], wrist[2], wrist[3], 0.0, 0.0].map(|radius| radius / model.reach_mm());
+            [shoulder, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 1.0, 0.0]]
+        }
+        Wrist::Offset => [[0.0; 6], [0.0; 6], determinant(model)],
+    }
+}
+
+/// Bounds of how the determinant of an offset wrist's Jacobian changes with the joints, as a share of its bound.
+///
+/// Up to the sign it is the length of the upper arm times `p q s + p e t + u t f + v q f`, where `p` is the lever of
+/// the wrist about the elbow, `q` about the base axis, `u` along the axis of joint 2, `t` and `v` parts of the offset,
+/// and `s`, `e` and `f` cosines between directions. Each is no larger than its length, and changes at most by that
+/// length or the one with which a joint turns it.
+fn determinant(model: &Model) -> [f64; 6] {
+    let Links { a, d, .. } = &model.links;
+    let (offset, upper_arm) = (a[4].hypot(d[4]), a[2].hypot(d[2]));
+    let forearm = a[3].hypot(d[3]).hypot(offset);
+    let (aside, radius) = (d[1].abs() + d[2].abs() + offset, upper_arm + forearm + d[1].abs());
+    let turn = |p: f64, q: f64, u: f64, [t, v]: [f64; 2], [s, e, f]: [f64; 3]| {
+        let parts = [
+            p * radius + forearm * q + forearm * radius * s,
+            p * offset + forearm * t + forearm * offset * e,
+            u * offset + aside * t + aside * offset * f,
+            v * radius + offset * q + offset * radius * f,
+        ];
+        parts.iter().sum::<f64>() * upper_arm / model.links.largest_determinant()
+    };
+    [
+        0.0,
+        turn(0.0, radius, aside, [0.0; 2], [0.0, 1.0, 0.0]),
+        turn(forearm, forearm, 0.0, [0.0, offset], [0.0, 1.0, 0.0]),
+        turn(offset, offset, offset, [offset; 2], [0.0, 1.0, 1.0]),
+        turn(0.0, 0.0, 0.0, [0.0; 2], [1.0; 3]),
+        0.0,
+    ]
 }
 
 impl PieceEnd {

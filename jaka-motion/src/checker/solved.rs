@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Point3, Vector6};
 use crate::damped::Damped;
 use crate::links::{bend, jacobian};
 use crate::model::Point;
-use crate::model::inverse::RADIAN;
+use crate::newton::RADIAN;
 use crate::piece::Sample;
 
 /// Joint positions that bring the tool to a pose, and what was computed on the way.
@@ -15,7 +15,7 @@ pub(crate) struct Solved {
     pub(crate) frames: [Isometry3<f64>; 6],
     /// In the arm's base.
     pub(crate) tool: Isometry3<f64>,
-    /// Of the tool centre point, with turns weighted as in [`off`](crate::model::inverse::off).
+    /// Of the tool centre point, with turns weighted as in [`off`](crate::newton::off).
     jacobian: Damped,
 }
 
@@ -63,7 +63,7 @@ impl Solved {
         Some(Sample { joints: self.joints.into(), velocity, acceleration })
     }
 
-    /// The joint positions after a small motion of the tool, weighted as in [`off`](crate::model::inverse::off): with
+    /// The joint positions after a small motion of the tool, weighted as in [`off`](crate::newton::off): with
     /// the bend of the way, so that what is missing goes with the third power of the motion.
     pub(super) fn stepped(&self, off: &Vector6<f64>) -> [f64; 6] {
         let turns = self.jacobian.turns(off);

@@ -5,11 +5,11 @@ use std::ops::Deref;
 
 use arrayvec::ArrayVec;
 use jaka_proto::messages::types::JointPosition;
-use nalgebra::{Isometry3, Vector3, Vector6};
 
-/// The joint positions that bring the flange to a pose, one for each branch: a slice, at most eight, nearest first.
+/// The joint positions that bring the flange to a pose, one for each branch: a slice, nearest first: at
+/// most eight, and sixteen for the A12.
 #[derive(Clone, Default)]
-pub struct Branches(ArrayVec<JointPosition, 8>);
+pub struct Branches(ArrayVec<JointPosition, 16>);
 
 jaka_proto::worded! {
     /// Why the arm cannot bring its flange to a pose.
@@ -23,6 +23,8 @@ jaka_proto::worded! {
             /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
             by_mm: f64,
         } => "out of reach by {by_mm:.1} mm",
+        /// The position is within reach, but not with this orientation.
+        Orientation => "the orientation is out of reach",
         /// The pose is within reach, but each way to it turns a joint beyond its range. This is the least of it.
         BeyondRange {
             /// The joint, 1 to 6.
@@ -38,8 +40,6 @@ jaka_proto::worded! {
     }
 }
 
-/// The weight of one radian relative to one millimetre.
-pub(crate) const RADIAN: f64 = 1e3;
 /// Two branches nearer to each other than this, in degrees, are one.
 const SAME: f64 = 1e-6;
 
@@ -47,7 +47,7 @@ impl Branches {
     /// Adds a branch that is not there yet.
     pub(crate) fn add(&mut self, joints: JointPosition) {
         if !self.iter().any(|other| other.max_distance(&joints) < SAME) {
-            // A ninth is dropped: the arms here have no more than eight.
+            // A seventeenth is dropped: the arms here have no more than sixteen.
             let _ = self.0.try_push(joints);
         }
     }
@@ -68,10 +68,3 @@ impl fmt::Debug for Branches {
 }
 
 impl std::error::Error for NoSolution {}
-
-/// The small translation and rotation that take one transform to the other.
-pub(crate) fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
-    let moved: Vector3<f64> = to.translation.vector - from.translation.vector;
-    let turned = (to.rotation * from.rotation.inverse()).scaled_axis() * RADIAN;
-    Vector6::new(moved.x, moved.y, moved.z, turned.x, turned.y, turned.z)
-}

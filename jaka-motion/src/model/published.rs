@@ -11,6 +11,7 @@
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
 //! - Zu 12 and Zu 18: the catalogue has tighter limits, followed here: 270 degrees for joints 1, 5 and 6, and on the Zu 18
 //!   -50 to 230 for joint 2 and 155 for joint 3.
+//! - A12: `jaka_a12.urdf` alone has it. Its wrist is another than those of all others.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
@@ -22,7 +23,7 @@ use super::Model;
 use crate::closed_form::{ClosedForm, Precision, Wrist};
 use crate::links::Links;
 
-pub(super) static PUBLISHED: [Model; 20] = [
+pub(super) static PUBLISHED: [Model; 21] = [
     arm("Zu 5", [120.15, 430.0, 368.5, 114.0, 113.5, 107.0], EVEN_180),
     arm("Zu 3", [150.55, 248.0, 228.0, 115.0, 117.5, 106.5], [180.0, 180.0, 180.0, 220.0, 220.0, 220.0]),
     arm("Zu 7", [120.15, 360.0, 303.5, 115.01, 113.5, 107.0], EVEN_180),
@@ -50,6 +51,7 @@ pub(super) static PUBLISHED: [Model; 20] = [
     arm("C7", [120.15, 360.0, 303.5, 115.01, 113.5, 107.0], EVEN_180),
     arm("C12", [142.65, 595.0, 571.5, 131.5, 115.0, 103.5], [120.0, 120.0, 120.0, 150.0, 150.0, 150.0]),
     arm("A5", [120.15, 430.0, 368.5, 115.0, 113.5, 107.0], [210.0; 6]),
+    A12,
     MINICOBO,
 ];
 
@@ -77,6 +79,25 @@ const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Mo
         joint_speed,
     }
 }
+
+/// The arm whose forearm turns about itself, with an offset in its wrist. The drawing has no ranges but two turns for
+/// each joint.
+const A12: Model = {
+    let links = Links {
+        alpha: [0.0, 90.0, 0.0, 90.0, 90.0, 90.0],
+        a: [0.0, 0.0, 770.0, 0.0, 0.0, 0.0],
+        d: [142.65, 0.0, 37.5, 551.5, 115.0, 103.5],
+        joint_home_offset: [0.0, 0.0, 90.0, 180.0, 90.0, 0.0],
+    };
+    Model {
+        name: "A12",
+        links,
+        closed_form: ClosedForm { links, wrist: Wrist::Offset, precision: Precision::Exact },
+        joint_min: [-360.0; 6],
+        joint_max: [360.0; 6],
+        joint_speed: [150.0, 150.0, 210.0, 210.0, 210.0, 210.0],
+    }
+};
 
 /// The small arm with a spherical wrist, which stands upright at zero.
 const MINICOBO: Model = {

@@ -6,6 +6,11 @@ use nalgebra::Matrix6;
 /// which a slow motion of the tool takes a fast one of the joints.
 ///
 /// Each number is zero at a singularity and has no unit.
+///
+/// The A12, whose wrist has an offset, has no singularities that a single joint shows: its forearm may be stretched,
+/// and its joint 5 at any position, without the loss of a direction. There `wrist` counts for the whole arm, and
+/// `shoulder` and `elbow` are 1. It is a product, and so mostly smaller than the distances of other arms: half of all
+/// joint positions are below 0.11, and one in nine below 0.01.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SingularityDistance {
@@ -16,6 +21,9 @@ pub struct SingularityDistance {
     /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
     pub elbow: f64,
     /// The sine of the angle between the axes of joints 4 and 6, zero where joint 5 puts them in line.
+    ///
+    /// On the A12 the determinant of the Jacobian for radians of the joints and mm, divided by the lengths of upper arm
+    /// and forearm and by their sum; it is never above 0.85.
     pub wrist: f64,
     /// The smallest singular value of the Jacobian at the flange, for radians of the joints, with lengths divided by
     /// [`Model::reach_mm`](super::Model::reach_mm).
@@ -30,7 +38,7 @@ jaka_proto::worded! {
         Shoulder => "shoulder",
         /// The arm is stretched.
         Elbow => "elbow",
-        /// Joint 5 puts the axes of joints 4 and 6 in line.
+        /// Joint 5 puts the axes of joints 4 and 6 in line; on the A12 any singularity.
         Wrist => "wrist",
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Matrix6;
 
 use super::{Random, from_pose};
+use crate::closed_form::Wrist;
 use crate::{Model, Transform};
 
 /// Of a joint, in degrees.
@@ -19,6 +20,11 @@ fn difference(model: &Model, joints: [f64; 6], joint: usize, tool: Transform) ->
     let moved = (after.translation.vector - before.translation.vector) / STEP;
     let turned = (after.rotation * before.rotation.inverse()).scaled_axis() / STEP;
     [moved.x, moved.y, moved.z, turned.x.to_degrees(), turned.y.to_degrees(), turned.z.to_degrees()]
+}
+
+/// Arms whose singularities are those of shoulder, elbow and wrist.
+fn with_three_distances() -> impl Iterator<Item = &'static Model> {
+    Model::published().iter().filter(|model| model.closed_form.wrist != Wrist::Offset)
 }
 
 #[test]
@@ -39,10 +45,10 @@ fn the_jacobian_is_how_the_tool_moves() {
     }
 }
 
-/// The Jacobian's determinant is the product of the three distances and of lengths.
+/// The Jacobian's determinant is the product of the three distances and of lengths. (On the A12 it is the distance.)
 #[test]
 fn the_distances_are_those_of_the_jacobian() {
-    for (seed, model) in (601..).zip(Model::published()) {
+    for (seed, model) in (601..).zip(with_three_distances()) {
         let mut random = Random::new(seed);
         let forearm = if model.name() == "MiniCobo" { model.d()[3] } else { model.a()[3] };
         for _ in 0..500 {
@@ -82,7 +88,7 @@ fn each_singularity_is_told_apart() {
 
 #[test]
 fn at_a_singularity_the_smallest_singular_value_is_zero() {
-    for (seed, model) in (701..).zip(Model::published()) {
+    for (seed, model) in (701..).zip(with_three_distances()) {
         let mut random = Random::new(seed);
         for _ in 0..100 {
             let mut joints = random.joints(model);

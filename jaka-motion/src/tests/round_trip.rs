@@ -3,7 +3,7 @@
 use super::{Random, apart, assert_close, from_pose, to_pose};
 use crate::Model;
 use crate::closed_form::Wrist;
-use crate::model::DAMPING;
+use crate::newton::USUAL;
 
 const POSES: usize = 10_000;
 /// Looser than the sum of rounding, tighter than required.
@@ -11,6 +11,9 @@ const CLOSE: (f64, f64) = (0.001, 0.0001);
 
 /// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
 fn singular(model: &Model, joints: &[f64; 6]) -> bool {
+    if model.closed_form.wrist == Wrist::Offset {
+        return model.singularity_distance(*joints).wrist < 0.05;
+    }
     let parallel = model.closed_form.wrist == Wrist::Parallel;
     let bars = if parallel { joints[2] } else { joints[2] + model.joint_home_offset()[2] + 90.0 };
     let aside = (model.d()[1] + model.d()[2] + if parallel { model.d()[3] } else { 0.0 }).abs();
@@ -175,7 +178,8 @@ fn the_inverse_returns_each_branch() {
             }
             most = most.max(branches.len());
         }
-        assert_eq!(most, 8, "{}", model.name());
+        let expected = if model.closed_form.wrist == Wrist::Offset { 12..=16 } else { 8..=8 };
+        assert!(expected.contains(&most), "{}: {most}", model.name());
     }
 }
 
@@ -184,7 +188,8 @@ fn a_step_takes_off_a_small_error() {
     for model in Model::published() {
         let joints = [10.0, 60.0, 80.0, 30.0, -90.0, 5.0];
         let target = model.forward(joints);
-        let polished = model.newton(&joints.map(|joint| joint + 1e-4), &target.0, DAMPING).expect("not singular");
+        let polished =
+            model.links.newton(&joints.map(|joint| joint + 1e-4), &target.0, USUAL.damping).expect("not singular");
         assert!(apart(&model.forward(polished), &target).0 < 1e-5, "{}", model.name());
         assert!(
             polished.iter().zip(joints).all(|(polished, joint)| (polished - joint).abs() < 1e-5),
@@ -201,7 +206,8 @@ fn a_step_does_not_run_away() {
     for model in Model::published() {
         for joints in [[0.0; 6], [0.0, 90.0, 0.0, 90.0, 0.0, 0.0], [0.0, 0.0, 90.0, 0.0, 0.0, 360.0]] {
             let off = joints.map(|joint| joint + random.between(-1e-9, 1e-9));
-            let polished = model.newton(&off, &model.forward(joints).0, DAMPING).expect("damping keeps it solvable");
+            let polished =
+                model.links.newton(&off, &model.forward(joints).0, USUAL.damping).expect("damping keeps it solvable");
             assert!(
                 polished.iter().zip(joints).all(|(polished, joint)| (polished - joint).abs() < 1e-6),
                 "{}",

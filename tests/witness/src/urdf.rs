@@ -8,7 +8,7 @@ pub(super) type Joint = [f64; 7];
 /// From `JakaCobot/jaka_ros2` `src/jaka_description/urdf/`; the Zu 12's two heights, 0.04 and 0.10265, are added up.
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, reason = "the digits as the files have them")]
-pub(super) const URDF: [(&str, [Joint; 6]); 20] = [
+pub(super) const URDF: [(&str, [Joint; 6]); 21] = [
     ("Zu 5", [
         [0.0, 0.0, 0.12015, 0.0, 0.0, 0.0, 1.0],
         [0.0, 0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 1.0],
@@ -160,6 +160,14 @@ pub(super) const URDF: [(&str, [Joint; 6]); 20] = [
         [0.3685, 0.0, -0.115, 0.0, 0.0, 0.0, 1.0],
         [0.0, -0.1135, 0.0, FRAC_PI_2, -0.00010901, 0.0, 1.0],
         [0.0, 0.107, 0.0, -FRAC_PI_2, 0.0, -0.00010901, 1.0],
+    ]),
+    ("A12", [
+        [0.000093823, 0.0, 0.14265, 0.0, 0.0, 0.0, 1.0],
+        [0.0, 0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 1.0],
+        [0.77, 0.0, 0.0375, 0.0, 0.0, FRAC_PI_2, 1.0],
+        [0.0, -0.5515, 0.0, -FRAC_PI_2, 0.0, -PI, 1.0],
+        [0.0, -0.115, 0.0, -FRAC_PI_2, -FRAC_PI_2, PI, 1.0],
+        [0.0, -0.1035, 0.0, FRAC_PI_2, 0.0, 0.0, 1.0],
     ]),
     ("MiniCobo", [
         [0.0, 0.0, 0.187, 0.0, 0.0, 0.0, 1.0],

@@ -226,7 +226,10 @@ impl Bounds {
             let (moved, moved_before) = (to[joint] - last[joint], last[joint] - earlier[joint]);
             excess.speed = excess.speed.max(moved.abs() / period / self.speeds[joint] - 1.0);
             let acceleration = (moved - moved_before).abs() / period / period;
-            let slows = moved.abs() < moved_before.abs() && moved * moved_before >= 0.0;
+            // A joint that turns back within the period has slowed down, too, if it sets off within the other
+            // acceleration.
+            let back = if moved * moved_before < 0.0 { moved.abs() / period / period } else { 0.0 };
+            let slows = moved.abs() < moved_before.abs() && back <= self.accelerations[joint];
             let most = if slows { self.accelerations[joint].max(STOP_ACCELERATION) } else { self.accelerations[joint] };
             excess.acceleration = excess.acceleration.max(acceleration / most - 1.0);
         }
@@ -265,11 +268,22 @@ impl Bounds {
         way
     }
 
-    /// The least of the distances from the singularities of shoulder, elbow and wrist.
+    /// The least of the distances from the singularities of shoulder, elbow and wrist; that of the whole arm where the
+    /// forearm turns about itself and the wrist has an offset.
     pub fn nearest_singularity(&self, joints: [f64; 6]) -> f64 {
         let frames = self.arm.frames(joints);
         let at = |index: usize| frames[index].map(|row| row[3]);
         let axis = |index: usize| frames[index].map(|row| row[2]);
+        if dot(axis(1), axis(3)).abs() < 0.5 && distance(at(3), at(4)) > 1.0 {
+            let along = dot(axis(1), minus(at(2), at(1)));
+            let (upper_arm, forearm) = (distance(at(1), at(2)), distance(at(2), at(3)));
+            let upper_arm = (upper_arm * upper_arm - along * along).sqrt();
+            let columns: [[f64; 6]; 6] = std::array::from_fn(|joint| {
+                let moved = cross(axis(joint), minus(at(5), at(joint)));
+                std::array::from_fn(|row| if row < 3 { moved[row] } else { axis(joint)[row - 3] })
+            });
+            return determinant(columns).abs() / (upper_arm * forearm * (upper_arm + forearm));
+        }
         let shoulder = dot(cross(axis(0), axis(1)), minus(at(4), at(0))).abs() / self.reach;
         let in_plane = |bar: [f64; 3]| {
             let out = dot(axis(1), bar);
@@ -308,6 +322,33 @@ impl Bounds {
         };
         self.zones.iter().map(excess).fold(f64::NEG_INFINITY, f64::max)
     }
+}
+
+/// The determinant, by elimination.
+fn determinant(mut rows: [[f64; 6]; 6]) -> f64 {
+    let mut product = 1.0;
+    for pivot in 0..6 {
+        let largest = (pivot..6).fold(
+            pivot,
+            |best, row| {
+                if rows[row][pivot].abs() > rows[best][pivot].abs() { row } else { best }
+            },
+        );
+        if largest != pivot {
+            rows.swap(pivot, largest);
+            product = -product;
+        }
+        let from = rows[pivot];
+        product *= from[pivot];
+        if from[pivot] == 0.0 {
+            return 0.0;
+        }
+        for row in &mut rows[pivot + 1..] {
+            let factor = row[pivot] / from[pivot];
+            row.iter_mut().zip(from).for_each(|(entry, from)| *entry -= factor * from);
+        }
+    }
+    product
 }
 
 impl Shape {
