@@ -35,10 +35,15 @@ fn digits_alone_are_read_both_ways() {
 
 #[test]
 fn a_drive_names_its_joint_and_chinese_is_a_language() {
-    expect![[r#"
-        error: `0x020030 --lang zh` is neither a code nor a refusal that the spec knows; a code is such as 0x0F0034, a refusal such as `call joint_move failed`
-        exit code 2
-    "#]]
+    expect![[r"
+        0x020030 (warning), event of the controller
+          含义: 该关节的速度超过其限值
+          关节: 3
+          原因: 通常是控制器下发的指令速度高于该关节的实际限速
+          措施: 检查机械臂的速度限制是否被人为调高；如被调高，联系厂商技术支持；如未改动，降低速度或加速度限制；仍出现时导出诊断信息并联系厂商技术支持
+          类别: joint
+        exit code 0
+    "]]
     .assert_eq(&text(&["0x020030", "--lang", "zh"]));
 }
 

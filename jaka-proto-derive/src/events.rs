@@ -23,14 +23,11 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
         explanations.push(quote!((::jaka_proto::Severity::#severity, #meaning, #cause, #remedy)));
     }
     quote! {
-        impl ::jaka_proto::ControllerEvent {
-            /// Ranges of codes, first and last, in their order, each with its place in `EXPLANATIONS`.
-            pub(crate) const RANGES: &'static [(u32, u32, usize)] = &[#(#ranges,)*];
+        /// Ranges of codes of events, first and last, in their order, each with its place in `EVENT_EXPLANATIONS`.
+        pub(crate) static EVENT_RANGES: &[(u32, u32, usize)] = &[#(#ranges,)*];
 
-            /// Severity, meaning, cause and remedy.
-            pub(crate) const EXPLANATIONS: &'static [::jaka_proto::controller_event::Explanation] =
-                &[#(#explanations,)*];
-        }
+        /// Severity, meaning, cause and remedy.
+        pub(crate) static EVENT_EXPLANATIONS: &[::jaka_proto::controller_event::Explanation] = &[#(#explanations,)*];
     }
 }
 

@@ -5,6 +5,7 @@ use std::num::NonZeroU32;
 
 use crate::messages::power::GetRobotStateReply;
 use crate::messages::status::RobotStatus;
+use crate::messages::{EVENT_EXPLANATIONS, EVENT_RANGES};
 use crate::wire::{Decode as _, Reader, Value};
 
 /// An event of the controller, identified by its code in `errcode`: an error, a warning or information.
@@ -130,9 +131,9 @@ impl ControllerEvent {
     /// The table's entry for the range that has the code.
     fn explanation(self) -> Option<&'static Explanation> {
         let code = self.code();
-        let at = Self::RANGES.partition_point(|(_, last, _)| *last < code);
-        let (first, _, found) = Self::RANGES.get(at)?;
-        Self::EXPLANATIONS.get(*found).filter(|_| *first <= code)
+        let at = EVENT_RANGES.partition_point(|(_, last, _)| *last < code);
+        let (first, _, found) = EVENT_RANGES.get(at)?;
+        EVENT_EXPLANATIONS.get(*found).filter(|_| *first <= code)
     }
 }
 

@@ -28,11 +28,13 @@ pub enum Mark {
     Clients,
     /// One program.
     Client,
+    /// Collected evidence without a record of its source.
+    Notes,
 }
 
 toml_words! {
     Mark {
-        Document: "document", Page: "page", Bytes: "bytes", Capture: "capture", Clients: "clients", Client: "client",
+        Document: "document", Page: "page", Bytes: "bytes", Capture: "capture", Clients: "clients", Client: "client", Notes: "notes",
     }
 }
 
@@ -46,6 +48,7 @@ impl Mark {
             Self::Capture => "a capture of a controller",
             Self::Clients => "several independent clients",
             Self::Client => "one client",
+            Self::Notes => "notes without a record of their source",
         }
     }
 }

@@ -95,7 +95,7 @@ pub fn type_form(form: &TypeForm) -> String {
 /// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an
 /// assumption.
 pub fn known_to(command: &Command) -> Option<String> {
-    let known = if !command.evidence.is_empty() { "Taken to be known" } else { "Known" };
+    let known = if command.evidence.is_empty() { "Known" } else { "Taken to be known" };
     versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
 }
 

@@ -23,7 +23,7 @@ use crate::terminal::output;
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
     /// Code, message or reply
-    #[arg(required = true, num_args = 1.., value_name = "CODE", allow_hyphen_values = true)]
+    #[arg(required = true, num_args = 1.., value_name = "CODE", allow_negative_numbers = true)]
     text: Vec<String>,
     /// Language of events
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]

@@ -38,11 +38,11 @@ fn fields_have_names_and_units() {
     );
     simulated(
         "get_robot_state",
-        &expect![[r#"
+        &expect![[r"
             enabled     false
             powered_on  false
             exit code 0
-        "#]],
+        "]],
     );
     simulated(
         "get_program_state",

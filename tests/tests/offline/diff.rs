@@ -123,7 +123,7 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
             major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
@@ -149,8 +149,8 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `movc`: name changed from `move_arc` to `move_c`
             minor: command `clear_error`: effect changed from `setting` to `power`
             minor: command `end_move`: deadline added: `60000 ms`
@@ -176,7 +176,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
+        "]],
     );
 }
 
@@ -209,7 +209,7 @@ fn fields_of_requests() {
             ("io/set_tio_vout_param/tio_vout_ena", "2.0.4 alone", "2.0.4"),
             ("collision/clear_error", "[[command.example]]", &with_extra),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `end_move`, request field `cartPosition`: added
             major: command `end_move`, request field `endPosition`: removed
             major: command `joint_move`, request field `accel`: name changed from `acceleration` to `joint_acceleration`
@@ -231,8 +231,8 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: `since` added: `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit added: `share`
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `clear_error`, request field `blend`: removed
             major: command `end_move`, request field `accel`: advised range added: `-720 to 720, not 0`
             major: command `end_move`, request field `cartPosition`: removed
@@ -254,7 +254,7 @@ fn fields_of_requests() {
             patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
             patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
             patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
-        "#]],
+        "]],
     );
 }
 
@@ -515,7 +515,7 @@ fn events_of_the_controller() {
             ("events", "warning\"\ncodes = [\"0x303184\"]", "error\"\ncodes = [\"0x303184\"]"),
             ("events", "a safety signal prevents powering on", "no power"),
         ],
-        &expect![[r#"
+        &expect![[r"
             minor: event `0x0F0034`: severity changed from `error` to `warning`
             minor: event `0x0F2030-0x0F2031`: removed
             minor: event `0x10F0057-0x10F0058`: removed
@@ -525,8 +525,8 @@ fn events_of_the_controller() {
             patch: event `0x0F0034`: Chinese texts changed
             patch: event `0x10F0005`: meaning changed
             patch: event `0x303184`: meaning changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             minor: event `0x0F0034`: severity changed from `warning` to `error`
             minor: event `0x0F2030-0x0F2031`: added
             minor: event `0x10F0057-0x10F0058`: added
@@ -536,7 +536,7 @@ fn events_of_the_controller() {
             patch: event `0x0F0034`: Chinese texts changed
             patch: event `0x10F0005`: meaning changed
             patch: event `0x303184`: meaning changed
-        "#]],
+        "]],
     );
 }
 

@@ -161,14 +161,14 @@ mod tests {
         status.error_code = Some("0x0".to_owned());
         tell(&status);
         let texts: Vec<_> = alarms.entries().map(|alarm| format!("{:?} {}\n", alarm.tone, alarm.text)).collect();
-        expect![[r#"
+        expect![[r"
             Good error cleared
             Plain disabled
             Good protective stop cleared
             Bad error 0x0f0034 collision
             Plain   remedy: look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model are recognised correctly; check the settings of payload and mounting angle
             Bad protective stop
-        "#]]
+        "]]
         .assert_eq(&texts.concat());
     }
 
@@ -195,7 +195,7 @@ mod tests {
     #[test]
     fn warnings_are_marked_and_what_is_unknown_is_an_alarm() {
         let codes = [("0x10f0020", ""), ("0x0f9999", "new"), ("fine", "what"), ("0x0f0030", ""), ("0x0f0034", "")];
-        expect![[r#"
+        expect![[r"
             Bad error 0x0f0034 a collision was detected
             Plain   remedy: look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model are recognised correctly; check the settings of payload and mounting angle
             Bad error 0x0f0030 the joint speed limit is set to 0
@@ -203,7 +203,7 @@ mod tests {
             Bad event of unknown severity fine what
             Bad event of unknown severity 0x0f9999 new
             Warning warning 0x10f0020 reduced mode is on
-        "#]]
+        "]]
         .assert_eq(&alarms_of(&codes));
     }
 
@@ -211,19 +211,19 @@ mod tests {
     #[test]
     fn an_error_is_not_cleared_by_information() {
         let codes = [("0x0f0034", ""), ("0x10f000b", ""), ("0x10f0020", ""), ("0x0", ""), ("0x0", "")];
-        expect![[r#"
+        expect![[r"
             Good error cleared
             Warning warning 0x10f0020 reduced mode is on
             Bad error 0x0f0034 a collision was detected
             Plain   remedy: look for obstacles around the arm and for signs of a collision; check whether the robot's serial number and model are recognised correctly; check the settings of payload and mounting angle
-        "#]]
+        "]]
         .assert_eq(&alarms_of(&codes));
         let codes = [("0x10f0020", ""), ("0x10f0021", ""), ("0x10f000b", ""), ("0x0", "")];
-        expect![[r#"
+        expect![[r"
             Good warning cleared
             Warning warning 0x10f0021 reduced mode is off
             Warning warning 0x10f0020 reduced mode is on
-        "#]]
+        "]]
         .assert_eq(&alarms_of(&codes));
     }
 
