@@ -1,4 +1,5 @@
-//! One command and its reply, again and again, on one core: this crate's client compared with a bare write and read of the same bytes.
+//! One command and its reply, again and again, on one core: this crate's client compared with a bare write and read of
+//! the same bytes.
 
 use std::error::Error;
 use std::io::{Read, Write};
@@ -16,7 +17,8 @@ use serde_json::{Value, json};
 const ROUNDS: usize = 100;
 const CALLS: usize = 1000;
 
-/// Calls at the beginning of each round that do not count: the contender before has left its own code and data in the caches.
+/// Calls at the beginning of each round that do not count: the contender before has left its own code and data in the
+/// caches.
 const WARM_UP: usize = 10;
 
 /// As a client with a deadline must have it.

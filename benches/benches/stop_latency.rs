@@ -1,5 +1,5 @@
-//! How long a stop takes to the wire while a program sends as much as it can. The witness is a plain socket, which knows nothing of
-//! this SDK: it says when the bytes of `stop_program` have come.
+//! How long a stop takes to the wire while a program sends as much as it can. The witness is a plain socket, which
+//! knows nothing of this SDK: it says when the bytes of `stop_program` have come.
 //!
 //! Option: `--stops N`, 2000 by default.
 
@@ -51,7 +51,8 @@ const OBSERVERS: [(&str, Duration); 2] =
 const PACKET: &[u8] =
     br#"{"len": 120, "emergency_stop": 0, "protective_stop": 0, "powered_on": 1, "enabled": true, "inpos": false}"#;
 
-/// What the peer says in place of the fields of a version: half a surrogate pair, no number, and bytes that are no UTF-8.
+/// What the peer says in place of the fields of a version: half a surrogate pair, no number, and bytes that are no
+/// UTF-8.
 const ODD: [&[u8]; 3] = [
     br#"{"errorCode":"2","errorMsg":"call \ud83d failed","cmdName":"get_version"}"#,
     br#"{"errorCode":"0","errorMsg":"","version":NaN,"cmdName":"get_version"}"#,

@@ -68,7 +68,8 @@ pub fn checker() -> Checker {
     Checker::new(limits.with_region(table).and_then(|limits| limits.with_region(cell)).expect("names"), Frames::new())
 }
 
-/// To and fro with all joints, each 20 s, a way-point each 50 ms; with speeds from the first order on, and accelerations from the second.
+/// To and fro with all joints, each 20 s, a way-point each 50 ms; with speeds from the first order on, and
+/// accelerations from the second.
 fn timed(count: u32, order: u32) -> Vec<TimedPoint> {
     let turn = 0.1 * PI;
     let at = |number: u32| {

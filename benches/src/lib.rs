@@ -19,7 +19,8 @@ pub mod system;
 /// A status packet of 3.5 KB with the keys of the document's sample, in its order, and its lengths of arrays.
 pub const PACKET_OF_DOCUMENT: &str = include_str!("../data/status-document.json");
 
-/// A status packet of 9 KB with all keys of the spec and the style of firmware 1.5.14, a blank after each comma and colon.
+/// A status packet of 9 KB with all keys of the spec and the style of firmware 1.5.14, a blank after each comma and
+/// colon.
 pub const PACKET_OF_NEWER: &str = include_str!("../data/status-newer.json");
 
 /// All works.

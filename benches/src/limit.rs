@@ -1,4 +1,5 @@
-//! The best hand-written code for each single job: no table, no generic step, no leniency, but every check that the job needs.
+//! The best hand-written code for each single job: no table, no generic step, no leniency, but every check that the job
+//! needs.
 
 pub mod encode;
 pub mod forward;

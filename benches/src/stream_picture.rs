@@ -1,4 +1,5 @@
-//! The picture of `docs/streams.md`: position, speed and acceleration of set-points as [`Generator`](jaka_motion::Generator) makes them.
+//! The picture of `docs/streams.md`: position, speed and acceleration of set-points as
+//! [`Generator`](jaka_motion::Generator) makes them.
 
 mod script;
 

@@ -1,5 +1,5 @@
-//! What the benchmarks of the system share: a server that answers printed messages, figures of interleaved rounds, and what
-//! the system reports about a process.
+//! What the benchmarks of the system share: a server that answers printed messages, figures of interleaved rounds, and
+//! what the system reports about a process.
 
 pub mod canned;
 pub mod child;

@@ -1,5 +1,5 @@
-//! System calls that the client makes, counted by strace: a program that does a thing N times and one that does it 2 N times differ
-//! by what N times take.
+//! System calls that the client makes, counted by strace: a program that does a thing N times and one that does it 2 N
+//! times differ by what N times take.
 
 #[path = "../../tests/src/skipped.rs"]
 #[allow(unreachable_pub, reason = "it is public where it lives")]
@@ -71,8 +71,8 @@ fn problem_of_set_points(counts: &Counts, set_points: i64) -> Option<&'static st
     if of("sendto") != set_points {
         return Some("a set-point is not one write");
     }
-    // Fewer are well: two answers may come in one read. At the end the last answers are asked for until they have come, and the
-    // monitor looks up about each second.
+    // Fewer are well: two answers may come in one read. At the end the last answers are asked for until they have come,
+    // and the monitor looks up about each second.
     if of("recvfrom") > set_points + set_points / 2 {
         return Some("a set-point is more than one read");
     }
@@ -114,7 +114,8 @@ fn answers_that_come_in_one_read_are_no_problem() {
     }
 }
 
-/// Runs a test of this file where there is no strace: what it writes to standard error past the harness, and whether it passes.
+/// Runs a test of this file where there is no strace: what it writes to standard error past the harness, and whether it
+/// passes.
 fn without_strace(ci: Option<&str>) -> (String, bool) {
     let this = std::env::current_exe().expect("the test has a file");
     let mut command = Command::new(this);

@@ -1,10 +1,9 @@
 //! The commands, one file each.
 //!
 //! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, and a row
-//! of the table of commands. One that talks to a robot has a field
-//! `#[command(flatten)] robot: RobotArgs`, the last so that its options have a heading of their own, and begins with
-//! `self.robot.target(&packs)?`, with the packs of a `SpecArgs` or with none. It asks for the one seat of the command port
-//! as `target/seat.rs` says.
+//! of the table of commands. One that talks to a robot has a field `#[command(flatten)] robot: RobotArgs`, the last so
+//! that its options have a heading of their own, and begins with `self.robot.target(&packs)?`, with the packs of a
+//! `SpecArgs` or with none. It asks for the one seat of the command port as `target/seat.rs` says.
 
 pub(crate) mod call;
 mod check;

@@ -1,4 +1,5 @@
-//! `docs/any-language.md`: clients in another language, which know nothing of this code, talk to `jaka sim` on both ports.
+//! `docs/any-language.md`: clients in another language, which know nothing of this code, talk to `jaka sim` on both
+//! ports.
 
 use std::path::Path;
 use std::process::Command;

@@ -16,7 +16,8 @@ const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"
 
 const CONFIG: &str = "[robots.cell1]\naddress = '10.5.5.100'\n[robots.'cell 2']\naddress = 'arm.example'\n";
 
-/// What bash does with the words of a line, of which the last is the one at the cursor: a line for each word that it can become.
+/// What bash does with the words of a line, of which the last is the one at the cursor: a line for each word that it
+/// can become.
 const ASK: &str = r#"
 source "$1"; shift
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
@@ -44,7 +45,8 @@ fn folder_of_files() -> std::path::PathBuf {
     folder
 }
 
-/// What zsh's completion is told of the words of a line. The functions of its completion system print what they are given.
+/// What zsh's completion is told of the words of a line. The functions of its completion system print what they are
+/// given.
 const ASK_ZSH: &str = r#"
 compdef() { :; }
 compset() { print -r -- "before: ${PREFIX%%=*}="; }

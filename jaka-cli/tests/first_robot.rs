@@ -1,4 +1,5 @@
-//! `docs/first-robot.md` against a controller that something is wrong with: the first command of the page that meets it names it.
+//! `docs/first-robot.md` against a controller that something is wrong with: the first command of the page that meets it
+//! names it.
 
 use std::io::{BufReader, Write};
 use std::net::TcpStream;

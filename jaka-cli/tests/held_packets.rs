@@ -1,4 +1,5 @@
-//! A link that loses packets themselves, which no fault inside the simulator can show: the systems at both ends send them again.
+//! A link that loses packets themselves, which no fault inside the simulator can show: the systems at both ends send
+//! them again.
 //!
 //! It is not part of the usual run: `cargo test -p jaka-cli --test suite held_packets -- --ignored`.
 

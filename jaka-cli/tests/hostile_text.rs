@@ -225,7 +225,8 @@ fn neither_a_recording_nor_its_replay_passes_on_what_a_terminal_obeys() {
     assert_run("report of no recording", &jaka(["report", file]));
 }
 
-/// Starts a program that prints its ports, sends these bytes to the first of them, and gives what it prints, with these bytes' text.
+/// Starts a program that prints its ports, sends these bytes to the first of them, and gives what it prints, with these
+/// bytes' text.
 fn printed_after(arguments: &[&str], bytes: &[u8]) -> String {
     let (mut child, mut out, line) = started(&mut command(arguments));
     let mut ports = line.split([':', ',', '\n']).filter_map(|word| word.parse::<u16>().ok());

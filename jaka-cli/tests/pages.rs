@@ -1,8 +1,8 @@
 //! The commands that pages show: each line of `jaka` runs as it stands, and each line of cargo names what there is.
 //!
-//! Robots of the pages are names in a config file that leads to a simulated controller. A person answers yes where a command asks; here `--yes` does.
-//! What listens at the ports of a real controller listens at free ones, `jaka jitter` takes a moment in place of minutes, and `jaka monitor` gets a terminal of its
-//! own, on which `q` is typed.
+//! Robots of the pages are names in a config file that leads to a simulated controller. A person answers yes where a
+//! command asks; here `--yes` does. What listens at the ports of a real controller listens at free ones, `jaka jitter`
+//! takes a moment in place of minutes, and `jaka monitor` gets a terminal of its own, on which `q` is typed.
 
 #![cfg(unix)]
 

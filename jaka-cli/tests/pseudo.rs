@@ -10,7 +10,8 @@ use crate::common::{ended, leave_the_user};
 /// The program.
 pub(crate) const JAKA: &str = env!("CARGO_BIN_EXE_jaka");
 
-/// A script of a shell on a terminal, which is its standard input, output and error. What it shows comes out of the command, and what comes in is typed.
+/// A script of a shell on a terminal, which is its standard input, output and error. What it shows comes out of the
+/// command, and what comes in is typed.
 pub(crate) fn terminal(script: &str) -> Command {
     let line = format!("stty rows 40 cols 120; {script}");
     let mut command = Command::new("script");

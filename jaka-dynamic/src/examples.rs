@@ -34,8 +34,9 @@ impl fmt::Display for Misfit {
 
 /// Everything in the examples of a command that does not fit its fields, in their order.
 ///
-/// A request must be one that the client would send, except for ranges that newer firmware has widened. A reply must have no key that the
-/// spec does not know; where it departs from the spec in another way and can still be read, the misfit is lenient.
+/// A request must be one that the client would send, except for ranges that newer firmware has widened. A reply must
+/// have no key that the spec does not know; where it departs from the spec in another way and can still be read, the
+/// misfit is lenient.
 pub fn misfits(spec: &Spec, command: &Command) -> Vec<Misfit> {
     command.examples.iter().flat_map(|example| of_example(spec, command, example)).collect()
 }

@@ -51,8 +51,8 @@ pub enum StopBound {
     /// The stop acceleration of the tool centre point
     /// ([`Limits::stop_tcp_acceleration`](crate::Limits::stop_tcp_acceleration)).
     Tool,
-    /// The acceleration of motions ([`Limits::joint_accelerations`](crate::Limits::joint_accelerations)): a stop is never
-    /// gentler, so that the tool may be braked harder than its own bound says.
+    /// The acceleration of motions ([`Limits::joint_accelerations`](crate::Limits::joint_accelerations)): a stop is
+    /// never gentler, so that the tool may be braked harder than its own bound says.
     Motion,
 }
 
@@ -239,7 +239,8 @@ impl Stop {
 }
 
 impl StraightStop {
-    /// Shorter one of a stop at these rates and one that slows down evenly by a share a second, from the first period on.
+    /// Shorter one of a stop at these rates and one that slows down evenly by a share a second, from the first period
+    /// on.
     pub(crate) fn new(smooth: StopRates, even_share: f64, period_s: f64) -> Self {
         let (stop, count) = (smooth.stop(), (1.0 / (even_share * period_s) - PERIODS_ROUNDING).ceil().max(1.0));
         if 0.5 * (count - 1.0) * period_s <= stop.end() {

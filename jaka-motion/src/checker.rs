@@ -55,11 +55,13 @@ use crate::transform::Transform;
 /// a line or an arc is refused that starts nearer to the border of a region than its tolerance.
 ///
 /// # What is assumed of the controller
-/// - `joint_move` and `end_move` are straight in joint space. The joint with the longest way has the speed and the acceleration that are
-///   requested, the others less in proportion.
-/// - On a line or an arc the tool centre point has the speed that is requested, in mm/s along its way, and the tool turns evenly.
+/// - `joint_move` and `end_move` are straight in joint space. The joint with the longest way has the speed and the
+///   acceleration that are requested, the others less in proportion.
+/// - On a line or an arc the tool centre point has the speed that is requested, in mm/s along its way, and the tool
+///   turns evenly.
 /// - Joint positions change continuously on a line or an arc, from those at its start.
-/// - The model, the tool, the user frame and the mounting are those that the controller has; [`Model::fit`](crate::Model::fit) compares them.
+/// - The model, the tool, the user frame and the mounting are those that the controller has;
+///   [`Model::fit`](crate::Model::fit) compares them.
 ///
 /// No source shows that each controller does so. Accelerations along lines and arcs are not compared with those of the
 /// joints.
@@ -187,8 +189,8 @@ impl Checker {
     ///
     /// A joint that slows down may do so with the acceleration of stops ([`Limits::stop_accelerations`]).
     ///
-    /// And there must be room to stop: straight on in joint space by [`straight_stop`](Self::straight_stop). Joint ranges
-    /// and regions hold on that way too. For example, 175 deg/s at 570 deg/s² take 36 degrees.
+    /// And there must be room to stop: straight on in joint space by [`straight_stop`](Self::straight_stop). Joint
+    /// ranges and regions hold on that way too. For example, 175 deg/s at 570 deg/s² take 36 degrees.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],
@@ -199,9 +201,9 @@ impl Checker {
         self.checked(Way::SetPoint, &[before[0], before[1], target], &[], check)
     }
 
-    /// Stop straight on in joint space after two set-points, all joints in proportion: by steps that become smaller within
-    /// the accelerations and jerks of stops ([`Limits::stop_accelerations`]), or evenly within the accelerations of
-    /// motions where that is shorter.
+    /// Stop straight on in joint space after two set-points, all joints in proportion: by steps that become smaller
+    /// within the accelerations and jerks of stops ([`Limits::stop_accelerations`]), or evenly within the accelerations
+    /// of motions where that is shorter.
     pub fn straight_stop(&self, before: [JointPosition; 2], period_s: f64) -> StraightStop {
         let velocity = std::array::from_fn(|index| (before[1].0[index] - before[0].0[index]) / period_s);
         let smooth = self.stop_rates(&before[1].0, &velocity, self.limits.stop_jerks());
@@ -364,8 +366,8 @@ impl Checker {
         self.arm.signed_distances(joints)
     }
 
-    /// Checks that a way of the tool comes no nearer to a singularity than the least distance, or than where it started,
-    /// and passes none since the place before, by signed distances.
+    /// Checks that a way of the tool comes no nearer to a singularity than the least distance, or than where it
+    /// started, and passes none since the place before, by signed distances.
     pub(crate) fn check_apart(&self, start: &[f64; 3], before: &[f64; 3], here: &[f64; 3]) -> Result<(), Exceeded> {
         let clearance = self.limits.clearance();
         clearance.check(&start.map(f64::abs), &here.map(f64::abs))?;

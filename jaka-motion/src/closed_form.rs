@@ -1,9 +1,9 @@
 //! All joint angles that reach a pose, in closed form.
 //!
 //! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane
-//! through the base axis that joint 1 turns: that gives two solutions for joint 1. The wrist gives two for each, and the
-//! triangle of upper arm and forearm two more: eight in all. Where the axes of the wrist do not meet and the first of
-//! them lies along the forearm, joint 6 comes first, as a root of a polynomial ([`OffsetWrist`]): sixteen in all.
+//! through the base axis that joint 1 turns: that gives two solutions for joint 1. The wrist gives two for each, and
+//! the triangle of upper arm and forearm two more: eight in all. Where the axes of the wrist do not meet and the first
+//! of them lies along the forearm, joint 6 comes first, as a root of a polynomial ([`OffsetWrist`]): sixteen in all.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -133,8 +133,8 @@ impl Solutions {
 }
 
 impl ClosedForm {
-    /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free keeps
-    /// its angle from `reference`.
+    /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free
+    /// keeps its angle from `reference`.
     pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Solutions {
         let mut found = Solutions { angles: AngleSets::new(), short_mm: None };
         match self.wrist {

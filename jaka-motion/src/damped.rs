@@ -6,7 +6,8 @@ use nalgebra::{Matrix6, Vector6};
 #[derive(Debug, Clone)]
 pub(crate) struct Damped {
     jacobian: Matrix6<f64>,
-    /// Of the Jacobian times its transpose and the damping: the lower triangle by Cholesky, with the inverse of each diagonal entry.
+    /// Of the Jacobian times its transpose and the damping: the lower triangle by Cholesky, with the inverse of each
+    /// diagonal entry.
     lower: [[f64; 6]; 6],
 }
 

@@ -28,8 +28,8 @@ use crate::trajectory::{RateChange, Trajectory};
 /// - By [`brake`](Self::brake) a joint that slows down may have the acceleration of stops
 ///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
 ///
-/// But for a brake, where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve leaves room:
-/// [`periods_to_rest`](Self::periods_to_rest) says how long a stop takes.
+/// But for a brake, where a trajectory uses all of a joint's acceleration, the rate stays as it is until the curve
+/// leaves room: [`periods_to_rest`](Self::periods_to_rest) says how long a stop takes.
 ///
 /// Nothing is allocated but in `new`. It shares the trajectory's pieces with it, and holds some hundred bytes in
 /// addition.
@@ -119,8 +119,8 @@ impl Follower {
 
     /// Asks for a standstill by a stop, until another scale is asked for.
     ///
-    /// The arm is braked along the trajectory within the accelerations and jerks of stops, and at once by as much as the
-    /// trajectory leaves of the accelerations of motions.
+    /// The arm is braked along the trajectory within the accelerations and jerks of stops, and at once by as much as
+    /// the trajectory leaves of the accelerations of motions.
     pub fn brake(&mut self) {
         self.set_scale(0.0);
         self.limits = ChangeLimits::Stop;

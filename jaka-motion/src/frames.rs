@@ -45,7 +45,8 @@ impl Frames {
 
     /// With the arm's base here, for example upside down on a ceiling, in a frame of the room.
     ///
-    /// No known query says how a controller takes its mounting into account; [`Model::fit`](crate::Model::fit) finds it.
+    /// No known query says how a controller takes its mounting into account; [`Model::fit`](crate::Model::fit) finds
+    /// it.
     #[must_use]
     pub fn with_mounting(self, mounting: impl Into<Transform>) -> Self {
         Self { mounting: mounting.into(), ..self }

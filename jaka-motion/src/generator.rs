@@ -57,10 +57,10 @@ use crate::speed::TcpVelocity;
 /// limits and integrated here, from the state of the last set-point; the new state is taken only if speeds and
 /// accelerations have stayed within their limits, and if the way to rest from there stays within all limits. Where the
 /// tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried
-/// in the same way; elsewhere, slowing down within the accelerations of the [`Dynamics`]. Otherwise the set-point is the
-/// next one on the way to rest that was compared with the limits when the last state was taken. The arm starts at rest,
-/// within the limits. So each state has a way to rest. Once a joint brakes by more than the dynamics allow to take back
-/// before it would turn round, the arm goes on to rest.
+/// in the same way; elsewhere, slowing down within the accelerations of the [`Dynamics`]. Otherwise the set-point is
+/// the next one on the way to rest that was compared with the limits when the last state was taken. The arm starts at
+/// rest, within the limits. So each state has a way to rest. Once a joint brakes by more than the dynamics allow to
+/// take back before it would turn round, the arm goes on to rest.
 ///
 /// # What remains
 /// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front

@@ -137,8 +137,8 @@ jaka_proto::worded! {
     }
 }
 
-/// In how many seconds a joint reaches its acceleration by default, in a motion and in a stop. Ours: no source has jerks of
-/// these arms.
+/// In how many seconds a joint reaches its acceleration by default, in a motion and in a stop. Ours: no source has
+/// jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
 /// Acceleration of a stop by default, in deg/s². Ours: no source has any. It is below the 720 deg/s² that the document
 /// advises for motions of joints (4.7).
@@ -162,9 +162,9 @@ impl Limits {
     /// - Joint ranges and speeds are the published ones.
     /// - Joint accelerations are **not published** for these arms. The default is ours: [`Preset::Gentle`], for example
     ///   72 deg/s² where the speed is 180 deg/s.
-    /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its way. The first
-    ///   is ours, the second is what the document advises at most for lines (4.9). No source shows an arm that follows
-    ///   set-points that brake so hard.
+    /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its way. The
+    ///   first is ours, the second is what the document advises at most for lines (4.9). No source shows an arm that
+    ///   follows set-points that brake so hard.
     /// - The least distance from a singularity, 0.01, is ours too.
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
@@ -298,8 +298,8 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³. Trajectories and streams are planned by them unless they are
-    /// given others, and [`Trajectory::timed`](crate::Trajectory::timed) is compared with them; nothing else is.
+    /// With these highest jerks of joints 1 to 6, in deg/s³. Trajectories and streams are planned by them unless they
+    /// are given others, and [`Trajectory::timed`](crate::Trajectory::timed) is compared with them; nothing else is.
     ///
     /// # Errors
     /// One is not above 0.
@@ -367,8 +367,8 @@ impl Limits {
 
     /// With this acceleration of the tool centre point along its way in a stop, in mm/s².
     ///
-    /// It is that which braking adds: what the tool loses of its speed on a curve of joints that do not slow down is not
-    /// counted. The [`joint_accelerations`](Self::joint_accelerations) of motions win over it.
+    /// It is that which braking adds: what the tool loses of its speed on a curve of joints that do not slow down is
+    /// not counted. The [`joint_accelerations`](Self::joint_accelerations) of motions win over it.
     ///
     /// # Errors
     /// It is not above 0.

@@ -87,7 +87,8 @@ pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Ma
     }))
 }
 
-/// How the velocity of a point on the last link changes where the joints turn on at these rates, in radians a second: mm/s², and below it rad/s².
+/// How the velocity of a point on the last link changes where the joints turn on at these rates, in radians a second:
+/// mm/s², and below it rad/s².
 pub(crate) fn bend(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>, rates: &[f64; 6]) -> Vector6<f64> {
     let axes = frames.map(|frame| frame.rotation * Vector3::z());
     let origins = frames.map(|frame| frame.translation.vector);

@@ -6,8 +6,8 @@
 //! upper arm and forearm reach P two ways. At a solution the forearm is at a right angle to `z`.
 //!
 //! The product of this condition over both elbows is `k² (1 - (n·z)²) = (n·m)²`, where `k` is how far P is from the
-//! shoulder along the forearm, which follows from the lengths, and `m` the moment of `z` about the shoulder. The product
-//! over both normals is
+//! shoulder along the forearm, which follows from the lengths, and `m` the moment of `z` about the shoulder. The
+//! product over both normals is
 //!
 //! `(k² (ρ² - ν²) - μ² - c² (k² (2 - h²) - g²))² + 4 c² (ρ² - c²) k² z_z² (k² - m²) = 0`
 //!

@@ -55,10 +55,9 @@ use crate::piece::{Piece, Sample};
 ///
 /// # What it takes
 /// All is made and checked beforehand. With optimisation, 10,000 points with times take some 5 ms. A plan without times
-/// takes in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve near 10,000 points that
-/// takes 80 s. A piece has some 300 bytes: there is one between two points with times, and some 50 for each second of a
-/// plan. Clones share them.
-/// [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
+/// takes in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve near 10,000 points
+/// that takes 80 s. A piece has some 300 bytes: there is one between two points with times, and some 50 for each second
+/// of a plan. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Shared>);
 
@@ -115,8 +114,8 @@ impl Trajectory {
     ///   accelerations do not step.
     ///
     /// It begins and ends at rest and without acceleration, accelerations step nowhere, and jerks are within
-    /// [`Limits::joint_jerks`](crate::Limits::joint_jerks). It does exactly what the points say, within limits, and leaves a reserve for other rates only where they do: see
-    /// [`rate_change`](Self::rate_change).
+    /// [`Limits::joint_jerks`](crate::Limits::joint_jerks). It does exactly what the points say, within limits, and
+    /// leaves a reserve for other rates only where they do: see [`rate_change`](Self::rate_change).
     ///
     /// ```
     /// use jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
@@ -130,7 +129,8 @@ impl Trajectory {
     /// let trajectory = Trajectory::timed(&points, &checker)?;
     /// assert_eq!(trajectory.at(1.0).joints, points[1].joints);
     ///
-    /// let sudden = Trajectory::timed(&points.map(|point| TimedPoint::new(point.time_s / 4.0, point.joints)), &checker);
+    /// let faster = points.map(|point| TimedPoint::new(point.time_s / 4.0, point.joints));
+    /// let sudden = Trajectory::timed(&faster, &checker);
     /// let error = sudden.unwrap_err().to_string();
     /// assert_eq!(error, "after way-point 1, at 0.125 s: joint 1 would accelerate by 480 deg/s²; limit 72 (Zu 5)");
     /// # Ok::<(), jaka_motion::TrajectoryError>(())
@@ -156,7 +156,8 @@ impl Trajectory {
     /// let checker = Checker::new(Limits::of(arm).with_tcp_speed(250.0)?, Frames::new());
     /// let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
     /// let above = Pose::from(arm.forward(start));
-    /// let [aside, down] = [Pose { y: above.y + 100.0, ..above }, Pose { y: above.y + 100.0, z: above.z - 50.0, ..above }];
+    /// let aside = Pose { y: above.y + 100.0, ..above };
+    /// let down = Pose { z: above.z - 50.0, ..aside };
     ///
     /// let points = [Via::from(start), Via::from(aside), Via::from(down), Via::from(aside)];
     /// let trajectory = Trajectory::through(points).corner_mm(2.0).build(&checker)?;
@@ -191,9 +192,9 @@ impl Trajectory {
         Curve::new(points.into_iter().map(Into::into).collect())
     }
 
-    /// Places at which the tool is slower than the speed that [`Through::tcp_speed`] or [`Curve::tcp_speed`] asked for, by
-    /// 3 % or more: the slowest first, 20 at most. Those from which the speed rises to both sides, but for stops; where the
-    /// speed is reached nowhere between two stops, the fastest place.
+    /// Places at which the tool is slower than the speed that [`Through::tcp_speed`] or [`Curve::tcp_speed`] asked for,
+    /// by 3 % or more: the slowest first, 20 at most. Those from which the speed rises to both sides, but for stops;
+    /// where the speed is reached nowhere between two stops, the fastest place.
     pub fn slow_places(&self) -> &[SlowPlace] {
         &self.0.slow
     }
@@ -247,12 +248,12 @@ impl Trajectory {
     /// Room for changes of the rate at a time.
     ///
     /// The rate is the trajectory's time that passes in a second: 1 as planned, 0 at a pause. At rate r that changes by
-    /// r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So a joint
-    /// that gains speed leaves more for a fall than for a rise, and one that loses speed less. Where an acceleration
-    /// steps, the worse one counts.
+    /// r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So a
+    /// joint that gains speed leaves more for a fall than for a rise, and one that loses speed less. Where an
+    /// acceleration steps, the worse one counts.
     ///
-    /// A trajectory can leave nothing for a fall at rate 1, where it loses speed as fast as a joint can. A follower then
-    /// goes on at this rate until something is left: a pause or a stop along the way begins so much later.
+    /// A trajectory can leave nothing for a fall at rate 1, where it loses speed as fast as a joint can. A follower
+    /// then goes on at this rate until something is left: a pause or a stop along the way begins so much later.
     pub fn rate_change(&self, time_s: f64, rate: f64) -> RateChange {
         self.rate_change_between(time_s, time_s, rate)
     }

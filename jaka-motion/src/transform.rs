@@ -7,9 +7,9 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// Where a frame is, seen from another: a position in mm and an orientation.
 ///
-/// A [`Pose`] in the form in which it is computed with: `a * b` is frame `b`, given in frame `a`, seen from where `a` is
-/// given. A pose becomes a transform and a transform a pose with `from` or `into`; see
-/// [`jaka_proto::geometry`] for the angles.
+/// A [`Pose`] in the form in which it is computed with: `a * b` is frame `b`, given in frame `a`, seen from where `a`
+/// is given. A pose becomes a transform and a transform a pose with `from` or `into`; see [`jaka_proto::geometry`] for
+/// the angles.
 ///
 /// ```
 /// use jaka_motion::Transform;
@@ -27,7 +27,8 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform(pub(crate) Isometry3<f64>);
 
-/// Half a turn has two signs. One that is nearer to it than this, in degrees, is positive, so that rounding does not choose.
+/// Half a turn has two signs. One that is nearer to it than this, in degrees, is positive, so that rounding does not
+/// choose.
 const ROUNDING: f64 = 1e-9;
 
 impl Transform {
@@ -57,8 +58,8 @@ impl Transform {
         self.0.rotation.angle_to(&other.0.rotation).to_degrees()
     }
 
-    /// The frame moved by an offset along the axes of the frame from which it is seen, and turned about these directions where
-    /// it is.
+    /// The frame moved by an offset along the axes of the frame from which it is seen, and turned about these
+    /// directions where it is.
     ///
     /// So a relative `moveL` (section 4.9) takes its offset.
     #[must_use]

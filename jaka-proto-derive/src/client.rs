@@ -97,8 +97,8 @@ impl Method {
 
 /// The parameter of a method, and the request made from it, by what the request requires.
 ///
-/// Nothing: no parameter. One number, text or named type: that. Otherwise the request itself. Optional fields do not count, so
-/// that a method stays as it is where one comes: a request with some of them is sent by `call`.
+/// Nothing: no parameter. One number, text or named type: that. Otherwise the request itself. Optional fields do not
+/// count, so that a method stays as it is where one comes: a request with some of them is sent by `call`.
 fn of_fields(scope: Scope<'_>, fields: &[Field], request: &TokenStream) -> (TokenStream, TokenStream) {
     let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
     match required.as_slice() {

@@ -122,7 +122,8 @@ fn option(value: Option<TokenStream>) -> TokenStream {
 /// First and last code of a range, and what is said of it.
 type Row<T> = (Literal, Literal, T);
 
-/// What is said of the events of ranges of codes, in the order of the codes. Neighbours of which the same is said are one range.
+/// What is said of the events of ranges of codes, in the order of the codes. Neighbours of which the same is said are
+/// one range.
 fn table<'s, T: PartialEq>(events: &[&'s Event], say: impl Fn(&'s Event) -> Option<T>) -> Vec<Row<T>> {
     let mut ranges: Vec<_> =
         events.iter().flat_map(|event| event.codes.iter().map(move |codes| (codes, event))).collect();

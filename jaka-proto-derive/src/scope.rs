@@ -6,7 +6,8 @@ use quote::{format_ident, quote};
 
 use crate::docs::{Docs, Place};
 
-/// Where generated code stands, and so how it names types: those of its own topic plainly, others by their topic's module.
+/// Where generated code stands, and so how it names types: those of its own topic plainly, others by their topic's
+/// module.
 #[derive(Clone, Copy)]
 pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
@@ -48,8 +49,8 @@ impl<'s> Scope<'s> {
         }
     }
 
-    /// How the functions that read the topic's types are compiled: those of the status packet here, since most programs read it, and others in the programs
-    /// that use them.
+    /// How the functions that read the topic's types are compiled: those of the status packet here, since most programs
+    /// read it, and others in the programs that use them.
     pub(crate) fn inline_reads(self) -> Option<TokenStream> {
         let status = self.spec.status_type();
         let has_status = self.topic.is_some_and(|topic| status.is_some_and(|status| topic.types.contains(&status)));

@@ -10,9 +10,9 @@ use crate::wire::{Decode as _, Reader, Value};
 
 /// An event of the controller, identified by its code in `errcode`: an error, a warning or information.
 ///
-/// A code that is not zero does not by itself mean that something is wrong: `0x10f0005` says that the robot is disabled. It
-/// may also be of an event that is over. The severity is looked up in a table made from the vendor's. The set of codes is open:
-/// one that the table does not have has [`Severity::Unknown`].
+/// A code that is not zero does not by itself mean that something is wrong: `0x10f0005` says that the robot is
+/// disabled. It may also be of an event that is over. The severity is looked up in a table made from the vendor's. The
+/// set of codes is open: one that the table does not have has [`Severity::Unknown`].
 ///
 /// ```
 /// use jaka_proto::{ControllerEvent, Severity};
@@ -181,20 +181,23 @@ impl fmt::Display for UnreadableEvent {
 impl std::error::Error for UnreadableEvent {}
 
 impl RobotStatus {
-    /// The controller's event, from `error_code`; `None` where the packet says that there is none or does not have the field.
+    /// The controller's event, from `error_code`; `None` where the packet says that there is none or does not have the
+    /// field.
     ///
     /// # Errors
-    /// `error_code` cannot be read, as [`ControllerEvent::from_text`] says. Whether there is an event is then not known.
+    /// `error_code` cannot be read, as [`ControllerEvent::from_text`] says. Whether there is an event is then not
+    /// known.
     pub fn event(&self) -> Result<Option<ControllerEvent>, UnreadableEvent> {
         self.error_code.as_deref().map_or(Ok(None), ControllerEvent::from_text)
     }
 }
 
 impl GetRobotStateReply {
-    /// The controller's event, from `error_code`; `None` where the reply says that there is none or does not have the field.
+    /// The controller's event, from `error_code`; `None` where the reply says that there is none or does not have the
+    /// field.
     ///
-    /// A controller was seen to write the code as a number. A text is read as in status packets, but one of decimal digits alone, which
-    /// could be meant either way, is not read.
+    /// A controller was seen to write the code as a number. A text is read as in status packets, but one of decimal
+    /// digits alone, which could be meant either way, is not read.
     ///
     /// # Errors
     /// `error_code` cannot be read. Whether there is an event is then not known.

@@ -31,8 +31,8 @@ pub struct Envelope<'a> {
 impl<'a> Envelope<'a> {
     /// Reads the envelope of a reply, and checks on the way that the reply is JSON throughout.
     ///
-    /// A key that comes twice is believed where both say the same. Otherwise the code is an error, so that nothing is taken for
-    /// a success, and the reply names no command.
+    /// A key that comes twice is believed where both say the same. Otherwise the code is an error, so that nothing is
+    /// taken for a success, and the reply names no command.
     ///
     /// # Errors
     /// The text is not a JSON object. The fields tell all else.
@@ -40,11 +40,12 @@ impl<'a> Envelope<'a> {
         Self::read_by(reply, Reader::next_key, Reader::raw)
     }
 
-    /// Reads the envelope of a reply that may be odd: an object by its quotes and brackets, and perhaps not JSON throughout.
+    /// Reads the envelope of a reply that may be odd: an object by its quotes and brackets, and perhaps not JSON
+    /// throughout.
     ///
-    /// Controllers send half a surrogate pair (valid JSON that stands for no text, which Python writes for a byte that it cannot
-    /// read), NaN, or bytes that are not UTF-8 (see [`framing::text`](crate::framing::text)). In a message, U+FFFD stands for what
-    /// stands for no text; a name with such names no command, and a code with such is an error.
+    /// Controllers send half a surrogate pair (valid JSON that stands for no text, which Python writes for a byte that
+    /// it cannot read), NaN, or bytes that are not UTF-8 (see [`framing::text`](crate::framing::text)). In a message,
+    /// U+FFFD stands for what stands for no text; a name with such names no command, and a code with such is an error.
     ///
     /// ```
     /// use jaka_proto::Envelope;

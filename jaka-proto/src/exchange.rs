@@ -20,7 +20,8 @@
 //! // The thread that sent the second request reads both replies.
 //! let (mut text, mut reader) = (String::new(), TextOnly);
 //! let mut waiter = Waiter::new(second, &mut text, &mut reader);
-//! let replies = [r#"{"errorCode": "0", "cmdName": "get_version"}"#, r#"{"errorCode": "0", "cmdName": "get_robot_state"}"#];
+//! let replies =
+//!     [r#"{"errorCode": "0", "cmdName": "get_version"}"#, r#"{"errorCode": "0", "cmdName": "get_robot_state"}"#];
 //! for (reply, delivery) in replies.into_iter().zip([Delivery::Pending, Delivery::Waiter]) {
 //!     let envelope = waiter.read(reply)?;
 //!     assert_eq!(exchange.receive(reply, envelope, &mut waiter)?.delivery, delivery);

@@ -131,7 +131,8 @@ impl FirmwareRange {
         Self { since: self.since, until: Some(FirmwareVersion::new(numbers)) }
     }
 
-    /// True if the version has it. A number that a version does not give counts as zero: 1.7 has what is there since 1.7.0.
+    /// True if the version has it. A number that a version does not give counts as zero: 1.7 has what is there since
+    /// 1.7.0.
     pub fn contains(&self, version: FirmwareVersion) -> bool {
         let is_begun = self.since.is_none_or(|since| version.numbers >= since.numbers);
         let is_over = self.until.is_some_and(|until| version > until && !version.is_below(&until));

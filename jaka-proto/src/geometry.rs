@@ -1,8 +1,8 @@
 //! Joint positions and poses in other units, and orientations as matrices and quaternions.
 //!
 //! On the wire, and so in the fields of [`JointPosition`](crate::messages::types::JointPosition) and
-//! [`Pose`](crate::messages::types::Pose), angles are degrees and lengths millimetres. What is computed here is methods of
-//! the two types, and each name states its unit.
+//! [`Pose`](crate::messages::types::Pose), angles are degrees and lengths millimetres. What is computed here is methods
+//! of the two types, and each name states its unit.
 //!
 //! ```
 //! use jaka_proto::geometry::Quaternion;
@@ -27,17 +27,17 @@
 //! ```
 //!
 //! takes coordinates in the posed frame to those in the reference frame; the columns of `R` are the axes of the posed
-//! frame. The same is called extrinsic XYZ, or intrinsic ZYX: turns about the moving axes z, then y, then x. It is *not*
-//! intrinsic XYZ.
+//! frame. The same is called extrinsic XYZ, or intrinsic ZYX: turns about the moving axes z, then y, then x. It is
+//! *not* intrinsic XYZ.
 //!
-//! The document says "Euler angles" in the order x, y, z (section 4.16) and leaves open which axes these are. The vendor's
-//! SDK decides it: it calls the type `Rpy`, and its examples pair the angles -1.81826, -0.834253, -2.30243 rad with the
-//! quaternion 0.0629, 0.522886, -0.5592, 0.6453 (w first), which fits this order alone.
+//! The document says "Euler angles" in the order x, y, z (section 4.16) and leaves open which axes these are. The
+//! vendor's SDK decides it: it calls the type `Rpy`, and its examples pair the angles -1.81826, -0.834253, -2.30243 rad
+//! with the quaternion 0.0629, 0.522886, -0.5592, 0.6453 (w first), which fits this order alone.
 //!
 //! # From an orientation to angles
-//! `ry` comes out within 90 degrees of zero, `rx` and `rz` above -180 and up to 180. At gimbal lock, where `ry` is 90 or -90,
-//! only the difference or sum of `rx` and `rz` is determined: `rz` is zero there. The angles may differ from those that a
-//! quaternion or matrix was made of, the orientation does not.
+//! `ry` comes out within 90 degrees of zero, `rx` and `rz` above -180 and up to 180. At gimbal lock, where `ry` is 90
+//! or -90, only the difference or sum of `rx` and `rz` is determined: `rz` is zero there. The angles may differ from
+//! those that a quaternion or matrix was made of, the orientation does not.
 //!
 //! # nalgebra, glam and others
 //! They exchange values with each other through the `mint` crate, and with us under the feature `mint`:
@@ -55,12 +55,12 @@
 //! # Ok::<(), jaka_proto::geometry::NotARotation>(())
 //! ```
 //!
-//! Angles are exchanged as `mint::IntraZYX`, which mint turns into `ExtraXYZ`. Prefer quaternions: nalgebra takes angles
-//! only as `IntraXYZ`, and reads those as `ExtraXYZ`.
+//! Angles are exchanged as `mint::IntraZYX`, which mint turns into `ExtraXYZ`. Prefer quaternions: nalgebra takes
+//! angles only as `IntraXYZ`, and reads those as `ExtraXYZ`.
 //!
 //! # Numbers that are not finite
-//! Nothing here panics. NaN and infinity in a position or pose give NaN or infinity, and such a pose is refused before it
-//! is sent; in a quaternion or matrix they are [`NotARotation`].
+//! Nothing here panics. NaN and infinity in a position or pose give NaN or infinity, and such a pose is refused before
+//! it is sent; in a quaternion or matrix they are [`NotARotation`].
 
 mod joint_position;
 #[cfg(feature = "mint")]

@@ -2,8 +2,8 @@
 //!
 //! # The format
 //!
-//! A recording is UTF-8 text with a JSON object on each line. Each line ends with a line feed, and there are no empty lines.
-//! Keys that a reader does not know are skipped. The first line is the header:
+//! A recording is UTF-8 text with a JSON object on each line. Each line ends with a line feed, and there are no empty
+//! lines. Keys that a reader does not know are skipped. The first line is the header:
 //!
 //! ```json
 //! {"jaka_recording":1,"started":1763726000.123456,"software":"jaka-sync 0.1.0"}
@@ -40,9 +40,10 @@
 //! | `motion` | `step`: `late`, `gap`, `done` or `failed`; `text`: in words, of the program that moves the arm |
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
 //!
-//! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for each
-//! byte. White space between messages is not kept, nor what the program never read. The entries of a connection are in the order in which the program took
-//! part in them; a message's time is that of its arrival, which may be earlier than the entry before.
+//! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for
+//! each byte. White space between messages is not kept, nor what the program never read. The entries of a connection
+//! are in the order in which the program took part in them; a message's time is that of its arrival, which may be
+//! earlier than the entry before.
 
 mod answers;
 mod line;

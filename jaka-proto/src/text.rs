@@ -1,8 +1,8 @@
 //! Text from outside, made safe to show.
 //!
-//! What a controller sends may contain anything: escape sequences that a terminal obeys, characters that reverse the text around
-//! them, line ends that forge a line of a log. Fields and raw messages keep such text as it is, since it is data. Code that shows it
-//! passes it through here; the errors of this crate do so themselves.
+//! What a controller sends may contain anything: escape sequences that a terminal obeys, characters that reverse the
+//! text around them, line ends that forge a line of a log. Fields and raw messages keep such text as it is, since it is
+//! data. Code that shows it passes it through here; the errors of this crate do so themselves.
 //!
 //! ```
 //! use jaka_proto::text::{Visible, visible_json};
@@ -14,8 +14,8 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// Whether a character is shown as it is: no control character, nothing that directs the text around it without being seen, and no
-/// separator of lines or paragraphs. These are the general categories Cc, Cf, Zl and Zp of Unicode.
+/// Whether a character is shown as it is: no control character, nothing that directs the text around it without being
+/// seen, and no separator of lines or paragraphs. These are the general categories Cc, Cf, Zl and Zp of Unicode.
 pub fn is_visible(c: char) -> bool {
     !c.is_control() && !matches!(c, jaka_proto_derive::hidden_characters!())
 }
@@ -32,7 +32,8 @@ impl fmt::Display for Visible<'_> {
     }
 }
 
-/// Passes on what is written to it, in one line: see [`Visible`]. For texts that have parts of many kinds, such as errors.
+/// Passes on what is written to it, in one line: see [`Visible`]. For texts that have parts of many kinds, such as
+/// errors.
 #[derive(Debug)]
 pub struct VisibleWriter<W>(pub W);
 
@@ -52,8 +53,8 @@ pub fn visible_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| is_visible(c) || c == '\n')
 }
 
-/// JSON in which every character of a string that is not [visible](is_visible) is escaped as JSON does it, so that it reads the
-/// same. White space between its parts stays.
+/// JSON in which every character of a string that is not [visible](is_visible) is escaped as JSON does it, so that it
+/// reads the same. White space between its parts stays.
 ///
 /// Also takes text that is not JSON, which stays text that is not JSON, and becomes visible.
 pub fn visible_json(text: &str) -> Cow<'_, str> {

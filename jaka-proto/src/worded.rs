@@ -2,9 +2,9 @@
 
 /// An enum with a text for each variant, which stands next to it and by which it is displayed.
 ///
-/// A text is a literal that can show the fields of the variant, or, in parentheses, an expression that makes a string of
-/// them. It is displayed in one line, with each character that is not [visible](crate::text::is_visible) escaped, and
-/// padded as a format asks for. No part of the interface: other crates of the project use it.
+/// A text is a literal that can show the fields of the variant, or, in parentheses, an expression that makes a string
+/// of them. It is displayed in one line, with each character that is not [visible](crate::text::is_visible) escaped,
+/// and padded as a format asks for. No part of the interface: other crates of the project use it.
 ///
 /// ```
 /// jaka_proto::worded! {

@@ -23,7 +23,8 @@ fn counts(upper: u32) -> [usize; 3] {
     counts
 }
 
-/// The figures were counted in the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February 2024.
+/// The figures were counted in the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February
+/// 2024.
 #[test]
 fn all_events_of_the_vendors_table_have_their_severity() {
     assert_eq!(counts(0x0F), [195, 39, 1], "controller");

@@ -1,4 +1,5 @@
-//! Firmware versions: how they are read and ordered, and what is refused because a controller's firmware does not have it.
+//! Firmware versions: how they are read and ordered, and what is refused because a controller's firmware does not have
+//! it.
 
 use jaka_proto::check::{AdvisoryRanges, FieldLimits, NotSent, Place, Rules, Validate};
 use jaka_proto::messages::power::GetVersion;

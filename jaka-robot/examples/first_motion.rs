@@ -1,7 +1,8 @@
 //! A first program: the last joint turns by 5 degrees from where it is, slowly, and Ctrl-C stops it.
 //!
-//! `cargo run --example first_motion` runs against a simulated controller; with an address, against a robot. There it powers and
-//! enables the arm, which stays so; it asks before. This is not an emergency stop: keep the button within reach.
+//! `cargo run --example first_motion` runs against a simulated controller; with an address, against a robot. There it
+//! powers and enables the arm, which stays so; it asks before. This is not an emergency stop: keep the button within
+//! reach.
 
 mod common;
 

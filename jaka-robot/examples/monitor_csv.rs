@@ -1,8 +1,8 @@
 //! Status packets as CSV on standard output; all else goes to standard error.
 //!
 //! `cargo run --example monitor_csv > status.csv` writes three seconds of a simulated arm that moves;
-//! `cargo run --example monitor_csv 10.5.5.100 60` a minute of a robot. There it only reads, from the status port, so that
-//! it disturbs no other program.
+//! `cargo run --example monitor_csv 10.5.5.100 60` a minute of a robot. There it only reads, from the status port, so
+//! that it disturbs no other program.
 
 mod common;
 

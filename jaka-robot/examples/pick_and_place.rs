@@ -1,9 +1,10 @@
 //! Waits for a part, picks it up and puts it down 60 mm to the side, with a gripper on digital output 1 of the cabinet.
 //!
-//! `cargo run --example pick_and_place` runs against a simulated controller; with an address, against a robot. There the arm is powered,
-//! and nothing moves until input 3 of the cabinet (the third in the list of packets) is high. Then output 1 is switched, and the arm moves
-//! by a few centimetres from where it is, **down as well**: put it well above everything. It asks before. The arm stays enabled; whatever
-//! goes wrong, the gripper stays as it is: a part that it holds is not dropped.
+//! `cargo run --example pick_and_place` runs against a simulated controller; with an address, against a robot. There
+//! the arm is powered, and nothing moves until input 3 of the cabinet (the third in the list of packets) is high. Then
+//! output 1 is switched, and the arm moves by a few centimetres from where it is, **down as well**: put it well above
+//! everything. It asks before. The arm stays enabled; whatever goes wrong, the gripper stays as it is: a part that it
+//! holds is not dropped.
 
 mod common;
 

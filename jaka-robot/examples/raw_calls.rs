@@ -1,6 +1,7 @@
 //! Calls that no spec knows, and the raw JSON of replies.
 //!
-//! `cargo run --example raw_calls` runs against a simulated controller; with an address, against a robot. It only reads.
+//! `cargo run --example raw_calls` runs against a simulated controller; with an address, against a robot. It only
+//! reads.
 
 mod common;
 

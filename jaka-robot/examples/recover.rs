@@ -1,8 +1,8 @@
 //! Recovers from a protective stop in the middle of a motion.
 //!
-//! `cargo run --example recover` runs against a simulated controller, whose arm runs into something. With an address, it runs
-//! against a robot: joint 1 moves by 10 degrees and back, slowly, and a protective stop is recovered from if one comes. Do
-//! not cause one with your body. It asks before each motion. The arm stays enabled.
+//! `cargo run --example recover` runs against a simulated controller, whose arm runs into something. With an address,
+//! it runs against a robot: joint 1 moves by 10 degrees and back, slowly, and a protective stop is recovered from if
+//! one comes. Do not cause one with your body. It asks before each motion. The arm stays enabled.
 
 mod common;
 

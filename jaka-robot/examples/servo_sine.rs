@@ -1,7 +1,9 @@
-//! A sine for joint 6 in servo mode, with the lateness of its set-points compared with that of a loop that does nothing else.
+//! A sine for joint 6 in servo mode, with the lateness of its set-points compared with that of a loop that does nothing
+//! else.
 //!
-//! `cargo run --release --example servo_sine -- [ADDRESS] [--seconds N] [--spin MICROSECONDS]`; without an address against a
-//! simulated controller. On a robot it powers the arm and turns joint 6 by 2 degrees to and fro; it asks before.
+//! `cargo run --release --example servo_sine -- [ADDRESS] [--seconds N] [--spin MICROSECONDS]`; without an address
+//! against a simulated controller. On a robot it powers the arm and turns joint 6 by 2 degrees to and fro; it asks
+//! before.
 
 mod common;
 
@@ -14,8 +16,8 @@ use std::time::{Duration, Instant};
 use jaka_robot::ServoConfig;
 use jaka_robot::types::JointPosition;
 
-/// Degrees to each side, and seconds for one turn: 4 deg/s at most, so slow that the arm may start from standstill at any of its points, where this
-/// thread got no processor for a while.
+/// Degrees to each side, and seconds for one turn: 4 deg/s at most, so slow that the arm may start from standstill at
+/// any of its points, where this thread got no processor for a while.
 const AMPLITUDE: f64 = 2.0;
 const PERIOD: f64 = 4.0;
 

@@ -1,8 +1,8 @@
 //! Stops the arm on Ctrl-C.
 //!
 //! `cargo run --example stop_on_ctrl_c` runs against a simulated controller; with an address, against a robot. There
-//! joint 1 goes 10 degrees away and back, slowly, until Ctrl-C; it asks before. The arm stays enabled. This is not an emergency
-//! stop: keep the button within reach.
+//! joint 1 goes 10 degrees away and back, slowly, until Ctrl-C; it asks before. The arm stays enabled. This is not an
+//! emergency stop: keep the button within reach.
 
 mod common;
 

@@ -1,8 +1,8 @@
 //! Two robots from two threads; if one fails, both are stopped.
 //!
-//! `cargo run --example two_robots` runs against two simulated controllers, `cargo run --example two_robots 10.5.5.100
-//! 10.5.5.101` against two robots. There joint 1 of each moves by five degrees and back, twice; it asks before. The arms
-//! stay enabled.
+//! `cargo run --example two_robots` runs against two simulated controllers,
+//! `cargo run --example two_robots 10.5.5.100 10.5.5.101` against two robots. There joint 1 of each moves by five
+//! degrees and back, twice; it asks before. The arms stay enabled.
 
 mod common;
 

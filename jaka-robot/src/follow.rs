@@ -30,11 +30,16 @@ use crate::{End, Error};
 /// arm is not led off the curve.
 ///
 /// # How it ends
-/// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the arm at rest there, and servo mode is left.
-/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is no longer known or does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
-///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in joint space, and half a second more, because
-///   the trajectory leaves no acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits, it is braked straight on: [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
-/// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that is at speed is not known from any source.
+/// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the
+///   arm at rest there, and servo mode is left.
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is no longer known or
+///   does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
+///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in
+///   joint space, and half a second more, because the trajectory leaves no acceleration for it, or longer than a
+///   [`RobotStop`](crate::RobotStop) waits, it is braked straight on:
+///   [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
+/// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that
+///   is at speed is not known from any source.
 ///
 /// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow
 /// goes on from standstill; one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late

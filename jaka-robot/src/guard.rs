@@ -37,7 +37,9 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// const IO: Numbering = Numbering::FromOne;
 /// let guard = Guard::from(IO.tool(1).rises())
 ///     .or(TcpBox::from_corners([-500.0, -500.0, 50.0], [500.0, 500.0, 900.0]).is_left())
-///     .or(Guard::when("the tool is faster than 200 mm/s", |status| status.tcp_speed.is_some_and(|speed| speed > 200.0)));
+///     .or(Guard::when("the tool is faster than 200 mm/s", |status| {
+///         status.tcp_speed.is_some_and(|speed| speed > 200.0)
+///     }));
 /// assert_eq!(guard.to_string().split(" or ").count(), 3);
 /// ```
 ///
@@ -45,8 +47,8 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware
 /// 1.5.14) to 100 ms, and which do not tell how old they are. From what happens until the arm rests it takes
 /// - up to a period of the packets, until one shows it, and however long the network holds that packet;
-/// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms ([`GuardTrip::reaction`] has it), then the
-///   network, and the controller until it acts on `stop_program`;
+/// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms
+///   ([`GuardTrip::reaction`] has it), then the network, and the controller until it acts on `stop_program`;
 /// - the braking, of which no source says how the controller does it.
 ///
 /// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it,

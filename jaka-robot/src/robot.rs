@@ -398,7 +398,8 @@ impl<S: MotionStatus> Robot<S> {
     /// let controller = Controller::start()?;
     /// let mut robot = Robot::connect_at(&Config::new(), controller.command_addr(), controller.status_addr())?;
     /// let preflight = robot.preflight();
-    /// let power = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Power).expect("each item has one");
+    /// let power = preflight.findings().iter().find(|finding| finding.item() == CheckItem::Power);
+    /// let power = power.expect("each item has one");
     /// assert_eq!((power.verdict(), power.seen()), (Verdict::Look, "the arm has no power"));
     /// assert_eq!(power.advice(), Some("switch it on: `power_on`"));
     /// println!("{preflight}");

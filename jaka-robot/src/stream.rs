@@ -89,8 +89,8 @@ impl StreamConfig {
     ///
     /// # A limit of force
     /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that
-    /// uses up the overtravel in the time for which it goes on unbraked and 0.05 s (ours), and from each set-point on it
-    /// lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is
+    /// uses up the overtravel in the time for which it goes on unbraked and 0.05 s (ours), and from each set-point on
+    /// it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is
     /// faster is refused, with that speed as the limit
     /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away
     /// for three of their periods, 100 ms at least.
@@ -119,8 +119,8 @@ impl StreamConfig {
 /// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a
 /// status that is no longer known, joints that do not follow their set-points. After a set-point that is three periods
 /// late at speed nothing brakes. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
-/// is braked by a stop, within its jerks, too. If this thread is held up, the stream goes on: a velocity ends after the time for
-/// which it was given.
+/// is braked by a stop, within its jerks, too. If this thread is held up, the stream goes on: a velocity ends after the
+/// time for which it was given.
 ///
 /// ```no_run
 /// use std::time::Duration;

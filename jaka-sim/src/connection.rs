@@ -1,4 +1,5 @@
-//! The connections of the command port: the active client's, what waits to be written to it, and the client of a takeover.
+//! The connections of the command port: the active client's, what waits to be written to it, and the client of a
+//! takeover.
 
 mod active;
 mod reply_writer;

@@ -7,9 +7,10 @@ use jaka_proto::messages::types::Pose;
 
 /// A plane that resists the tool centre point as a spring does: see [`Builder::contact`](crate::Builder::contact).
 ///
-/// The force is the depth of the tool centre point below the plane times the stiffness, along the normal; without friction and without
-/// torques. The arm goes on as if nothing were there. The torque sensor shows the force along the axes of the tool frame in use if it works
-/// ([`TorqueSensor::working`](crate::TorqueSensor::working)): of a real sensor neither the axes nor the units are documented.
+/// The force is the depth of the tool centre point below the plane times the stiffness, along the normal; without
+/// friction and without torques. The arm goes on as if nothing were there. The torque sensor shows the force along the
+/// axes of the tool frame in use if it works ([`TorqueSensor::working`](crate::TorqueSensor::working)): of a real
+/// sensor neither the axes nor the units are documented.
 ///
 /// ```
 /// use jaka_sim::{Contact, Controller};
@@ -28,7 +29,8 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// A plane through a point (mm, in the frame of the base), with the direction out of it, of any length, and its stiffness in N/mm.
+    /// A plane through a point (mm, in the frame of the base), with the direction out of it, of any length, and its
+    /// stiffness in N/mm.
     pub fn plane(point: [f64; 3], normal: [f64; 3], stiffness: f64) -> Self {
         let length = dot(normal, normal).sqrt();
         Self { point, normal: normal.map(|part| part / length), stiffness }

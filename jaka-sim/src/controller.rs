@@ -400,7 +400,8 @@ impl Controller {
     ///
     /// use jaka_sim::{Controller, Happening, Level};
     ///
-    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), Happening::Input(3, Level::High)).start()?;
+    /// let rises = Happening::Input(3, Level::High);
+    /// let controller = Controller::builder().stepped_clock().at(Duration::from_secs(2), rises).start()?;
     /// let collision = controller.when(|state| state.digital_inputs[3], |controller| controller.collide())?;
     /// controller.advance(Duration::from_secs(3));
     /// assert_eq!(collision.fired_at(), Some(Duration::from_secs(2)));

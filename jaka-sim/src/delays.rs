@@ -4,8 +4,8 @@ use std::time::Duration;
 
 /// How long changes of state take, other than motion.
 ///
-/// A command that starts such a change is answered at once, and the state follows; [`Habit::LatePower`](crate::Habit::LatePower)
-/// has `power_on` and `enable_robot` answered when it is there.
+/// A command that starts such a change is answered at once, and the state follows;
+/// [`Habit::LatePower`](crate::Habit::LatePower) has `power_on` and `enable_robot` answered when it is there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Delays {
@@ -21,8 +21,8 @@ pub struct Delays {
 }
 
 impl Delays {
-    /// As field notes have them: 8 s for power, 3.5 s for enabling, 100 ms for being in position. Servo mode is entered at once,
-    /// within 9 ms of firmware 1.5.14 (a timed log).
+    /// As field notes have them: 8 s for power, 3.5 s for enabling, 100 ms for being in position. Servo mode is entered
+    /// at once, within 9 ms of firmware 1.5.14 (a timed log).
     pub const REAL: Self = Self {
         power_on: Duration::from_secs(8),
         enable: Duration::from_millis(3500),

@@ -14,9 +14,9 @@ const LEAD: Duration = Duration::from_millis(16);
 kinds! {
     /// Something that some real controllers do, and that a client must handle.
     ///
-    /// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as `jaka sim --habits` takes it:
-    /// `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time that is left out is that of
-    /// [`one_of_each`](Self::one_of_each).
+    /// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as
+    /// `jaka sim --habits` takes it: `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time
+    /// that is left out is that of [`one_of_each`](Self::one_of_each).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Habit("a habit", unknown);
@@ -28,28 +28,29 @@ kinds! {
     /// What waits for the arm to be in position alone takes the first motion's end for the last one's.
     Pause(time: Duration as time_or(PAUSE) = PAUSE): "pause" => habits.pause = Some(*time);
 
-    /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have this much later.
-    /// `lead 16ms` as a text.
+    /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have
+    /// this much later. `lead 16ms` as a text.
     ///
     /// At rest they are where the arm is. At 5 deg/s, 16 ms are 0.08 deg.
     Lead(time: Duration as time_or(LEAD) = LEAD): "lead" => habits.lead = Some(*time);
 
-    /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for this long in the controller's time, whichever
-    /// is the sooner. `late-queries` or `late-queries 2s` as a text.
+    /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for this long in the controller's
+    /// time, whichever is the sooner. `late-queries` or `late-queries 2s` as a text.
     ///
-    /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests are carried out.
+    /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests
+    /// are carried out.
     LateQueries(time: Option<Duration> as optional_time = None): "late-queries" => {
         habits.late_queries = Some(time.unwrap_or(Duration::MAX));
     };
 
-    /// `power_on` and `enable_robot` are answered when the arm has power and is enabled, as with firmware 1.5.14. `late-power` as a
-    /// text.
+    /// `power_on` and `enable_robot` are answered when the arm has power and is enabled, as with firmware 1.5.14.
+    /// `late-power` as a text.
     ///
     /// Later replies wait until that reply is sent. Without this habit they are answered at once, as by newer firmware.
     LatePower: "late-power" => habits.late_power = true;
 
-    /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the tolerance, the
-    /// next begins, and the arm rounds the corner. `blend` as a text.
+    /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the
+    /// tolerance, the next begins, and the arm rounds the corner. `blend` as a text.
     ///
     /// `moveL` and `movc` have a tolerance. Without this habit each motion ends at its target.
     Blend: "blend" => habits.blend = true;
@@ -61,12 +62,12 @@ kinds! {
 
     /// `disable_robot` is acknowledged while the arm moves, as by firmware 1.5.14. `disable-moving` as a text.
     ///
-    /// What an arm does then is not known; here it is disabled, and its motion ends. Without this habit it is refused, as the vendor's
-    /// event `0x0F003A` says.
+    /// What an arm does then is not known; here it is disabled, and its motion ends. Without this habit it is refused,
+    /// as the vendor's event `0x0F003A` says.
     DisableMoving: "disable-moving" => habits.disable_moving = true;
 
-    /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the start of a
-    /// program. `events` as a text.
+    /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the
+    /// start of a program. `events` as a text.
     ///
     /// It stays for 256 ms, until the next, or until `clear_error`: 312 of 312 captured packets of enabled arms have
     /// `"0x0"`, and one entry of a log stood for 257 ms. An error is not replaced by it.

@@ -15,9 +15,9 @@ const RETRY_DELAY: Duration = Duration::from_millis(20);
 
 /// A TCP listener on which one thread accepts.
 ///
-/// std can neither wake `accept` nor say whether its queue is empty. So the listener connects to itself to wake up; it recognises
-/// these connections by their address. The queue is in order of arrival: when a wake-up is accepted, everything that connected
-/// before it has been accepted too.
+/// std can neither wake `accept` nor say whether its queue is empty. So the listener connects to itself to wake up; it
+/// recognises these connections by their address. The queue is in order of arrival: when a wake-up is accepted,
+/// everything that connected before it has been accepted too.
 #[derive(Debug)]
 pub(crate) struct Listener {
     socket: TcpListener,
@@ -53,7 +53,8 @@ impl Listener {
         self.address
     }
 
-    /// Passes on each connection until the listener is closed. An error of one says that it is lost, and concerns no other.
+    /// Passes on each connection until the listener is closed. An error of one says that it is lost, and concerns no
+    /// other.
     pub(crate) fn accept_all(&self, client: &str, mut admit: impl FnMut(Socket) -> io::Result<()>) {
         while let Some((stream, peer)) = self.accept() {
             let accepted = Socket::accepted(stream, peer, &self.time);
@@ -86,8 +87,8 @@ impl Listener {
         }
     }
 
-    /// Waits until every connection made so far has been accepted. If the system has no socket left to wait with, only what has been
-    /// accepted so far counts.
+    /// Waits until every connection made so far has been accepted. If the system has no socket left to wait with, only
+    /// what has been accepted so far counts.
     pub(crate) fn wait_until_accepted(&self) {
         // The lock is held while connecting, so that the wake-up is known when it is accepted.
         let mut state = lock(&self.state);

@@ -1,7 +1,7 @@
 //! The arm in motion, cycle by cycle.
 //!
-//! Planned motions wait in a queue, and each follows its path under a trapezoidal speed profile. Jogs and servo set-points
-//! move the arm without the queue. All this is what the joints are commanded to do; the drives follow.
+//! Planned motions wait in a queue, and each follows its path under a trapezoidal speed profile. Jogs and servo
+//! set-points move the arm without the queue. All this is what the joints are commanded to do; the drives follow.
 
 mod blend;
 mod drives;

@@ -54,8 +54,8 @@ impl Readers {
         packet_writer::period(&lock(&self.list).fault, usual)
     }
 
-    /// Sends a packet to all with what is wrong with packets, and waits until each has been sent it or has been dropped because it
-    /// does not read.
+    /// Sends a packet to all with what is wrong with packets, and waits until each has been sent it or has been dropped
+    /// because it does not read.
     pub(crate) fn send_packet(&self, packet: Vec<u8>) {
         self.post(&Message::Packet(packet.into()));
     }

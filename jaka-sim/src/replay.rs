@@ -22,18 +22,20 @@ pub(crate) use self::script::{Script, ScriptStep};
 /// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replay {
-    /// The n-th connection to a port is the n-th of the recording, message by message: requests must come in the recorded
-    /// order and be equal as JSON, and the controller sends what it sent then, also what was late, unasked or garbage, and
-    /// ends the connection where it did then.
+    /// The n-th connection to a port is the n-th of the recording, message by message: requests must come in the
+    /// recorded order and be equal as JSON, and the controller sends what it sent then, also what was late, unasked or
+    /// garbage, and ends the connection where it did then.
     ///
-    /// Status packets wait for the requests that were sent before them, so that a program that is slower, or faster, sees the
-    /// same. A set-point that holds the arm may come more often than then. Anything else is a [`Deviation`], and ends the connection.
+    /// Status packets wait for the requests that were sent before them, so that a program that is slower, or faster,
+    /// sees the same. A set-point that holds the arm may come more often than then. Anything else is a [`Deviation`],
+    /// and ends the connection.
     Strict,
-    /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not been
-    /// used yet. Where none came then, none comes now.
+    /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not
+    /// been used yet. Where none came then, none comes now.
     ///
-    /// A request is equal if it is the same JSON: no reply to another one is ever used. Where there is none left, the request
-    /// is refused, and a [`Deviation`]. Further status readers get the packets of the last one of the recording.
+    /// A request is equal if it is the same JSON: no reply to another one is ever used. Where there is none left, the
+    /// request is refused, and a [`Deviation`]. Further status readers get the packets of the last one of the
+    /// recording.
     Matching,
 }
 
@@ -148,8 +150,8 @@ impl ReplaySession {
         }
     }
 
-    /// When a packet of a connection that began then is due: as long after the last request before it as in the recording, or
-    /// at `next`; `None` while a request is awaited.
+    /// When a packet of a connection that began then is due: as long after the last request before it as in the
+    /// recording, or at `next`; `None` while a request is awaited.
     pub(crate) fn packet_due(&self, script: &Script, at: Duration, began: Instant, next: Instant) -> Option<Instant> {
         let recorded = script.start.saturating_add(at);
         let (since, delay) =

@@ -39,7 +39,8 @@ impl Trigger {
         lock(&self.0.progress).fired_at
     }
 
-    /// Waits until the action has returned; false if it has not after `timeout`, or the controller is gone before the condition held.
+    /// Waits until the action has returned; false if it has not after `timeout`, or the controller is gone before the
+    /// condition held.
     ///
     /// # Panics
     /// The condition or the action has panicked: with the same payload, once.

@@ -2,7 +2,8 @@
 
 use crate::fault::{kinds, quoted};
 
-/// The events of the first joint's drive, by the vendor's table of controller events; those of the others follow at this distance.
+/// The events of the first joint's drive, by the vendor's table of controller events; those of the others follow at
+/// this distance.
 const SPEED: u32 = 0x10_8482;
 const SPEED_DEVIATION: u32 = 0x10_8485;
 const DEVIATION: u32 = 0x10_8611;
@@ -15,14 +16,16 @@ kinds! {
     /// A threshold beyond which a joint's drive stops the arm with an error event.
     ///
     /// The vendor's table of controller events says what trips, and not at which values: without
-    /// [`Builder::trips`](crate::Builder::trips) nothing does. A trip puts its event into the error code, ends servo mode and halts the
-    /// arm where it is; further set-points are refused as outside servo mode. In the codes, `n` is the joint, from 0 to 5.
+    /// [`Builder::trips`](crate::Builder::trips) nothing does. A trip puts its event into the error code, ends servo
+    /// mode and halts the arm where it is; further set-points are refused as outside servo mode. In the codes, `n` is
+    /// the joint, from 0 to 5.
     ///
-    /// Positions and speeds of the arm are looked at in each cycle of each motion. Set-points are compared with the one before, each
-    /// over its nominal period whenever it came; the first, and one that comes more than 100 ms after the one before, with rest. They are
-    /// looked at as they were sent, before the filter.
+    /// Positions and speeds of the arm are looked at in each cycle of each motion. Set-points are compared with the one
+    /// before, each over its nominal period whenever it came; the first, and one that comes more than 100 ms after the
+    /// one before, with rest. They are looked at as they were sent, before the filter.
     ///
-    /// A trip has a text form, as `jaka sim --trips` takes it: `deviation 1.5`. It is what `Display` writes and `FromStr` reads.
+    /// A trip has a text form, as `jaka sim --trips` takes it: `deviation 1.5`. It is what `Display` writes and
+    /// `FromStr` reads.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum Trip("a trip", unknown);
@@ -44,7 +47,8 @@ kinds! {
     /// Set-points of more than 180 deg/s (4.15) have no effect where they do not trip.
     CommandSpeed(most: f64 as threshold = 1.0): "command-speed" => event(COMMAND_SPEED, observed.command_speed, *most);
 
-    /// A set-point asks for a greater acceleration of a joint, in deg/s²: event `0x1n8613`. `command-acceleration 2000` as a text.
+    /// A set-point asks for a greater acceleration of a joint, in deg/s²: event `0x1n8613`. `command-acceleration 2000`
+    /// as a text.
     CommandAcceleration(most: f64 as threshold = 1.0): "command-acceleration" => event(COMMAND_ACCELERATION, observed.command_acceleration, *most);
 }
 
@@ -52,7 +56,8 @@ fn unknown(_word: &str) -> String {
     format!("unknown trip; the trips, each with a threshold, are {}", quoted(&Trip::one_of_each()))
 }
 
-/// What the drives know of the arm's motion, or of a set-point, in a cycle, of each joint: in degrees, deg/s and deg/s².
+/// What the drives know of the arm's motion, or of a set-point, in a cycle, of each joint: in degrees, deg/s and
+/// deg/s².
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Observed {
     pub(crate) deviation: [f64; 6],

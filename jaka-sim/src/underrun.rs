@@ -9,8 +9,8 @@ use crate::fault::read_time;
 
 /// What the arm does in servo mode when no set-point is there in its cycle, and the last one had speed.
 ///
-/// What real controllers do, no source says: each of these is a guess, and a program has to be safe with each. After a set-point
-/// that repeats the one before there is no speed, and nothing happens.
+/// What real controllers do, no source says: each of these is a guess, and a program has to be safe with each. After a
+/// set-point that repeats the one before there is no speed, and nothing happens.
 ///
 /// It has a text form, as `jaka sim --underrun` takes it: `hold`, `fault 40ms`, `run-out 300`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -19,10 +19,11 @@ pub enum Underrun {
     /// The arm is held at the last set-point. `hold` as a text.
     #[default]
     Hold,
-    /// The arm is held at the last set-point, and if none comes for so long, an error event ends servo mode: `0x1n8614` of the
-    /// fastest joint. `fault 40ms` as a text, `fault` for at once.
+    /// The arm is held at the last set-point, and if none comes for so long, an error event ends servo mode: `0x1n8614`
+    /// of the fastest joint. `fault 40ms` as a text, `fault` for at once.
     Fault(Duration),
-    /// The arm goes on at the last speed, and the fastest joint brakes with this deceleration, in deg/s². `run-out 300` as a text.
+    /// The arm goes on at the last speed, and the fastest joint brakes with this deceleration, in deg/s². `run-out 300`
+    /// as a text.
     ///
     /// At the end of a joint's range it stops. A set-point that comes meanwhile is followed from where the arm is.
     RunOut(f64),

@@ -119,7 +119,8 @@ impl World {
         while !self.advance_until_fired(now) {}
     }
 
-    /// Lets time pass, cycle by cycle, up to one in which a condition is settled; true if there is none before this time.
+    /// Lets time pass, cycle by cycle, up to one in which a condition is settled; true if there is none before this
+    /// time.
     pub(crate) fn advance_until_fired(&mut self, now: Duration) -> bool {
         let conditions = self.conditions();
         let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();

@@ -299,7 +299,8 @@ fn the_state_begins_as_the_document_prints_it() {
     let controller = fresh();
     let mut peer = Peer::commands(&controller);
     let spec = jaka_spec::builtin().expect("the spec is correct");
-    // Which inputs there are is taken from the status packet, servo mode cannot be on without power, and the arm is a real one.
+    // Which inputs there are is taken from the status packet, servo mode cannot be on without power, and the arm is a
+    // real one.
     let others = ["get_digital_input_status", "is_in_servomove", "get_extio_status"];
     let others = [&others[..], &["get_joint_pos", "get_tcp_pos", "get_dh_param"]].concat();
     let of_document = spec.commands().filter(|command| command.section.is_some());

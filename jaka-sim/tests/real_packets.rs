@@ -1,13 +1,14 @@
 //! Packets and replies byte by byte, against what captures of real controllers show.
 //!
-//! The tables here were written from those captures: a packet of a Zu 5 with firmware 1.5.14, and 311 packets of a newer
-//! controller. They share nothing with the simulator's own.
+//! The tables here were written from those captures: a packet of a Zu 5 with firmware 1.5.14, and 311 packets of a
+//! newer controller. They share nothing with the simulator's own.
 
 use crate::common::{Peer, request};
 use jaka_proto::messages::io::ExtioSetup;
 use jaka_sim::{Controller, Delays, Firmware, State};
 
-/// The keys of firmware 1.5.14 in order, each with the shape of its value: `[135 int]` is an array of 135 whole numbers.
+/// The keys of firmware 1.5.14 in order, each with the shape of its value: `[135 int]` is an array of 135 whole
+/// numbers.
 const V1_5_14: &str = "
     len int
     drag_status bool
@@ -222,8 +223,8 @@ fn give_pins(state: &mut State) {
 fn packets_have_the_keys_lengths_and_number_formats_of_captures() {
     for (firmware, table, sizes) in [(Firmware::V1_5_14, V1_5_14, 3170..=3240), (Firmware::Newer, NEWER, 8820..=9100)] {
         let controller = controller(firmware);
-        // As many digits as the arm of the first capture has: its packet has 3208 bytes, and those of the second 8955 to 8979,
-        // with a torque sensor whose readings are not 0.0.
+        // As many digits as the arm of the first capture has: its packet has 3208 bytes, and those of the second 8955
+        // to 8979, with a torque sensor whose readings are not 0.0.
         controller.set_state(|state| {
             state.joint_position = [-63.40236, 106.90883, 75.54514, 89.82753, -93.42602, -13.40708].into();
             give_pins(state);
@@ -284,8 +285,8 @@ fn joints_have_five_decimals_in_packets_and_six_in_replies() {
     }
 }
 
-/// Reads packets as the vendor's SDK 2.1.9 does: one begins with `{"len": ` and has as many bytes as stand there. `None` where it
-/// would wait for ever.
+/// Reads packets as the vendor's SDK 2.1.9 does: one begins with `{"len": ` and has as many bytes as stand there.
+/// `None` where it would wait for ever.
 fn read_as_sdk_2_1_9(stream: &str) -> Option<Vec<&str>> {
     let mut rest = stream;
     let mut packets = Vec::new();
@@ -337,8 +338,8 @@ fn the_vendors_sdk_2_1_14_finds_a_number_in_the_robots_state() {
     assert_eq!(text_of(&ask("get_robot_state"), "msg"), "\"the robot is disabled\"");
 }
 
-/// The reply of 1.5.14 was recorded twice, with the document's words and no further keys; one of the newer controller has `"True"` for
-/// both states.
+/// The reply of 1.5.14 was recorded twice, with the document's words and no further keys; one of the newer controller
+/// has `"True"` for both states.
 #[test]
 fn the_robots_state_has_the_words_of_the_firmware() {
     let state = |firmware| {
@@ -361,8 +362,8 @@ fn the_robots_state_has_the_words_of_the_firmware() {
     assert_eq!((text_of(&newer, "enable"), text_of(&newer, "power")), ("\"True\"", "\"True\""));
 }
 
-/// 311 packets of the newer controller have 13 to 17 digits in poses, no function with an input, and `task_state` 3 is what five clients
-/// have of a disabled arm.
+/// 311 packets of the newer controller have 13 to 17 digits in poses, no function with an input, and `task_state` 3 is
+/// what five clients have of a disabled arm.
 #[test]
 fn the_newer_packet_has_long_poses_no_function_inputs_and_the_clients_task_state() {
     let controller = controller(Firmware::Newer);

@@ -22,7 +22,8 @@ fn no_thread_is_left() {
         controller.inject(Fault::Hold);
         peers[1].send(request("power_on"));
         peers[2].receive();
-        // Each of these connections gets a thread for waiting bytes, and so do those whose clients have already closed them.
+        // Each of these connections gets a thread for waiting bytes, and so do those whose clients have already closed
+        // them.
         controller.links().hold();
         controller.publish();
         controller.send(b"{}").expect("a client is connected");

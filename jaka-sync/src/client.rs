@@ -112,7 +112,8 @@ impl Client {
     /// - [`InvalidArgument`](ErrorKind::InvalidArgument): the spec forbids a field; nothing was sent.
     /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the controller does not have it, after
     ///   [`check_firmware`](Self::check_firmware); nothing was sent.
-    /// - [`FirmwareUnknown`](ErrorKind::FirmwareUnknown): the form of the command depends on the firmware; nothing was sent.
+    /// - [`FirmwareUnknown`](ErrorKind::FirmwareUnknown): the form of the command depends on the firmware; nothing was
+    ///   sent.
     /// - [`Refused`](ErrorKind::Refused): the controller refused; the command did not run.
     /// - [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost): the command may have run.
     /// - [`UnexpectedReply`](ErrorKind::UnexpectedReply): accepted, but the reply does not fit the spec.

@@ -14,7 +14,8 @@ use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 /// What systems take as the times of a keepalive.
 const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
-/// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address names none.
+/// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address
+/// names none.
 pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Socket, Tap), Error> {
     let (number, what) = match port {
         Port::Command => (COMMAND_PORT, "commands"),

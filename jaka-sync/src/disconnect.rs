@@ -27,8 +27,8 @@ jaka_proto::worded! {
         NotJson(error: DecodeError) => "a message is not JSON: {error}",
         /// It is no longer certain to which requests the next replies belong.
         OutOfSync(out_of_sync: OutOfSync) => "{out_of_sync}",
-        /// This side reset the connection, because set-points of a servo session and the command that ends servo mode had no reply. The
-        /// system discards what it had queued.
+        /// This side reset the connection, because set-points of a servo session and the command that ends servo mode
+        /// had no reply. The system discards what it had queued.
         Reset {
             /// How many set-points had no reply.
             unanswered: u64,

@@ -77,7 +77,8 @@ impl Packets {
         receive::chunk(&self.stream, &self.tap, &mut self.framer, &mut self.timeout, left)
     }
 
-    /// Keeps the text of the next packet that has arrived in full; false if there is none. Firmware that sends text has no packets.
+    /// Keeps the text of the next packet that has arrived in full; false if there is none. Firmware that sends text has
+    /// no packets.
     pub(crate) fn next(&mut self) -> Result<bool, Disconnect> {
         self.tap.stray(self.framer.lost());
         self.between.bytes += self.framer.lost().len();

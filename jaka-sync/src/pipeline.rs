@@ -11,14 +11,15 @@ use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
 ///
-/// For many settings at once, such as outputs and variables, and for set-points at a cycle of your own. The controller processes the
-/// commands in order and replies to each; the replies are counted, and up to a window of commands is outstanding at once.
+/// For many settings at once, such as outputs and variables, and for set-points at a cycle of your own. The controller
+/// processes the commands in order and replies to each; the replies are counted, and up to a window of commands is
+/// outstanding at once.
 ///
-/// A refusal is noticed late: up to a window of later commands have been sent by then, and may have run. If a command must not go
-/// out unless the one before was accepted, call them one by one.
+/// A refusal is noticed late: up to a window of later commands have been sent by then, and may have run. If a command
+/// must not go out unless the one before was accepted, call them one by one.
 ///
-/// A stop goes out between the commands, and after those that are outstanding, which the controller processes first. So at most
-/// 256 commands are outstanding, including those of dropped pipelines.
+/// A stop goes out between the commands, and after those that are outstanding, which the controller processes first. So
+/// at most 256 commands are outstanding, including those of dropped pipelines.
 ///
 /// Dropping the pipeline gives up the outstanding replies; [`finish`](Self::finish) waits for them.
 ///
@@ -50,8 +51,8 @@ pub struct Pipeline<'c> {
 }
 
 impl Client {
-    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is limited to the
-    /// range from 1 to 256.
+    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is
+    /// limited to the range from 1 to 256.
     pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
         Pipeline::new(self, window)
     }
@@ -72,19 +73,23 @@ impl<'c> Pipeline<'c> {
     /// Sends a command. If the window is full, first waits until half of it has been answered.
     ///
     /// # Errors
-    /// - [`InvalidArgument`](ErrorKind::InvalidArgument), [`NotInFirmware`](ErrorKind::NotInFirmware): as [`Client::call`].
+    /// - [`InvalidArgument`](ErrorKind::InvalidArgument), [`NotInFirmware`](ErrorKind::NotInFirmware): as
+    ///   [`Client::call`].
     /// - [`Refused`](ErrorKind::Refused), [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost),
-    ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): the outcome of an earlier command, which the error names. Each is reported
-    ///   once.
-    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have run.
-    /// - [`NotSentInTime`](ErrorKind::NotSentInTime): the controller accepted or answered too little in time for this command to be sent.
+    ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): the outcome of an earlier command, which the error names.
+    ///   Each is reported once.
+    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have
+    ///   run.
+    /// - [`NotSentInTime`](ErrorKind::NotSentInTime): the controller accepted or answered too little in time for this
+    ///   command to be sent.
     ///
     /// After an error, this command was not sent, unless the error is `Disconnected` and says so.
     pub fn send<C: Command<Reply = ()>>(&mut self, command: &C) -> Result<(), Error> {
         self.send_all(std::slice::from_ref(command))
     }
 
-    /// Sends commands, several in one write if the window has room for them. If it is full, waits as [`send`](Self::send) does.
+    /// Sends commands, several in one write if the window has room for them. If it is full, waits as
+    /// [`send`](Self::send) does.
     ///
     /// # Errors
     /// As [`send`](Self::send); [`sent`](Self::sent) says how many have gone out. If one of the commands is an
@@ -142,8 +147,8 @@ impl<'c> Pipeline<'c> {
         self.accepted
     }
 
-    /// Waits for the outstanding replies, each for the reply timeout since its command was sent, and returns how many commands were
-    /// accepted in all.
+    /// Waits for the outstanding replies, each for the reply timeout since its command was sent, and returns how many
+    /// commands were accepted in all.
     ///
     /// # Errors
     /// As [`send`](Self::send), for the first failure that has not been reported.

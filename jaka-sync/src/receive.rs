@@ -19,8 +19,8 @@ pub(crate) enum Chunk {
     All,
     /// As much as there was room for. There may be more.
     Part,
-    /// Nothing, within the time of one read, which may be shorter than what was asked for; or at all, where the socket does
-    /// not block.
+    /// Nothing, within the time of one read, which may be shorter than what was asked for; or at all, where the socket
+    /// does not block.
     TimeUp,
 }
 
@@ -37,8 +37,9 @@ const LONGEST: Duration = Duration::from_secs(3600);
 impl ReadTimeout {
     /// Sets a timeout that is no longer than the time left, and at least half of it.
     ///
-    /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it reads: a call that
-    /// is answered takes no system call for its deadline. Who waits to the end reads a few times more.
+    /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it
+    /// reads: a call that is answered takes no system call for its deadline. Who waits to the end reads a few times
+    /// more.
     fn set(&mut self, stream: &Socket, left: Duration) -> std::io::Result<()> {
         let left = left.clamp(SHORTEST, LONGEST);
         if (left / 2..=left).contains(&self.0) {
@@ -78,7 +79,8 @@ pub(crate) fn check_end(stream: &Socket, framer: &Framer) -> Result<(), Disconne
     }
 }
 
-/// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a simulated clock, for `left`.
+/// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a
+/// simulated clock, for `left`.
 pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Chunk, Disconnect> {
     let room = framer.spare().len();
     match stream.read(framer.spare(), Some(left)) {

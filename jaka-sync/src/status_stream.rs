@@ -75,8 +75,8 @@ impl StatusStream {
     ///
     /// # Errors
     /// - [`StatusTimeout`](ErrorKind::StatusTimeout): no packet within the reply timeout.
-    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is not a JSON object, or a [`Decode`] of your own refuses it; its
-    ///   text is kept.
+    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is not a JSON object, or a [`Decode`] of your own
+    ///   refuses it; its text is kept.
     /// - [`Disconnected`](ErrorKind::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
         self.next_packet_as()

@@ -2,9 +2,9 @@
 
 /// Makes a struct with some fields of the status packet, for programs that need no more.
 ///
-/// The fields are named as in [`RobotStatus`](crate::status::RobotStatus), and have the types and docs that they have there. Use
-/// the struct with [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and its neighbours, or as that which a
-/// [`Monitor`](crate::Monitor) keeps.
+/// The fields are named as in [`RobotStatus`](crate::status::RobotStatus), and have the types and docs that they have
+/// there. Use the struct with [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and its neighbours,
+/// or as that which a [`Monitor`](crate::Monitor) keeps.
 ///
 /// ```no_run
 /// use jaka_sync::{Config, Monitor, StatusStream};
@@ -20,9 +20,9 @@
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///
-/// Reading it takes a fraction of the time that the whole packet takes: the values of other keys are skipped by their quotes and
-/// brackets, so that an error in one of them goes unnoticed. A field that is named is read and checked as in a
-/// full packet: a key that does not come is `None`, and so is one that does not fit or that comes twice, which
+/// Reading it takes a fraction of the time that the whole packet takes: the values of other keys are skipped by their
+/// quotes and brackets, so that an error in one of them goes unnoticed. A field that is named is read and checked as in
+/// a full packet: a key that does not come is `None`, and so is one that does not fit or that comes twice, which
 /// [`StatusStream::unfit`](crate::StatusStream::unfit) and [`Snapshot::unfit`](crate::Snapshot::unfit) tell.
 ///
 /// A field that the packet does not have is a compiler error at its name:

@@ -12,12 +12,13 @@ use crate::link::{Link, Outgoing, Right, Sent};
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
 ///
-/// The command goes out on the client's own connection: the command port serves one client. So the handle works as long as the client
-/// lives: dropping the client closes the connection, and [`stop`](Self::stop) then fails. Keep the client for as long as the arm may move.
+/// The command goes out on the client's own connection: the command port serves one client. So the handle works as long
+/// as the client lives: dropping the client closes the connection, and [`stop`](Self::stop) then fails. Keep the client
+/// for as long as the arm may move.
 ///
-/// A stop that waits to be sent goes before all other commands that wait, also between the writes of a [`Pipeline`](crate::Pipeline).
-/// The controller processes what was sent before it first. This is not an emergency stop: only the robot's own safety functions protect
-/// people.
+/// A stop that waits to be sent goes before all other commands that wait, also between the writes of a
+/// [`Pipeline`](crate::Pipeline). The controller processes what was sent before it first. This is not an emergency
+/// stop: only the robot's own safety functions protect people.
 ///
 /// ```no_run
 /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -56,8 +57,8 @@ impl StopHandle {
     /// Sends `stop_program` (4.23) and waits until the controller has accepted it.
     ///
     /// # Errors
-    /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the cause after
-    /// the client was dropped. Unless the call succeeds, expect the robot to keep moving.
+    /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the
+    /// cause after the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
         self.wait(&self.write()?)
     }

@@ -13,7 +13,8 @@ pub struct Evidence {
     pub detail: Option<String>,
 }
 
-/// Kinds of sources. The order is that of the reference's scale, not of trust: a capture shows what one controller does.
+/// Kinds of sources. The order is that of the reference's scale, not of trust: a capture shows what one controller
+/// does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mark {
     /// The TCP document 2.0.4, in a text of it that is not the command's own section.

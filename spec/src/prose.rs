@@ -1,8 +1,9 @@
 //! Text of a spec or of a pack as prose: Markdown in which nothing becomes code, HTML, a link or a table.
 //!
-//! A pack is somebody else's text, perhaps with a controller's own words in it, and rustdoc runs what it takes for code as a test of
-//! the user who compiles the pack. So paragraphs, headings, lists, emphasis and code spans are kept, and what Markdown could take for more
-//! loses its meaning by a backslash. Nothing is indented so far that it would be code, and invisible characters are escapes.
+//! A pack is somebody else's text, perhaps with a controller's own words in it, and rustdoc runs what it takes for code
+//! as a test of the user who compiles the pack. So paragraphs, headings, lists, emphasis and code spans are kept, and
+//! what Markdown could take for more loses its meaning by a backslash. Nothing is indented so far that it would be
+//! code, and invisible characters are escapes.
 
 use std::fmt::Write;
 use std::ops::RangeInclusive;
@@ -45,7 +46,8 @@ pub fn code_span(text: &str) -> String {
     }
 }
 
-/// The text in one line, with escapes for the characters that nobody sees, ends of lines among them. Tabs count as blanks.
+/// The text in one line, with escapes for the characters that nobody sees, ends of lines among them. Tabs count as
+/// blanks.
 pub fn shown(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     for c in line.chars() {
@@ -61,8 +63,8 @@ pub fn shown(line: &str) -> String {
     out
 }
 
-/// The general categories Cf, Zl and Zp of Unicode: characters that direct the text around them without being seen, and separators
-/// of lines and paragraphs. `jaka_proto::text` has them from here.
+/// The general categories Cf, Zl and Zp of Unicode: characters that direct the text around them without being seen, and
+/// separators of lines and paragraphs. `jaka_proto::text` has them from here.
 #[rustfmt::skip]
 pub const HIDDEN: &[RangeInclusive<char>] = &[
     '\u{ad}'..='\u{ad}', '\u{600}'..='\u{605}', '\u{61c}'..='\u{61c}', '\u{6dd}'..='\u{6dd}', '\u{70f}'..='\u{70f}',

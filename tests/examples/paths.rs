@@ -1,7 +1,8 @@
 //! Trajectories through points and curves near them, as JSON lines: points, limits, tolerances, and the positions each
 //! millisecond. `tests/outside/run paths` compares them with TOPP-RA and Ruckig.
 //!
-//! `cargo run --release -p jaka-tests --example paths -- 33`: the seed. With `times` in its place, the time for planning.
+//! `cargo run --release -p jaka-tests --example paths -- 33`: the seed. With `times` in its place, the time for
+//! planning.
 
 use std::io::{self, BufWriter, Write};
 use std::iter::once;

@@ -1,7 +1,8 @@
 //! Mixed traffic with random faults for an hour, or as long as wanted, with the simulators in another process:
 //! `cargo run --release -p jaka-tests --example soak -- --minutes 60 --seed 7`.
 //!
-//! Prints a line a minute and a summary, and ends with 1 where something is wrong. `docs/reliability.md` says what is checked.
+//! Prints a line a minute and a summary, and ends with 1 where something is wrong. `docs/reliability.md` says what is
+//! checked.
 
 use std::alloc::System;
 use std::error::Error;

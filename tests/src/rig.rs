@@ -11,8 +11,8 @@ use proptest::test_runner::{RngAlgorithm, TestRng};
 pub const AMOUNTS: [f64; 4] =
     [Checker::AMOUNT_DEG, Checker::AMOUNT_MM, Checker::AMOUNT_SPEED, Checker::AMOUNT_SINGULARITY];
 
-/// What the witness may not see of what is within a limit: its own steps, and rounding. So near to the least distance from a singularity the
-/// checker may refuse, as it says.
+/// What the witness may not see of what is within a limit: its own steps, and rounding. So near to the least distance
+/// from a singularity the checker may refuse, as it says.
 pub const WITHIN: [f64; 4] = [-1e-4, -0.05, -0.01, -Checker::AMOUNT_SINGULARITY];
 
 /// Random numbers of a seed.

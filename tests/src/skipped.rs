@@ -11,9 +11,11 @@ pub fn skipped(check: &str, why: &str) {
     assert!(!is_ci(), "NOT CHECKED: {check}: {why}, and CI does not pass without it");
 }
 
-/// Says the same of a check that passes with CI where it cannot be made: of a program that not every machine can install.
+/// Says the same of a check that passes with CI where it cannot be made: of a program that not every machine can
+/// install.
 pub fn left_out(check: &str, why: &str) {
-    // The harness captures what `eprintln!` prints, but not what is written to the stream itself. The reader may be gone.
+    // The harness captures what `eprintln!` prints, but not what is written to the stream itself. The reader may be
+    // gone.
     writeln!(std::io::stderr().lock(), "NOT CHECKED: {check}: {why}").ok();
 }
 

@@ -1,9 +1,9 @@
-//! Mixed traffic with random faults for as long as wanted: what was sent is what the simulator saw, each reply is its caller's,
-//! and memory, handles and threads stay what they are.
+//! Mixed traffic with random faults for as long as wanted: what was sent is what the simulator saw, each reply is its
+//! caller's, and memory, handles and threads stay what they are.
 //!
-//! Several arms, each a thread with a client, a monitor, two stop handles, a status stream and now and then a recorder, against
-//! simulators with faults on both ports. The traffic comes in rounds. Between them nothing is connected, and each arm's
-//! account is compared with what its simulator saw.
+//! Several arms, each a thread with a client, a monitor, two stop handles, a status stream and now and then a recorder,
+//! against simulators with faults on both ports. The traffic comes in rounds. Between them nothing is connected, and
+//! each arm's account is compared with what its simulator saw.
 
 mod account;
 mod arm;

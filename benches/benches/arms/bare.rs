@@ -1,5 +1,5 @@
-//! An arm as a hand-written program has it that knows no more than what to write and when: one thread sleeps to absolute times, writes and
-//! reads what is there; another reads status packets. Nothing is decoded.
+//! An arm as a hand-written program has it that knows no more than what to write and when: one thread sleeps to
+//! absolute times, writes and reads what is there; another reads status packets. Nothing is decoded.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};

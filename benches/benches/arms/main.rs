@@ -1,4 +1,5 @@
-//! Many arms from one process: a servo session at 125 Hz and a monitor at 50 Hz for each, compared with bare loops with the same sockets.
+//! Many arms from one process: a servo session at 125 Hz and a monitor at 50 Hz for each, compared with bare loops with
+//! the same sockets.
 //!
 //! Options: `--seconds N` for each turn (5), `--rounds N` (2), `--arms N` for one number of arms (1, 10 and 100).
 

@@ -29,7 +29,8 @@ pub(crate) fn run(role: &str) -> Result<(), Failure> {
     let robots: Vec<_> =
         std::io::stdin().lines().map_while(Result::ok).filter_map(|line| Addresses::read(&line)).collect();
     let before = process::resident().unwrap_or_default();
-    // All arms are connected before the first moves; their cycles are spread over a period, and the turn's end is awaited.
+    // All arms are connected before the first moves; their cycles are spread over a period, and the turn's end is
+    // awaited.
     let stages = Arc::new([(); 3].map(|()| Barrier::new(robots.len() + 1)));
     let arm = |(number, robot): (usize, &Addresses)| {
         let (robot, stages, is_bare) = (*robot, Arc::clone(&stages), role == "bare");

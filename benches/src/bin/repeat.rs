@@ -1,5 +1,5 @@
-//! Does one task a number of times, for a tool that counts: `repeat "status packet of 9 KB" ours 100`. Without arguments: the
-//! names of all works, contenders and targets.
+//! Does one task a number of times, for a tool that counts: `repeat "status packet of 9 KB" ours 100`. Without
+//! arguments: the names of all works, contenders and targets.
 
 use std::process::ExitCode;
 

@@ -11,8 +11,8 @@ pub struct Flange {
     pub place: [f64; 3],
 }
 
-/// The flange for joint positions in degrees. The lengths are the base's height, upper arm, forearm, and the offsets of joints 4, 5
-/// and 6, in mm.
+/// The flange for joint positions in degrees. The lengths are the base's height, upper arm, forearm, and the offsets of
+/// joints 4, 5 and 6, in mm.
 pub fn forward(lengths: &[f64; 6], joints: &[f64; 6]) -> Flange {
     let [base, upper_arm, forearm, wrist_1, wrist_2, wrist_3] = lengths;
     let [q1, q2, q3, q4, q5, q6] = joints.map(f64::to_radians);

@@ -53,7 +53,8 @@ impl Moment {
     }
 }
 
-/// Positions, speeds and accelerations of the joints of the picture, of which the latter two are differences of set-points.
+/// Positions, speeds and accelerations of the joints of the picture, of which the latter two are differences of
+/// set-points.
 pub(super) fn quantities() -> Result<[Quantity; 3], Box<dyn Error>> {
     let mut limits = Limits::of(Model::named("Zu 5").ok_or("there is no Zu 5")?).with_joint_speeds([SPEED; 6])?;
     for joint in JOINTS {

@@ -31,7 +31,8 @@ const NOT_IN_SERVO_MODE_REPLY: &[u8] =
 
 /// Serves each client in a thread of its own.
 ///
-/// The answers to set-points are late by this many set-points; those to any other command come at once, after what is late.
+/// The answers to set-points are late by this many set-points; those to any other command come at once, after what is
+/// late.
 ///
 /// # Errors
 /// No more connections are accepted.

@@ -21,7 +21,8 @@ pub struct Addresses {
 }
 
 impl Server {
-    /// Starts a program that prints the two addresses of each of its robots in a line, and an empty line after the last.
+    /// Starts a program that prints the two addresses of each of its robots in a line, and an empty line after the
+    /// last.
     ///
     /// `core` is the processor that it is bound to, by `taskset`; any, if it is none.
     ///

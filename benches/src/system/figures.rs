@@ -65,7 +65,8 @@ impl fmt::Debug for Contender<'_> {
     }
 }
 
-/// Lets all run one round after the other. Each round begins with another, and the first, which warms up, does not count.
+/// Lets all run one round after the other. Each round begins with another, and the first, which warms up, does not
+/// count.
 ///
 /// # Errors
 /// The first error of a contender.

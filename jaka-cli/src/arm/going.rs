@@ -23,8 +23,8 @@ pub(crate) struct GoArgs {
     acceleration: Option<f64>,
     /// Print the request that would be sent, and send nothing
     ///
-    /// With --model or --limits, what can be compared with them without the command port is. If --robot or --sim is given, too, one status packet
-    /// says where the arm is: that disturbs no other program.
+    /// With --model or --limits, what can be compared with them without the command port is. If --robot or --sim is
+    /// given, too, one status packet says where the arm is: that disturbs no other program.
     #[arg(long)]
     dry_run: bool,
     /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`

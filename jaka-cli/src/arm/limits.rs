@@ -30,8 +30,8 @@ impl LimitsArgs {
     }
 }
 
-/// The acceleration of a motion of the joints: as given, or else, with limits, the lowest of them, since a motion whose acceleration is not known cannot be
-/// compared with limits.
+/// The acceleration of a motion of the joints: as given, or else, with limits, the lowest of them, since a motion whose
+/// acceleration is not known cannot be compared with limits.
 pub(crate) fn acceleration_deg_s2(given: Option<f64>, limits: Option<&Limits>) -> Option<f64> {
     given.or_else(|| limits?.joint_accelerations().iter().copied().reduce(f64::min))
 }

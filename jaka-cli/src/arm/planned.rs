@@ -1,5 +1,5 @@
-//! A motion of `jaka move` and `jaka jog` before it is sent: what it does in words, and how it compares with limits as far as that needs no command
-//! port.
+//! A motion of `jaka move` and `jaka jog` before it is sent: what it does in words, and how it compares with limits as
+//! far as that needs no command port.
 
 use itertools::Itertools as _;
 use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointSpeed, Limits};
@@ -77,9 +77,9 @@ impl Planned {
         }
     }
 
-    /// Compares the motion with what limits say of joints and of the requested speed, from where the joints are, if that is known. Without that, a target
-    /// is not compared with ranges, since an arm that is beyond one may be led back. What depends on the tool and the frames is left to the check
-    /// that asks the controller for them.
+    /// Compares the motion with what limits say of joints and of the requested speed, from where the joints are, if
+    /// that is known. Without that, a target is not compared with ranges, since an arm that is beyond one may be led
+    /// back. What depends on the tool and the frames is left to the check that asks the controller for them.
     pub(crate) fn check(&self, limits: &Limits, from: Option<JointPosition>) -> Result<(), Failure> {
         match (self.goal, from) {
             (MoveTarget::Joints(to), Some(from)) => self.check_way(limits, from.0, to),

@@ -3,7 +3,8 @@
 /// What lines of the tool have in place of a unit of joints, up to which number that is usual.
 const OF_LINES: [(&str, &str, f64); 2] = [("deg/s", "mm/s", 10_000.0), ("deg/s²", "mm/s²", 8000.0)];
 
-/// A line with a hint, where a number that is not within what is allowed, such as `at most 265 deg/s`, would be usual in another unit.
+/// A line with a hint, where a number that is not within what is allowed, such as `at most 265 deg/s`, would be usual
+/// in another unit.
 pub(crate) fn other_unit(number: f64, allowed: &str) -> Option<String> {
     let (of_joints, of_lines, most) = *OF_LINES.iter().find(|(unit, ..)| allowed.ends_with(&format!(" {unit}")))?;
     (number > 0.0 && number <= most).then(|| {

@@ -16,8 +16,8 @@ const PATIENCE: Duration = Duration::from_secs(15);
 
 /// Leave the protective stop that a collision has caused
 ///
-/// Make sure first that nobody and nothing is in contact with the arm. Waits until no status packet shows a protective stop. An emergency
-/// stop is released by hand.
+/// Make sure first that nobody and nothing is in contact with the arm. Waits until no status packet shows a protective
+/// stop. An emergency stop is released by hand.
 #[derive(Debug, Args)]
 pub(crate) struct Clear {
     #[command(flatten)]

@@ -13,8 +13,9 @@ use crate::terminal::output;
 
 /// Print the completion script of a shell
 ///
-/// For bash: `jaka completions bash > ~/.local/share/bash-completion/completions/jaka`. The script asks `jaka` itself for commands, the commands and fields of the
-/// protocol with those of packs, values, robots of the config file, and the fields of a recording.
+/// For bash: `jaka completions bash > ~/.local/share/bash-completion/completions/jaka`. The script asks `jaka` itself
+/// for commands, the commands and fields of the protocol with those of packs, values, robots of the config file, and
+/// the fields of a recording.
 #[derive(Debug, Args)]
 pub(crate) struct Completions {
     /// The shell

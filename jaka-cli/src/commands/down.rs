@@ -10,7 +10,8 @@ use crate::terminal::output;
 
 /// Disable the arm and switch its power off, each step when the one before is done
 ///
-/// What is done already is not sent. The controller does not disable an arm that moves or runs a program: `jaka stop` first.
+/// What is done already is not sent. The controller does not disable an arm that moves or runs a program: `jaka stop`
+/// first.
 #[derive(Debug, Args)]
 pub(crate) struct Down {
     #[command(flatten)]

@@ -18,8 +18,9 @@ use crate::terminal::output;
 
 /// Explain a code or a refusal of the controller
 ///
-/// Talks to no robot. A code is one of `errcode` on the status port, such as `0x0F0034`, or 983092 in decimal digits, or an
-/// `errorCode` of a reply, such as -1. A refusal is its message, such as `call joint_move failed`, or the whole reply.
+/// Talks to no robot. A code is one of `errcode` on the status port, such as `0x0F0034`, or 983092 in decimal digits,
+/// or an `errorCode` of a reply, such as -1. A refusal is its message, such as `call joint_move failed`, or the whole
+/// reply.
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
     /// Code, message or reply

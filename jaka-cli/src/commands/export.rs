@@ -27,8 +27,9 @@ Examples:
 
 /// Write the status packets of a recording as a table, a line for each packet
 ///
-/// Talks to no robot, and does not wait: the times are those of the recording. The columns are named as the fields, with their units. They are `time (s)`, since the
-/// recording began; `unix_time (s)`; `connection`; then each field, divided into its parts. What a packet does not have is an empty cell, or null.
+/// Talks to no robot, and does not wait: the times are those of the recording. The columns are named as the fields,
+/// with their units. They are `time (s)`, since the recording began; `unix_time (s)`; `connection`; then each field,
+/// divided into its parts. What a packet does not have is an empty cell, or null.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Export {
@@ -66,7 +67,8 @@ impl Export {
         if let ExportFormat::Csv = self.format {
             out.write(&columns.header())?;
         }
-        // What is not in the table though it is in the recording: messages that are not packets, and fields, each told once.
+        // What is not in the table though it is in the recording: messages that are not packets, and fields, each told
+        // once.
         let (mut messages, mut unfit) = (0, BTreeSet::new());
         for packet in packets(&recording) {
             let Ok(status) = packet.status else {

@@ -28,12 +28,12 @@ Examples:
 
 /// Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the trajectory
 ///
-/// The file has times in seconds and joint positions, as CSV or JSON, with their units: the README shows it. A CSV file without
-/// times has joint positions, or poses of the tool: --within-mm and --within-deg lead along a smooth curve near them,
-/// --corner-mm and --corner-deg through them. All of it is compared with the arm's limits
-/// before anything is sent. Then a set-point goes out each 8 ms. Ctrl-C brakes the arm along the trajectory, and a second one also sends
-/// `stop_program`. It stops likewise where it takes longer than --timeout, if that is given. The exit code tells how it ended: `jaka --help`
-/// has them.
+/// The file has times in seconds and joint positions, as CSV or JSON, with their units: the README shows it. A CSV file
+/// without times has joint positions, or poses of the tool: --within-mm and --within-deg lead along a smooth curve near
+/// them, --corner-mm and --corner-deg through them. All of it is compared with the arm's limits before anything is
+/// sent. Then a set-point goes out each 8 ms. Ctrl-C brakes the arm along the trajectory, and a second one also sends
+/// `stop_program`. It stops likewise where it takes longer than --timeout, if that is given. The exit code tells how it
+/// ended: `jaka --help` has them.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Follow {
@@ -42,7 +42,8 @@ pub(crate) struct Follow {
     file: PathBuf,
     /// Print what was checked, how long it takes and its peaks; connect to nothing
     ///
-    /// The tool and the frames of the controller are not known then: what is said of the tool centre point is said of the flange.
+    /// The tool and the frames of the controller are not known then: what is said of the tool centre point is said of
+    /// the flange.
     #[arg(long)]
     dry_run: bool,
     /// Write a picture, too: position, speed and acceleration of the joints, and the tool's way, as SVG

@@ -26,10 +26,11 @@ Measure while the machine does what it will do while the arm moves: on an idle o
 
 /// Measure how late this machine begins cycles of set-points, and how long a robot's replies take; nothing is moved
 ///
-/// A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with the thread's usual priority and with a
-/// real-time one, in turns. Then follows what to change, by these figures. If --robot or --sim is given, queries are sent first, one in each
-/// 8 ms; a robot that only the environment or the config file names is left alone. The command port serves one client:
-/// another program that is connected there may be disconnected, so this asks first.
+/// A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with the thread's
+/// usual priority and with a real-time one, in turns. Then follows what to change, by these figures. If --robot or
+/// --sim is given, queries are sent first, one in each 8 ms; a robot that only the environment or the config file names
+/// is left alone. The command port serves one client: another program that is connected there may be disconnected, so
+/// this asks first.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Jitter {

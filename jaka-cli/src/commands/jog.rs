@@ -17,8 +17,8 @@ Examples:
 
 /// Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
 ///
-/// It is a motion with an end (`joint_move` or `moveL` with an offset), so that it can be stopped, and that its end is known. A jog that goes on until it is
-/// stopped is `jaka call jog` alone.
+/// It is a motion with an end (`joint_move` or `moveL` with an offset), so that it can be stopped, and that its end is
+/// known. A jog that goes on until it is stopped is `jaka call jog` alone.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Jog {

@@ -15,8 +15,8 @@ Examples:
 
 /// Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
 ///
-/// The end of the motion is waited for, for 300 s or --timeout, and the exit code tells how it ended: `jaka --help` has them. Without --model or
-/// --limits nothing but the controller knows what the arm can reach.
+/// The end of the motion is waited for, for 300 s or --timeout, and the exit code tells how it ended: `jaka --help` has
+/// them. Without --model or --limits nothing but the controller knows what the arm can reach.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, group = ArgGroup::new("target").required(true).args(["joints", "pose"]))]
 pub(crate) struct Move {

@@ -25,8 +25,9 @@ use crate::terminal::output;
 
 /// Send a controller every query of the protocol, and report where its answers depart from the spec.
 ///
-/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one client: another program that is
-/// connected there may be disconnected, so this asks first. The report can be pasted into a bug report. On Ctrl-C it has what was found by then.
+/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one
+/// client: another program that is connected there may be disconnected, so this asks first. The report can be pasted
+/// into a bug report. On Ctrl-C it has what was found by then.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
     /// Read this many status packets
@@ -37,9 +38,9 @@ pub(crate) struct Probe {
     json: bool,
     /// Write a draft of a command pack with the keys that the spec does not know, and the types of what cannot be read
     ///
-    /// Each key is optional, with a type guessed from its values, and without documentation. A field that cannot be read
-    /// gets the type that its value looks like. A key that seems to be the new name of a missing one is proposed as such.
-    /// An existing file is not overwritten.
+    /// Each key is optional, with a type guessed from its values, and without documentation. A field that cannot be
+    /// read gets the type that its value looks like. A key that seems to be the new name of a missing one is proposed
+    /// as such. An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     /// Connect to the command port without asking

@@ -23,8 +23,9 @@ use crate::text::seconds::some_seconds;
 
 /// Record a session to a new file, until it is interrupted.
 ///
-/// Records either what any program and the robot send each other, as a proxy between them (--listen): the program connects
-/// to this one instead of the robot. Or the robot's status packets only (--status-only), which disturbs no other program.
+/// Records either what any program and the robot send each other, as a proxy between them (--listen): the program
+/// connects to this one instead of the robot. Or the robot's status packets only (--status-only), which disturbs no
+/// other program.
 ///
 /// `jaka replay` shows the file, and answers from it in place of the robot.
 #[derive(Debug, Args)]
@@ -34,7 +35,8 @@ pub(crate) struct Record {
     file: PathBuf,
     /// Act as a proxy between programs and the robot, and listen at this address, such as 127.0.0.1
     ///
-    /// Bytes are passed on unchanged and at once, in both directions. Anyone who can reach the address can move the robot.
+    /// Bytes are passed on unchanged and at once, in both directions. Anyone who can reach the address can move the
+    /// robot.
     #[arg(long, value_name = "ADDRESS")]
     listen: Option<IpAddr>,
     /// Port of the proxy for commands, 0 for a free one

@@ -22,8 +22,9 @@ Examples:
 
 /// Make a page with pictures of a recording: an HTML file, for browsers and for print
 ///
-/// Talks to no robot. The page has the joints, speeds, the path of the tool centre point from two sides, inputs and outputs, calls with the times of their replies, refusals and
-/// events on one time axis, how regularly set-points were sent, and what went wrong, with the messages before it. It is one file without scripts, which refers to nothing
+/// Talks to no robot. The page has the joints, speeds, the path of the tool centre point from two sides, inputs and
+/// outputs, calls with the times of their replies, refusals and events on one time axis, how regularly set-points were
+/// sent, and what went wrong, with the messages before it. It is one file without scripts, which refers to nothing
 /// outside of itself.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

@@ -42,8 +42,9 @@ pub(crate) struct Status {
     count: Option<NonZeroU64>,
     /// Wait until a packet shows this, such as `in_position && !protective_stop`; print that packet
     ///
-    /// Fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&, ||, ! and parentheses. With --watch, packets
-    /// before it are printed, too. The exit code is 27 if it is not shown within --timeout, and 130 on Ctrl-C.
+    /// Fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&, ||, ! and parentheses.
+    /// With --watch, packets before it are printed, too. The exit code is 27 if it is not shown within --timeout, and
+    /// 130 on Ctrl-C.
     #[arg(long, value_name = "CONDITION", conflicts_with_all = ["raw", "count"])]
     until: Option<String>,
     /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]

@@ -10,8 +10,9 @@ use crate::terminal::output;
 
 /// Stop the motion or the program that is running; sent without a question
 ///
-/// This is not an emergency stop: it travels over the network, and the controller must take it. The command port serves one client: another
-/// program that is connected there may be disconnected. No source says whether it ends `movc`, a jog, or servo motion.
+/// This is not an emergency stop: it travels over the network, and the controller must take it. The command port serves
+/// one client: another program that is connected there may be disconnected. No source says whether it ends `movc`, a
+/// jog, or servo motion.
 #[derive(Debug, Args)]
 pub(crate) struct Stop {
     #[command(flatten)]

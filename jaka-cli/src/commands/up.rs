@@ -16,7 +16,9 @@ pub(super) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Power and enable the arm, each step when the one before is done
 ///
-/// Power takes some 8 s, and enabling 3 to 4 s as a rule; standard error tells how far it has come. What is done already is not sent. Nothing is sent while the emergency stop is pressed. An arm that is enabled releases its brakes.
+/// Power takes some 8 s, and enabling 3 to 4 s as a rule; standard error tells how far it has come. What is done
+/// already is not sent. Nothing is sent while the emergency stop is pressed. An arm that is enabled releases its
+/// brakes.
 #[derive(Debug, Args)]
 pub(crate) struct Up {
     #[command(flatten)]

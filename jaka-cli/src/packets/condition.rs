@@ -42,7 +42,8 @@ enum Comparison {
 }
 
 impl Condition {
-    /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and neither does its contrary.
+    /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and
+    /// neither does its contrary.
     pub(crate) fn holds(&self, packet: &Node<'_>) -> bool {
         self.root.truth(packet) == Some(true)
     }

@@ -32,7 +32,8 @@ pub(crate) fn page(
     Ok(text.replacen(&sized(fine), &sized((width, height)), 1))
 }
 
-/// The axes of a chart, with what it shows at its left and the unit of the other axis at its numbers, which have so many decimals.
+/// The axes of a chart, with what it shows at its left and the unit of the other axis at its numbers, which have so
+/// many decimals.
 pub(crate) fn axes(chart: &mut Chart, shows: &str, unit: &str, [x, y]: [usize; 2]) -> Drawn {
     chart
         .configure_mesh()

@@ -44,7 +44,8 @@ impl Series {
         self.points.iter().filter_map(|(_, value)| *value).minmax().into_option()
     }
 
-    /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are interrupted where nothing is known for a column.
+    /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are
+    /// interrupted where nothing is known for a column.
     pub(super) fn curves(&self, end: f64, columns: u32) -> Vec<Vec<Point>> {
         let shown: Vec<_> = self.points.iter().copied().filter(|(time, _)| *time <= end).collect();
         let column = |(time, _): &(f64, Option<f64>)| (time / end * f64::from(columns)).floor();

@@ -96,7 +96,8 @@ fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     title(area, &strip.title, height)
 }
 
-/// A chart whose time axis is where that of all others is, with what is free above and below it, and the height of the axis.
+/// A chart whose time axis is where that of all others is, with what is free above and below it, and the height of the
+/// axis.
 pub(super) fn chart<'a, 'b>(
     area: &'a Area<'b>,
     end: f64,

@@ -35,7 +35,8 @@ enum Color {
 }
 
 impl ConsoleArgs {
-    /// From now on, messages are as the options say. What they said before stays, since they may stand at two places of a line.
+    /// From now on, messages are as the options say. What they said before stays, since they may stand at two places of
+    /// a line.
     pub(crate) fn apply(&self) {
         if self.quiet {
             output::be_quiet();

@@ -48,10 +48,12 @@ pub(crate) const CONTROLLER_ERROR: u8 = 26;
 pub(crate) const DEADLINE: u8 = 27;
 /// Status packets that can be read no longer come; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;
-/// On Ctrl-C, or of `jaka stop`, the controller did not take the stop, or it is not known whether it did; the arm may still move.
+/// On Ctrl-C, or of `jaka stop`, the controller did not take the stop, or it is not known whether it did; the arm may
+/// still move.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
-/// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at rest.
+/// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at
+/// rest.
 pub(crate) const NOT_FOLLOWED: u8 = 30;
 
 /// Ctrl-C before anything was sent, or before what was waited for.

@@ -40,7 +40,8 @@ pub(crate) fn print(targets: &'static str) {
     log::set_max_level(LevelFilter::Trace);
 }
 
-/// From now on tells connections, requests and replies on standard error, and more if `-v` is given more often; not where that is to be quiet.
+/// From now on tells connections, requests and replies on standard error, and more if `-v` is given more often; not
+/// where that is to be quiet.
 pub(crate) fn tell(verbose: u8) {
     if output::is_quiet() {
         return;

@@ -1,8 +1,9 @@
 //! Results on standard output, and warnings on standard error.
 //!
-//! What controllers, recordings and packs say may contain what a terminal obeys: see `jaka_sync::proto::text`. Code that puts such text
-//! into a table or a sentence makes it visible there, so that a line end in it does not begin a line. What is written through here is made
-//! visible once more; only [`write()`] passes on bytes as they are, for which its caller is responsible.
+//! What controllers, recordings and packs say may contain what a terminal obeys: see `jaka_sync::proto::text`. Code
+//! that puts such text into a table or a sentence makes it visible there, so that a line end in it does not begin a
+//! line. What is written through here is made visible once more; only [`write()`] passes on bytes as they are, for
+//! which its caller is responsible.
 
 use std::borrow::Cow;
 use std::io::Write;
@@ -24,7 +25,8 @@ use crate::tests::{stderr, stdout};
 /// What people read in place of a value that a packet does not have.
 pub(crate) const ABSENT: &str = "–";
 
-/// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as there is one.
+/// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as
+/// there is one.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
     out.write_all(&with_returns(bytes)).and_then(|()| out.flush()).map_err(Failure::output)

@@ -9,8 +9,8 @@ pub(crate) fn row(cells: impl IntoIterator<Item = String>) -> String {
     cells.into_iter().join(",") + "\n"
 }
 
-/// A value as a cell. Invisible characters are escaped, so that each packet is one line. A spreadsheet would take text that begins like a
-/// formula for one, and run it.
+/// A value as a cell. Invisible characters are escaped, so that each packet is one line. A spreadsheet would take text
+/// that begins like a formula for one, and run it.
 pub(crate) fn cell(value: Option<Value>) -> String {
     let text = match value {
         None => return String::new(),

@@ -42,7 +42,8 @@ fn address(host: u32) -> Ipv4Addr {
 }
 
 impl Namespace {
-    /// A namespace with a link to it. Its names and its addresses are those of this process, so it can be only one in each.
+    /// A namespace with a link to it. Its names and its addresses are those of this process, so it can be only one in
+    /// each.
     pub(crate) fn new() -> Result<Self, Unavailable> {
         let pid = std::process::id();
         let ends = [format!("jks{pid}a"), format!("jks{pid}b")];

@@ -85,7 +85,8 @@ pub(crate) fn pack(name: &str) -> String {
     folder.join(name).display().to_string()
 }
 
-/// A file of this name that a test may write, in a folder of the test's own: other tests use the same names at the same time.
+/// A file of this name that a test may write, in a folder of the test's own: other tests use the same names at the same
+/// time.
 pub(crate) fn scratch(name: &str) -> PathBuf {
     let test = thread::current().name().unwrap_or("unnamed").replace("::", "-");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);

@@ -9,8 +9,8 @@ use crate::piece::bernstein::beyond;
 use crate::piece::{Hull, Piece};
 use crate::speed::{JointSpeed, longest};
 
-/// Range, speed, acceleration and jerk of each joint, in degrees, deg/s, deg/s² and deg/s³, and acceleration and jerk of
-/// its stops.
+/// Range, speed, acceleration and jerk of each joint, in degrees, deg/s, deg/s² and deg/s³, and acceleration and jerk
+/// of its stops.
 ///
 /// Each range is within that of the model, and not empty; the others are above 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,8 +95,8 @@ impl AxisLimits {
         })
     }
 
-    /// Deceleration of a stop along a velocity of the joints in deg/s, where the tool centre point has an acceleration of
-    /// its own. It is within those of stops, reached within these jerks, and never below that of motions.
+    /// Deceleration of a stop along a velocity of the joints in deg/s, where the tool centre point has an acceleration
+    /// of its own. It is within those of stops, reached within these jerks, and never below that of motions.
     ///
     /// `tool` is the greatest share of the velocity by which the tool may slow down each second.
     pub(crate) fn stop_rates(&self, velocity: &[f64; 6], jerks: &[f64; 6], tool: f64) -> StopRates {

@@ -9,8 +9,8 @@
 //! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
-//! - Zu 12 and Zu 18: the catalogue has tighter limits, followed here: 270 degrees for joints 1, 5 and 6, and on the Zu 18
-//!   -50 to 230 for joint 2 and 155 for joint 3.
+//! - Zu 12 and Zu 18: the catalogue has tighter limits, followed here: 270 degrees for joints 1, 5 and 6, and on the Zu
+//!   18 -50 to 230 for joint 2 and 155 for joint 3.
 //! - A12: `jaka_a12.urdf` alone has it. Its wrist is another than those of all others.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.

@@ -1,6 +1,7 @@
 //! Polynomials by their Bernstein coefficients, between the least and the largest of which they stay.
 
-/// How often a part of a polynomial is halved before its coefficients count as its values: they come four times nearer each time.
+/// How often a part of a polynomial is halved before its coefficients count as its values: they come four times nearer
+/// each time.
 const HALVINGS: u32 = 24;
 /// By what share of itself a peak may be stated too high.
 const PEAK: f64 = 1e-4;
@@ -67,7 +68,8 @@ pub(crate) fn highest<const N: usize>(coefficients: &[f64; N]) -> f64 {
     peak(&coefficients.map(|coefficient| coefficient + most)) - most
 }
 
-/// Where a polynomial is furthest beyond two numbers, as a share, and its value there, looked at in 128 places; none where it stays between them.
+/// Where a polynomial is furthest beyond two numbers, as a share, and its value there, looked at in 128 places; none
+/// where it stays between them.
 pub(crate) fn beyond<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> Option<(f64, f64)> {
     fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64, halvings: u32) -> bool {
         let inside = |number: &f64| (least..=most).contains(number);

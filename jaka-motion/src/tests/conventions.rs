@@ -7,9 +7,9 @@ use super::{Random, apart, assert_close, from_pose, to_pose};
 use crate::closed_form::Wrist;
 use crate::{Model, Transform};
 
-/// The vendor's SDK examples (`example_kine_inverse`, `example_rpy_to_rot_matrix`,
-/// `example_quaternion_to_rot_matrix`) took these from some arm. Its lengths are not those of a published model (the Zu 7
-/// is nearest, 10 mm off), but orientation does not depend on lengths.
+/// The vendor's SDK examples (`example_kine_inverse`, `example_rpy_to_rot_matrix`, `example_quaternion_to_rot_matrix`)
+/// took these from some arm. Its lengths are not those of a published model (the Zu 7 is nearest, 10 mm off), but
+/// orientation does not depend on lengths.
 const EXAMPLE_JOINTS: [f64; 6] = [0.558, 0.872, 0.872, 0.349, 0.191, 0.191];
 const EXAMPLE_RPY: [f64; 3] = [-1.81826, -0.834_253, -2.30243];
 const EXAMPLE_QUATERNION: [f64; 4] = [0.0629, 0.522_886, -0.5592, 0.6453];
@@ -129,8 +129,8 @@ fn the_inverse_finds_the_joints_of_a_real_zu_5() {
     }
 }
 
-/// The tool is turned by half a turn about x and has no offset. The arm's lengths differ from the published ones by up to
-/// 0.8 mm.
+/// The tool is turned by half a turn about x and has no offset. The arm's lengths differ from the published ones by up
+/// to 0.8 mm.
 #[test]
 fn the_newer_controller_has_a_minicobo() {
     let tool = from_pose([0.0, 0.0, 0.0, 180.0, 0.0, 0.0]);

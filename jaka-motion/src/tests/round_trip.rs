@@ -158,7 +158,8 @@ fn joints_at_their_limits_solve() {
     }
 }
 
-/// Every branch brings the flange there, is found from a reference near it, and the joints the pose was made of are one.
+/// Every branch brings the flange there, is found from a reference near it, and the joints the pose was made of are
+/// one.
 #[test]
 fn the_inverse_returns_each_branch() {
     for (seed, model) in (1001..).zip(Model::published()) {

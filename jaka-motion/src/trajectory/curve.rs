@@ -91,8 +91,8 @@ impl Curve {
         Self { points, near: None, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
     }
 
-    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those of
-    /// the arm, reach it. They are the start of the trajectory.
+    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those
+    /// of the arm, reach it. They are the start of the trajectory.
     pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
         self.near = Some(joints.into());
         self
@@ -328,8 +328,8 @@ impl<'c> Given<'c> {
         (dot(&one, &other) / (dot(&one, &one) * dot(&other, &other)).sqrt()).clamp(-1.0, 1.0).acos().to_degrees()
     }
 
-    /// Distance in tolerances of an arc through a place and its neighbours from the straight ways, where it is as long as
-    /// the shorter one.
+    /// Distance in tolerances of an arc through a place and its neighbours from the straight ways, where it is as long
+    /// as the shorter one.
     fn arc(&self, here: usize) -> f64 {
         let (one, other) = (self.between(here - 1, here), self.between(here, here + 1));
         let (length, next) = (norm(&one), norm(&other));

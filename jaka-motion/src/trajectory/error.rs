@@ -83,7 +83,8 @@ jaka_proto::worded! {
             slower: f64,
         } => "after way-point {after}: joint {joint} would have a jerk of {jerk_deg_s3:.0} deg/s³; limit {limit_deg_s3} deg/s³; \
               nowhere, if all times are {slower:.3} times as long",
-        /// The first way-point is a pose, which several joint positions reach, and [`near`](crate::Through::near) names none.
+        /// The first way-point is a pose, which several joint positions reach, and [`near`](crate::Through::near) names
+        /// none.
         StartsWithPose =>
             "way-point 1 is a pose, which several joint positions reach; name joint positions near it, or start with some",
         /// A curve goes through joint positions and poses.

@@ -11,8 +11,8 @@ use crate::piece::{Piece, Sample};
 
 /// Path of the joints: polynomials of a parameter in place of time.
 ///
-/// Between two stops the first and second derivatives of the joints are continuous. The parameter is about the length of
-/// the joints' path in degrees.
+/// Between two stops the first and second derivatives of the joints are continuous. The parameter is about the length
+/// of the joints' path in degrees.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     pub(super) pieces: Vec<PathPiece>,

@@ -74,8 +74,8 @@ impl SlowPlace {
 }
 
 impl SlowedBy {
-    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks, and of the tool's
-    /// acceleration.
+    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks, and of the
+    /// tool's acceleration.
     pub(super) fn of(shares: [[f64; 6]; 3], tool: f64) -> Self {
         let all = shares.into_iter().enumerate().flat_map(|(which, joints)| {
             joints.into_iter().enumerate().map(move |(joint, share)| (which, joint + 1, share))

@@ -1,10 +1,10 @@
 //! Quickest speed along a path from rest to rest, within accelerations and jerks of the joints.
 //!
 //! The unknown is the squared speed of the path parameter as a function of that parameter: a quadratic spline over the
-//! places, which starts and ends with a constant jerk. Accelerations are linear in it. A jerk is linear in it, times the
-//! speed: the limit divided by the speed is convex, and its tangent at the last iterate is a bound on the safe side. A
-//! primal-dual interior-point method improves a speed that is within all limits from the start on, window by window, so
-//! that the time for planning grows with the number of places.
+//! places, which starts and ends with a constant jerk. Accelerations are linear in it. A jerk is linear in it, times
+//! the speed: the limit divided by the speed is convex, and its tangent at the last iterate is a bound on the safe
+//! side. A primal-dual interior-point method improves a speed that is within all limits from the start on, window by
+//! window, so that the time for planning grows with the number of places.
 
 use std::ops::Range;
 
@@ -18,12 +18,13 @@ pub(super) struct Place {
     pub(super) second: [f64; 6],
     /// Third derivative before and after the place.
     pub(super) third: [[f64; 6]; 2],
-    /// How far the tool goes with the path parameter, and the derivative of that; 0 where its acceleration is not limited.
+    /// How far the tool goes with the path parameter, and the derivative of that; 0 where its acceleration is not
+    /// limited.
     pub(super) tool: [f64; 2],
     /// Limit of the square of the path parameter's speed.
     pub(super) most: f64,
-    /// First, second and third derivative in the middle between this place and the next, where they differ from those at
-    /// the places.
+    /// First, second and third derivative in the middle between this place and the next, where they differ from those
+    /// at the places.
     pub(super) middle: Option<[[f64; 6]; 3]>,
 }
 

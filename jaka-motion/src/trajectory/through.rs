@@ -17,11 +17,11 @@ use crate::transform::Transform;
 
 /// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
-/// It starts at the first point, which is joint positions unless [`near`](Self::near) says more, and ends at the last one, at rest. At the points between it
-/// goes on, rounding each corner within the tolerances that are named for it: that of joints between ways in joints, that
-/// of the tool between lines, and both where a line meets a way in joints. It stops where one of these is not named, and
-/// where the way turns back (by more than 177 degrees). Points nearer to each other than a millionth of a degree or
-/// millimetre count as one.
+/// It starts at the first point, which is joint positions unless [`near`](Self::near) says more, and ends at the last
+/// one, at rest. At the points between it goes on, rounding each corner within the tolerances that are named for it:
+/// that of joints between ways in joints, that of the tool between lines, and both where a line meets a way in joints.
+/// It stops where one of these is not named, and where the way turns back (by more than 177 degrees). Points nearer to
+/// each other than a millionth of a degree or millimetre count as one.
 ///
 /// # Timing
 /// One speed is planned over the whole way from stop to stop: the quickest, within some percent, with the speeds,
@@ -31,8 +31,8 @@ use crate::transform::Transform;
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
-/// corners. A line takes a piece for each 50 mm or less. On an arc the tool centre point is within 0.01 mm of its circle,
-/// and the tool within 0.01 degrees of its turn, which is smoothed where its rate steps at the middle pose.
+/// corners. A line takes a piece for each 50 mm or less. On an arc the tool centre point is within 0.01 mm of its
+/// circle, and the tool within 0.01 degrees of its turn, which is smoothed where its rate steps at the middle pose.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "nothing is planned before it is built"]
 pub struct Through {
@@ -63,8 +63,8 @@ impl Through {
         }
     }
 
-    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those of
-    /// the arm, reach it. They are the start of the trajectory.
+    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those
+    /// of the arm, reach it. They are the start of the trajectory.
     pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
         self.near = Some(joints.into());
         self
@@ -108,8 +108,8 @@ impl Through {
         self
     }
 
-    /// With this share of each joint's acceleration left where the way bends, from 0 to 0.9, for a pause or another rate
-    /// that is asked for there; 0.2 if nothing is said.
+    /// With this share of each joint's acceleration left where the way bends, from 0 to 0.9, for a pause or another
+    /// rate that is asked for there; 0.2 if nothing is said.
     pub fn reserve(mut self, share: f64) -> Self {
         self.speeds.reserve = share;
         self

@@ -25,7 +25,8 @@ pub struct TimedPoint {
     pub acceleration: Option<[f64; 6]>,
 }
 
-/// The highest speed, in deg/s, and acceleration, in deg/s², that count as rest: what is left of zero in a file of radians.
+/// The highest speed, in deg/s, and acceleration, in deg/s², that count as rest: what is left of zero in a file of
+/// radians.
 const REST: f64 = 1e-6;
 
 impl TimedPoint {
@@ -69,7 +70,8 @@ impl TimedPoint {
     /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
     /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
     ///
-    /// let errors = TimedPoint::from_csv(&text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6"), "way.csv").unwrap_err();
+    /// let wrong = text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6");
+    /// let errors = TimedPoint::from_csv(&wrong, "way.csv").unwrap_err();
     /// assert_eq!(
     ///     errors.to_string(),
     ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\

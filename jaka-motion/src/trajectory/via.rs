@@ -75,7 +75,8 @@ impl Via {
         self
     }
 
-    /// With these highest speeds of joints 1 to 6 on the way to it, in deg/s, where those of the trajectory are not lower.
+    /// With these highest speeds of joints 1 to 6 on the way to it, in deg/s, where those of the trajectory are not
+    /// lower.
     #[must_use]
     pub fn with_joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
         self.speeds.joint_speeds = deg_s;

@@ -28,9 +28,9 @@ impl Via {
     /// Points of a CSV text; `file_name` is what errors name.
     ///
     /// The first line that is not blank names the columns, each with its unit and in any order: `joint_1_deg` to
-    /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the tool
-    /// in the user frame; `rad` in place of `deg` for radians. Each line after it is a point. Numbers are separated by
-    /// commas and not quoted; lines that are blank or start with `#` do not count.
+    /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the
+    /// tool in the user frame; `rad` in place of `deg` for radians. Each line after it is a point. Numbers are
+    /// separated by commas and not quoted; lines that are blank or start with `#` do not count.
     ///
     /// ```
     /// use jaka_motion::Via;
@@ -55,10 +55,10 @@ impl Via {
 
     /// Points of a JSON text; `file_name` is what errors name.
     ///
-    /// An object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`, a list of six
-    /// numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or `rotation_rad`, lists of
-    /// three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` are those of the way to this point and of
-    /// its corner alone.
+    /// An object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`, a list of
+    /// six numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or `rotation_rad`,
+    /// lists of three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` are those of the way to this
+    /// point and of its corner alone.
     ///
     /// ```
     /// use jaka_motion::Via;

@@ -44,8 +44,8 @@ pub(crate) struct SentRequests {
 struct Name {
     command: Cow<'static, str>,
     outstanding: usize,
-    /// A reply of this name completed a request that had been given up; it may have been meant for one that is outstanding now. As
-    /// long as one of these is, this holds for those that are sent after it, too.
+    /// A reply of this name completed a request that had been given up; it may have been meant for one that is
+    /// outstanding now. As long as one of these is, this holds for those that are sent after it, too.
     doubtful: bool,
 }
 
@@ -105,7 +105,8 @@ impl SentRequests {
         Ok(())
     }
 
-    /// The request that is completed by the reply with this envelope, or without one. `lost` is called with each request before it.
+    /// The request that is completed by the reply with this envelope, or without one. `lost` is called with each
+    /// request before it.
     pub(crate) fn complete_by(
         &mut self,
         envelope: Option<&Envelope<'_>>,
@@ -140,7 +141,8 @@ impl SentRequests {
         Err(unsolicited())
     }
 
-    /// The only request that is outstanding: a refusal without a name, as controllers send for a command they do not know, is its reply.
+    /// The only request that is outstanding: a refusal without a name, as controllers send for a command they do not
+    /// know, is its reply.
     fn complete_only(&mut self, lost: impl FnMut(SentRequest)) -> Result<SentRequest, OutOfSync> {
         match self.outstanding.front() {
             Some(only) if self.outstanding.len() == 1 => {

@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 /// The text of a frame.
 ///
-/// JSON is UTF-8. A byte that is not, such as one of a name in GBK, becomes the escape `\udcNN`, half of a surrogate pair, which
-/// does not occur alone in valid text. So the byte is visible, the rest of the message can be read, and reading the string that
-/// contains it is an error.
+/// JSON is UTF-8. A byte that is not, such as one of a name in GBK, becomes the escape `\udcNN`, half of a surrogate
+/// pair, which does not occur alone in valid text. So the byte is visible, the rest of the message can be read, and
+/// reading the string that contains it is an error.
 ///
 /// ```
 /// use jaka_proto::framing::text;

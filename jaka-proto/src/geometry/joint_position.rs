@@ -29,8 +29,8 @@ impl JointPosition {
 
     /// How far apart the joints are, in degrees: the largest difference of any joint.
     ///
-    /// Turns count, since they do for the arm: 179 and -179 are 358 apart. NaN if the difference of any joint is, so that
-    /// `position.max_distance(&target) < tolerance` is false then.
+    /// Turns count, since they do for the arm: 179 and -179 are 358 apart. NaN if the difference of any joint is, so
+    /// that `position.max_distance(&target) < tolerance` is false then.
     ///
     /// ```
     /// use jaka_proto::messages::types::JointPosition;

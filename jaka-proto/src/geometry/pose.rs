@@ -84,8 +84,8 @@ impl Pose {
     /// This position with the orientation of a rotation matrix, given row by row.
     ///
     /// # Errors
-    /// The matrix mirrors, or a product of two of its rows differs by more than one in a hundred from that of unit vectors
-    /// at right angles.
+    /// The matrix mirrors, or a product of two of its rows differs by more than one in a hundred from that of unit
+    /// vectors at right angles.
     pub fn with_rotation_matrix(self, rows: [[f64; 3]; 3]) -> Result<Self, NotARotation> {
         rotation::check_matrix(&rows)?;
         Ok(self.with_rotation_deg(rotation::rpy_deg_from_matrix(&rows)))

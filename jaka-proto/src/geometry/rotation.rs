@@ -29,7 +29,8 @@ crate::worded! {
 
 impl std::error::Error for NotARotation {}
 
-/// How far from one a length, and from zero the product of two rows, may be. The quaternion of the vendor's own example is 0.003 too long.
+/// How far from one a length, and from zero the product of two rows, may be. The quaternion of the vendor's own example
+/// is 0.003 too long.
 const TOLERANCE: f64 = 0.01;
 
 /// How close to gimbal lock, as the cosine of `ry`, rz is set to zero; the simulator does the same.
@@ -80,8 +81,8 @@ pub(super) fn check_matrix(rows: &Matrix) -> Result<(), NotARotation> {
     if unit && square && right_handed { Ok(()) } else { Err(NotARotation::Matrix) }
 }
 
-/// Roll, pitch and yaw in degrees. `rx` is read off after `rz` is undone, so that the rotation survives near gimbal lock
-/// too.
+/// Roll, pitch and yaw in degrees. `rx` is read off after `rz` is undone, so that the rotation survives near gimbal
+/// lock too.
 pub(super) fn rpy_deg_from_matrix(rows: &Matrix) -> [f64; 3] {
     let [[x_x, y_x, z_x], [x_y, y_y, z_y], [x_z, ..]] = rows;
     let level = x_x.hypot(*x_y);

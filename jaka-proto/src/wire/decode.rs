@@ -38,8 +38,8 @@ fn unusual_float(reader: &mut Reader<'_>) -> Result<f64, DecodeError> {
 }
 
 scalar! {
-    /// A whole number, or a string that holds one. With a fraction (of zero) or an exponent it must be less than 2^53; it is never
-    /// rounded.
+    /// A whole number, or a string that holds one. With a fraction (of zero) or an exponent it must be less than 2^53;
+    /// it is never rounded.
     i64, unusual_int
 }
 

@@ -11,8 +11,8 @@ pub(super) trait Scalar: Decode + Copy + Default {
     fn usual(bytes: &[u8]) -> Option<(Self, usize)>;
 }
 
-/// Takes values in their usual form and the commas between them, as many as follow each other, and gives each to `take`;
-/// tells how many they are, and the length of all without a comma after the last.
+/// Takes values in their usual form and the commas between them, as many as follow each other, and gives each to
+/// `take`; tells how many they are, and the length of all without a comma after the last.
 #[inline]
 pub(super) fn run<T: Scalar>(bytes: &[u8], mut take: impl FnMut(T)) -> (usize, usize) {
     let mut count = 0;

@@ -16,8 +16,8 @@ pub enum Typed<T> {
     Raw(Value),
 }
 
-/// Any JSON, to 64 levels of nesting. A key that comes twice in an object is an error, and so is a fraction that a float rounds
-/// to a whole number.
+/// Any JSON, to 64 levels of nesting. A key that comes twice in an object is an error, and so is a fraction that a
+/// float rounds to a whole number.
 impl Decode for Value {
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         reader.not_too_deep()?;

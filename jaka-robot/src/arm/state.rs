@@ -32,11 +32,11 @@ pub(crate) enum Sending {
 /// State of the arm of one command connection. Monitors can be shared by several.
 ///
 /// # Order of locks
-/// 1. What a guard judges by, and then what it stops by: both in `guard/armed.rs`. A program's own questions run under the
-///    first.
+/// 1. What a guard judges by, and then what it stops by: both in `guard/armed.rs`. A program's own questions run under
+///    the first.
 /// 2. The state of the command connection, in jaka-sync's `Link`. Gates run under it.
-/// 3. The state of an arm, here. Nothing is locked under it: no I/O, no code of a program, no log, no conversion and no drop
-///    of a packet. The board of a monitor, in jaka-sync, is never locked together with it.
+/// 3. The state of an arm, here. Nothing is locked under it: no I/O, no code of a program, no log, no conversion and no
+///    drop of a packet. The board of a monitor, in jaka-sync, is never locked together with it.
 #[derive(Debug)]
 pub(crate) struct ArmState {
     known: Watched<Known>,

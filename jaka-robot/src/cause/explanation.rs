@@ -7,7 +7,8 @@ use super::remedy::Remedy;
 use super::table::Cause;
 
 jaka_proto::worded! {
-    /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the [`Refusal`].
+    /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the
+    /// [`Refusal`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum Explanation {
@@ -26,8 +27,8 @@ jaka_proto::worded! {
             "the controller does not accept commands from this client",
         /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
         Moving => "the arm is moving, or a motion has not been waited for",
-        /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten. If it is left over, call
-        /// `set_servo_mode` with off.
+        /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten.
+        /// If it is left over, call `set_servo_mode` with off.
         ServoModeOn =>
             "servo mode is not as it should be: it is on already, perhaps with set-points of another program or session",
         /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.

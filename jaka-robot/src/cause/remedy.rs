@@ -19,7 +19,8 @@ jaka_proto::worded! {
         PowerUp => "when somebody has looked at the arm, call `power_up`",
         /// Read the controller's error, and clear it, when somebody has looked at the arm.
         SeeController => "look up the error; when somebody has looked at the arm, call `clear_error`",
-        /// Do what the vendor's table says of the controller's event, and clear it, when somebody has looked at the arm.
+        /// Do what the vendor's table says of the controller's event, and clear it, when somebody has looked at the
+        /// arm.
         OfEvent(event: ControllerEvent) => (of_event(*event)),
         /// Move the arm away from the limit.
         MoveAway => "when somebody has looked at the arm, move it away from the limit",
@@ -81,7 +82,8 @@ fn of_event(event: ControllerEvent) -> String {
 }
 
 impl Remedy {
-    /// Remedy for an error that the controller reports by an event; none of the table's for a code that it does not have.
+    /// Remedy for an error that the controller reports by an event; none of the table's for a code that it does not
+    /// have.
     pub(crate) fn for_event(event: Option<ControllerEvent>) -> Self {
         event.filter(|event| event.remedy().is_some()).map_or(Self::SeeController, Self::OfEvent)
     }

@@ -54,7 +54,8 @@ impl FollowHandle {
         self.check_open().map(|()| self.orders.resume())
     }
 
-    /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause goes on.
+    /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause
+    /// goes on.
     ///
     /// # Errors
     /// As [`pause`](Self::pause); [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a scale that is not
@@ -67,8 +68,9 @@ impl FollowHandle {
     /// Brakes to a standstill on the trajectory, within the accelerations of stops
     /// ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)), and ends the run there.
     ///
-    /// It returns at once; [`FollowRun::wait`](super::FollowRun::wait) returns when the arm is at rest. It is none of the robot's stops: nothing must be acknowledged
-    /// after it, and where set-points do not reach the controller it has no effect. [`RobotStop`](crate::RobotStop) brakes likewise, and then sends `stop_program`.
+    /// It returns at once; [`FollowRun::wait`](super::FollowRun::wait) returns when the arm is at rest. It is none of
+    /// the robot's stops: nothing must be acknowledged after it, and where set-points do not reach the controller it
+    /// has no effect. [`RobotStop`](crate::RobotStop) brakes likewise, and then sends `stop_program`.
     ///
     /// # Errors
     /// As [`pause`](Self::pause).

@@ -18,7 +18,8 @@ use crate::planned::Grace;
 /// let arm = Model::named("Zu 5").expect("a published arm");
 /// let mut robot = Robot::connect("10.5.5.100")?;
 /// robot.configure(&RobotConfig::new().limits(Limits::of(arm).with_tcp_speed(250.0)?))?;
-/// let error = robot.start(&JointMove::absolute([0.0, 0.0, 181.0, 0.0, 0.0, 0.0], 20.0).acceleration(50.0)).unwrap_err();
+/// let beyond = JointMove::absolute([0.0, 0.0, 181.0, 0.0, 0.0, 0.0], 20.0).acceleration(50.0);
+/// let error = robot.start(&beyond).unwrap_err();
 /// assert_eq!(error.to_string(), "`joint_move` was not sent: joint 3 would be at 181 deg; limit 175 (Zu 5)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -43,8 +44,8 @@ use crate::planned::Grace;
 /// both answers do not fit together a frame has changed, and the poses are asked for again.
 ///
 /// # Presets
-/// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the controller is
-/// also asked for its payload (4.43), which is logged, and for its collision level (4.45), which must not be 0: see
+/// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the controller
+/// is also asked for its payload (4.43), which is logged, and for its collision level (4.45), which must not be 0: see
 /// [`without_payload`](Self::without_payload) and [`without_collision_detection`](Self::without_collision_detection).
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a robot is configured by it"]

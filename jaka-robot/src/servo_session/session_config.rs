@@ -48,8 +48,9 @@ impl SessionConfig {
     /// Sets how fast the speed of a joint may change from one set-point to the next, and with which acceleration the
     /// arm is braked when the session ends, in deg/s²: 720 by default, which the document advises at most (4.7). Any
     /// other than a number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). If the robot
-    /// has limits, it is braked by their stop ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)). From 100 deg/s a landing takes 0.14 s with 720 deg/s², and 10
-    /// s with 10.
+    /// has limits, it is braked by their stop
+    /// ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)). From 100 deg/s a landing takes 0.14 s
+    /// with 720 deg/s², and 10 s with 10.
     pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
         self.rates.joint_acceleration = [acceleration_deg_s2; 6];
         self.rates.joint_deceleration = [acceleration_deg_s2; 6];

@@ -13,7 +13,8 @@ use crate::error::SessionEnd;
 use crate::place::Quantity;
 use crate::servo_session::beyond_limit;
 
-/// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once, and the arm goes over to it smoothly.
+/// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once,
+/// and the arm goes over to it smoothly.
 #[derive(Debug, Clone)]
 pub struct StreamHandle {
     pub(super) targets: Arc<Targets>,
@@ -28,16 +29,18 @@ impl StreamHandle {
     /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the
-    /// stream lands or has ended: nobody would follow the target.
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before.
+    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended: nobody would
+    /// follow the target.
     pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
         self.give((Quantity::Joints, Goal::Joints(target.into())), None)
     }
 
-    /// Goes to a pose of the tool centre point, and stays there. The arm moves in joints, on its present branch: the tool does **not** move on a straight line.
+    /// Goes to a pose of the tool centre point, and stays there. The arm moves in joints, on its present branch: the
+    /// tool does **not** move on a straight line.
     ///
-    /// Poses are in the tool and user frame that were selected when the stream began. Once status packets show another one, the stream lands, with
-    /// [`ErrorKind::FramesChanged`](crate::ErrorKind::FramesChanged).
+    /// Poses are in the tool and user frame that were selected when the stream began. Once status packets show another
+    /// one, the stream lands, with [`ErrorKind::FramesChanged`](crate::ErrorKind::FramesChanged).
     ///
     /// # Errors
     /// As [`set_joints`](Self::set_joints); also where the pose can be reached only by another branch.
@@ -46,7 +49,8 @@ impl StreamHandle {
         self.give((Quantity::Pose, Goal::Joints(found.map_err(beyond_limit)?)), None)
     }
 
-    /// Moves the joints with these speeds, in deg/s, for a time of at most 500 ms, and brakes then unless another goal was given.
+    /// Moves the joints with these speeds, in deg/s, for a time of at most 500 ms, and brakes then unless another goal
+    /// was given.
     ///
     /// A joint stops at the end of its range. Give the velocity again for as long as it is wanted.
     ///
@@ -58,12 +62,14 @@ impl StreamHandle {
         self.give((Quantity::Joints, Goal::Velocity(deg_s)), Some(for_at_most))
     }
 
-    /// Moves the tool centre point with a velocity, for a time of at most 500 ms, and brakes then unless another goal was given.
+    /// Moves the tool centre point with a velocity, for a time of at most 500 ms, and brakes then unless another goal
+    /// was given.
     ///
     /// Once status packets show another tool or user frame than when the stream began, the stream lands, also after the
     /// velocity has ended and until another goal is given in joints.
     ///
-    /// Near limits, regions and singularities all of it is scaled down together, to zero if need be: the tool slows down and keeps its direction.
+    /// Near limits, regions and singularities all of it is scaled down together, to zero if need be: the tool slows
+    /// down and keeps its direction.
     ///
     /// # Errors
     /// As [`set_joint_velocity`](Self::set_joint_velocity).
@@ -84,13 +90,14 @@ impl StreamHandle {
         self.targets.joints()
     }
 
-    /// What slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the stream: why it does not go where, or as
-    /// fast as, it was told. None if nothing does.
+    /// What slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the stream: why
+    /// it does not go where, or as fast as, it was told. None if nothing does.
     pub fn bound(&self) -> Option<Bound> {
         self.targets.bound()
     }
 
-    /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they have within `timeout`.
+    /// Waits until the set-points have reached the last target, or come to rest after a velocity, and says whether they
+    /// have within `timeout`.
     ///
     /// # Errors
     /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.

@@ -15,8 +15,8 @@ use crate::place::Quantity;
 /// What the arm is to do next, and how far it is.
 #[derive(Debug)]
 pub(super) struct Targets {
-    /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until the arm has come to rest, or the
-    /// stream has ended.
+    /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until
+    /// the arm has come to rest, or the stream has ended.
     state: Watched<TargetState>,
     /// Why the stream lands, once it does.
     landing: OnceLock<SessionEnd>,

@@ -109,7 +109,8 @@ impl Player<'_> {
         Some(incoming.to_string())
     }
 
-    /// Waits until it is time for what is so late in the recording, and says whether the connection was closed meanwhile.
+    /// Waits until it is time for what is so late in the recording, and says whether the connection was closed
+    /// meanwhile.
     fn wait_until(&self, recorded: Duration) -> bool {
         let (since, then) = self.since;
         let delay = self.session.delay(recorded.saturating_sub(then));
@@ -117,8 +118,8 @@ impl Player<'_> {
     }
 }
 
-/// Whether a set-point of joint positions, sent once more, holds the arm where it is. How often a program holds it until packets show
-/// it at rest depends on when they come.
+/// Whether a set-point of joint positions, sent once more, holds the arm where it is. How often a program holds it
+/// until packets show it at rest depends on when they come.
 fn holds(request: &str) -> bool {
     match Request::read(request) {
         Ok(Request::ServoJ(set_point)) => {

@@ -1,4 +1,5 @@
-//! The active client of the command port, of which there is at most one, and another client, which takes the port and then does nothing.
+//! The active client of the command port, of which there is at most one, and another client, which takes the port and
+//! then does nothing.
 
 use std::io;
 use std::net::{SocketAddr, TcpStream};

@@ -166,8 +166,8 @@ impl<'l> ReplyWriter<'l> {
         Ok(NextStep::Continue)
     }
 
-    /// Sends the replies that are held back, and then these bytes together with those that wait for them, in pieces of these sizes
-    /// and the rest as the last piece.
+    /// Sends the replies that are held back, and then these bytes together with those that wait for them, in pieces of
+    /// these sizes and the rest as the last piece.
     fn send(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
         self.release()?;
         let mut all = std::mem::take(&mut self.pending.joined);

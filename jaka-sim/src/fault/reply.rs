@@ -39,12 +39,12 @@ impl Delivery {
 kinds! {
     /// Something wrong with one reply of the command port.
     ///
-    /// [`Controller::inject`](crate::Controller::inject) queues faults, and each reply takes the next one from the queue; a
-    /// [`FaultPlan`](crate::FaultPlan) says from the start which replies have faults. The request is carried out in any case. It is
-    /// the reply that goes wrong.
+    /// [`Controller::inject`](crate::Controller::inject) queues faults, and each reply takes the next one from the
+    /// queue; a [`FaultPlan`](crate::FaultPlan) says from the start which replies have faults. The request is carried
+    /// out in any case. It is the reply that goes wrong.
     ///
-    /// A fault has a text form, as in the scripts of [`FaultPlan`](crate::FaultPlan): `delay 200ms`, `split 1 5`. `Display` writes
-    /// it and `FromStr` reads it.
+    /// A fault has a text form, as in the scripts of [`FaultPlan`](crate::FaultPlan): `delay 200ms`, `split 1 5`.
+    /// `Display` writes it and `FromStr` reads it.
     ///
     /// When more than 10,000 replies or a megabyte are kept back, the connection is closed.
     ///
@@ -75,15 +75,16 @@ kinds! {
 
     /// The reply comes this much later, in real time, and later replies wait until it has. `delay 200ms` in a script.
     ///
-    /// The client sees a slow controller. Meanwhile its next requests are carried out. If the connection ends, what still waits is
-    /// lost with it.
+    /// The client sees a slow controller. Meanwhile its next requests are carried out. If the connection ends, what
+    /// still waits is lost with it.
     Delay(time: Duration as time = Duration::from_millis(50)): "delay" => Delivery::Later(*time, reply.into());
 
-    /// The reply is kept back until [`Controller::release`](crate::Controller::release), or until the next reply is written, and
-    /// goes before that one. `hold` in a script.
+    /// The reply is kept back until [`Controller::release`](crate::Controller::release), or until the next reply is
+    /// written, and goes before that one. `hold` in a script.
     Hold: "hold" => Delivery::Hold(reply.into());
 
-    /// The reply is written in pieces of these sizes, in bytes, and the rest of it as the last piece. `split 1 5` in a script.
+    /// The reply is written in pieces of these sizes, in bytes, and the rest of it as the last piece. `split 1 5` in a
+    /// script.
     ///
     /// Each piece is a segment of its own; the reader's kernel may put them together again.
     Pieces(sizes: Vec<usize> as sizes = vec![1, 2, 3]): "split" => Delivery::Write(reply.into(), sizes.clone());

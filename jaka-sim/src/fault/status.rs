@@ -32,9 +32,9 @@ impl PacketWrites {
 kinds! {
     /// Something wrong with the packets of the status port, for all readers and until another fault is set.
     ///
-    /// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start. It
-    /// applies to the periodic packets and those of [`Controller::publish`](crate::Controller::publish), and not to the
-    /// bytes of [`Controller::send_status`](crate::Controller::send_status). Counts are for each reader by itself,
+    /// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start.
+    /// It applies to the periodic packets and those of [`Controller::publish`](crate::Controller::publish), and not to
+    /// the bytes of [`Controller::send_status`](crate::Controller::send_status). Counts are for each reader by itself,
     /// from when the fault is set or the reader connects.
     ///
     /// [`FaultPlan::status`]: crate::FaultPlan::status
@@ -82,7 +82,8 @@ kinds! {
 
     /// The connection is closed after this many bytes of packets. `close-after 5000` in a script.
     ///
-    /// The same happens to each reader that connects again, after as many. With 0 it is closed when the first packet is due.
+    /// The same happens to each reader that connects again, after as many. With 0 it is closed when the first packet is
+    /// due.
     CloseAfter(count: usize as count = 100): "close-after" => {
         let left = count.saturating_sub(sent.bytes);
         let part = &packet[..packet.len().min(left)];

@@ -130,7 +130,8 @@ impl Wire {
         Ok(true)
     }
 
-    /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for this.
+    /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for
+    /// this.
     fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
         if !queue.has_sender {
             let this = Arc::clone(self);
@@ -174,8 +175,8 @@ impl Wire {
         }
     }
 
-    /// Has the connection reset when the last one drops it, and not before its link lets that pass. It must not be closed
-    /// before.
+    /// Has the connection reset when the last one drops it, and not before its link lets that pass. It must not be
+    /// closed before.
     pub(crate) fn reset_on_drop(self: &Arc<Self>) {
         if let Err(error) = SockRef::from(self.socket.system()).set_linger(Some(Duration::ZERO)) {
             log::trace!(target: "jaka_sim", "the connection cannot be reset: {error}");
@@ -212,8 +213,8 @@ impl Wire {
         self.have_sender(queue).is_ok()
     }
 
-    /// Waits for the end of a write past the queue, unless it has a client that does not read. Its bytes can be with the
-    /// client long before its thread goes on.
+    /// Waits for the end of a write past the queue, unless it has a client that does not read. Its bytes can be with
+    /// the client long before its thread goes on.
     fn let_write_end(&self) {
         // Counted, so that a process that stands still as a whole does not count.
         for _ in 0..WRITE_ENDS_MS {

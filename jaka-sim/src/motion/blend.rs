@@ -8,8 +8,8 @@ use super::vector::minus;
 
 /// A motion that goes on to its end while the next has begun.
 ///
-/// What it still has to do is taken off from the next one's place. So the arm leaves it slowing down as planned, and neither its
-/// place nor its speed jumps.
+/// What it still has to do is taken off from the next one's place. So the arm leaves it slowing down as planned, and
+/// neither its place nor its speed jumps.
 #[derive(Debug, Clone)]
 pub(super) struct Leaving {
     running: Running,

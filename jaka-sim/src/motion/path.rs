@@ -24,8 +24,8 @@ impl ArmPath {
 
     /// How long the way is: in degrees of the joint that turns furthest, or in millimetres of the tool centre point.
     ///
-    /// Where the tool turns further in degrees than it moves in millimetres, the turn counts, so that a turn on the spot takes
-    /// its time.
+    /// Where the tool turns further in degrees than it moves in millimetres, the turn counts, so that a turn on the
+    /// spot takes its time.
     pub(crate) fn length(&self) -> f64 {
         match self {
             Self::Joints { from, to } => from.iter().zip(to).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max),

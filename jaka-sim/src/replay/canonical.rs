@@ -10,15 +10,16 @@ pub(crate) fn is_same(a: &str, b: &str) -> bool {
     a == b || canonical(a) == canonical(b)
 }
 
-/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without their form. What is not JSON
-/// stays as it is.
+/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without their form. What is not
+/// JSON stays as it is.
 pub(super) fn canonical(text: &str) -> String {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
     value.map_or_else(|_| text.to_owned(), |value| with_float_numbers(value).to_string())
 }
 
-/// The value with each number as a float, unless it is a whole number that no float is equal to. Keys are in order in any case.
+/// The value with each number as a float, unless it is a whole number that no float is equal to. Keys are in order in
+/// any case.
 fn with_float_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) => match number.as_f64() {

@@ -16,8 +16,8 @@ use jaka_sim::{Builder, Controller, Delays, Firmware, SimulatedClock};
 /// Limit for what a test waits for.
 pub(crate) const LIMIT: Duration = Duration::from_secs(60);
 
-/// Says on standard error that a check was not made, past the test harness, which captures `eprintln!` alone. Fails where the
-/// environment has `CI`.
+/// Says on standard error that a check was not made, past the test harness, which captures `eprintln!` alone. Fails
+/// where the environment has `CI`.
 pub(crate) fn skipped(check: &str, why: &str) {
     let text = format!("NOT CHECKED: {check}: {why}");
     // The reader may be gone.
@@ -158,8 +158,8 @@ pub(crate) fn json(text: &str) -> Value {
     text.parse().unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
-/// Options of a controller that changes its state at once and writes as the document does: whole numbers without a fraction, which
-/// compare with those of a test.
+/// Options of a controller that changes its state at once and writes as the document does: whole numbers without a
+/// fraction, which compare with those of a test.
 pub(crate) fn document() -> Builder {
     Controller::builder().delays(Delays::NONE).firmware(Firmware::Document)
 }

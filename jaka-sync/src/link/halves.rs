@@ -61,7 +61,8 @@ impl Outbound {
 pub(super) struct WriteTimeout(Duration);
 
 impl WriteTimeout {
-    /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end writes a few times more.
+    /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end
+    /// writes a few times more.
     pub(super) fn set(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
         if !self.0.is_zero() && self.0 <= left.max(SHORTEST) {
             return Ok(());
@@ -89,7 +90,8 @@ type Panic = Box<dyn Any + Send>;
 pub(super) struct Inbound {
     pub(super) framer: Framer,
     timeout: receive::ReadTimeout,
-    /// A panic of a logger, or of what reads a reply for its caller. It goes on once the receiving half is back in its place.
+    /// A panic of a logger, or of what reads a reply for its caller. It goes on once the receiving half is back in its
+    /// place.
     pub(super) panic: Option<Panic>,
 }
 
@@ -126,7 +128,8 @@ impl Inbound {
     }
 }
 
-/// Attributes a reply, also where a logger, or what reads the reply for its waiter, panics: whose it is has nothing to do with them.
+/// Attributes a reply, also where a logger, or what reads the reply for its waiter, panics: whose it is has nothing to
+/// do with them.
 fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> Result<Option<Panic>, Disconnect> {
     let read = panic::catch_unwind(AssertUnwindSafe(|| {
         log::trace!(target: WIRE, "<- {text}");

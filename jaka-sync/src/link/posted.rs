@@ -1,4 +1,5 @@
-//! Commands whose outcomes are counted, and that no thread waits for in particular: set-points and the commands of a pipeline.
+//! Commands whose outcomes are counted, and that no thread waits for in particular: set-points and the commands of a
+//! pipeline.
 
 use std::time::Duration;
 
@@ -8,8 +9,8 @@ use super::state::LinkState;
 use super::{Link, Transmission, failed, not_sent_in_time};
 use crate::{Disconnect, Error};
 
-/// How many requests may be outstanding on a connection when a command is posted, with those that were given up: a stop after more
-/// than that would be of little use, since the controller works off what came before it.
+/// How many requests may be outstanding on a connection when a command is posted, with those that were given up: a stop
+/// after more than that would be of little use, since the controller works off what came before it.
 pub(crate) const MOST_OUTSTANDING: usize = 256;
 
 /// The outcomes of commands that were posted, since this was last asked for.
@@ -22,15 +23,15 @@ pub struct Answers {
 }
 
 impl Link {
-    /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection is
-    /// broken. Where another thread is reading, what it has read so far has to do.
+    /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection
+    /// is broken. Where another thread is reading, what it has read so far has to do.
     pub fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
         (self.take_answers(&mut state), self.check(&state, command, Transmission::Sent))
     }
 
-    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and takes
-    /// their outcomes; and an error if the connection is broken.
+    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and
+    /// takes their outcomes; and an error if the connection is broken.
     pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
         let mut state = self.state.lock();
         let mut checked = Ok(());
@@ -49,7 +50,8 @@ impl Link {
         (self.take_answers(&mut state), checked)
     }
 
-    /// How many more commands may be posted: none where too many requests are outstanding, also those that were given up.
+    /// How many more commands may be posted: none where too many requests are outstanding, also those that were given
+    /// up.
     pub(crate) fn room(&self) -> usize {
         MOST_OUTSTANDING.saturating_sub(self.state.lock().exchange.outstanding())
     }
@@ -84,8 +86,8 @@ impl Link {
         self.state.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
-    /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the outcomes of the
-    /// others, and says how many were abandoned.
+    /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the
+    /// outcomes of the others, and says how many were abandoned.
     pub fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.state.lock();
         // A pipeline is dropped also while a panic unwinds, which a logger's must not meet.

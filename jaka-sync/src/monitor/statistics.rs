@@ -10,11 +10,11 @@ pub struct MonitorStatistics {
     /// Packets that could be read, including those with fields that do not fit.
     pub packets: u64,
     /// Packets with at least one field that does not fit ([`Snapshot::unfit`](crate::Snapshot::unfit)), which
-    /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: those that are not a JSON object, or that a
-    /// [`Decode`](jaka_proto::wire::Decode) of your own refuses.
+    /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: those that are not a JSON
+    /// object, or that a [`Decode`](jaka_proto::wire::Decode) of your own refuses.
     pub unfit: u64,
-    /// Packets that were never the newest, because a newer one had come already. Queues and observers get them; if there are none,
-    /// they are not decoded.
+    /// Packets that were never the newest, because a newer one had come already. Queues and observers get them; if
+    /// there are none, they are not decoded.
     pub skipped: u64,
     /// Bytes that did not belong to a packet, or belonged to an incomplete one.
     pub dropped_bytes: u64,

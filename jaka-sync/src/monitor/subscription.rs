@@ -57,7 +57,8 @@ impl<S> Subscription<S> {
         self.queue.lock().waiting.pop_front()
     }
 
-    /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will come.
+    /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will
+    /// come.
     pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
         let next = self.queue.wait_for(timeout, |items| match items.waiting.pop_front() {
             None if !items.closed => None,

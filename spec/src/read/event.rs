@@ -174,7 +174,8 @@ fn phrase(item: &Item<'_, '_>, key: &'static str, look_first: Option<&Language>)
     Some(phrase)
 }
 
-/// The word with which a remedy acts on the arm before somebody has looked at it, and the words that have to precede it.
+/// The word with which a remedy acts on the arm before somebody has looked at it, and the words that have to precede
+/// it.
 fn acts_before_a_look(remedy: &str, Language { look, acts }: &Language) -> Option<(&'static str, &'static str)> {
     let remedy = remedy.to_lowercase();
     let before = remedy.split(look).next().unwrap_or_default();

@@ -36,9 +36,9 @@ const ENGLISH: [&str; 13] = [
 
 /// A reference of the protocol in Markdown, for readers who write no Rust.
 ///
-/// It begins with pages of prose, which are the same for every spec. Then it has an index by topic and one by section, and a chapter
-/// for each topic with its commands, types, error codes and events. Docs call commands and fields as the wire does. The anchors are
-/// those that GitHub gives to headings.
+/// It begins with pages of prose, which are the same for every spec. Then it has an index by topic and one by section,
+/// and a chapter for each topic with its commands, types, error codes and events. Docs call commands and fields as the
+/// wire does. The anchors are those that GitHub gives to headings.
 pub fn reference(spec: &Spec) -> String {
     let spec = &wire_names::in_wire_names(spec);
     let mut out = String::from("# The JAKA TCP protocol\n\n");

@@ -11,9 +11,9 @@ enum Item {
     Cut,
 }
 
-/// The first byte gives the longest frame, the second how the rest, the stream, is cut. The frames are the same as those of the
-/// uncut stream, each byte is visited at most once, and no more is kept than the longest frame and what was read last. The same
-/// holds for status packets, of which the complete ones are found after any that breaks off.
+/// The first byte gives the longest frame, the second how the rest, the stream, is cut. The frames are the same as
+/// those of the uncut stream, each byte is visited at most once, and no more is kept than the longest frame and what
+/// was read last. The same holds for status packets, of which the complete ones are found after any that breaks off.
 ///
 /// # Panics
 /// One of these is not so.

@@ -8,9 +8,9 @@ use serde_json::{Map, Value};
 
 use crate::builtin::{COMMANDS, SPEC};
 
-/// A JSON object is taken for a request and for a reply of the command that it names: the model and the generated code agree on
-/// what can be read, what is allowed and how it is written. Other text is taken for a command, an argument and what was typed
-/// for it, a line each.
+/// A JSON object is taken for a request and for a reply of the command that it names: the model and the generated code
+/// agree on what can be read, what is allowed and how it is written. Other text is taken for a command, an argument and
+/// what was typed for it, a line each.
 ///
 /// # Panics
 /// They do not agree.

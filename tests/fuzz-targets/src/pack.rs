@@ -6,8 +6,8 @@ use serde_json::json;
 use crate::builtin::SPEC;
 use crate::spec_file::places;
 
-/// The text is loaded as a pack. Of what loaded, all else can be made, the simulator's replies are readable, and the pack can be
-/// loaded once more upon its own result.
+/// The text is loaded as a pack. Of what loaded, all else can be made, the simulator's replies are readable, and the
+/// pack can be loaded once more upon its own result.
 ///
 /// # Panics
 /// One of these is not so.

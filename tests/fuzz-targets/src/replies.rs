@@ -5,8 +5,8 @@ use jaka_proto::{Command, Envelope, Visit, framing, read_payload, read_reply, wr
 
 use crate::builtin::COMMANDS;
 
-/// The text is read as a reply to the command that it names, or else to each. What was read comes back when it is written and
-/// read again. Where the reply is JSON throughout, it is read the same as where it may be odd.
+/// The text is read as a reply to the command that it names, or else to each. What was read comes back when it is
+/// written and read again. Where the reply is JSON throughout, it is read the same as where it may be odd.
 ///
 /// # Panics
 /// It does not.

@@ -20,8 +20,8 @@ const STEP: Duration = Duration::from_millis(400);
 const MOST_BYTES: usize = 16 << 10;
 const MOST_LINES: usize = 50;
 
-/// The lines are sent one by one, with some of the controller's time in between. Each request is carried out, each reply is
-/// JSON, and the status packet after the last line decodes.
+/// The lines are sent one by one, with some of the controller's time in between. Each request is carried out, each
+/// reply is JSON, and the status packet after the last line decodes.
 ///
 /// # Panics
 /// One of these is not so.

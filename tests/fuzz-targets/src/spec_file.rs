@@ -2,7 +2,8 @@
 
 use jaka_spec::{Errors, Source, load, tools};
 
-/// The text is loaded as a spec of one file. Its errors stand at places that it has. Of what loaded, all else can be made.
+/// The text is loaded as a spec of one file. Its errors stand at places that it has. Of what loaded, all else can be
+/// made.
 ///
 /// # Panics
 /// One of these is not so.

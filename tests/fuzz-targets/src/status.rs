@@ -9,8 +9,8 @@ use jaka_proto::wire::{Decode, DecodeError, Encode, Reader, Value, Writer};
 
 use crate::builtin::SPEC;
 
-/// Each line is a packet, read afresh and over the one before, with the same outcome. A packet that was read can be written and
-/// read again, and comes back if no key appears twice. The model calls unreadable just what is left out.
+/// Each line is a packet, read afresh and over the one before, with the same outcome. A packet that was read can be
+/// written and read again, and comes back if no key appears twice. The model calls unreadable just what is left out.
 ///
 /// # Panics
 /// One of these is not so.

@@ -32,7 +32,8 @@ pub struct SetPointsSeen {
 }
 
 impl SetPoints {
-    /// Begins to listen, for one client of this controller. `is_expected` judges the joint positions of each set-point, by its number from 0.
+    /// Begins to listen, for one client of this controller. `is_expected` judges the joint positions of each set-point,
+    /// by its number from 0.
     ///
     /// # Panics
     /// Loopback has no free port.

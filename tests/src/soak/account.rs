@@ -69,8 +69,8 @@ impl Connection {
         self.note_repeated(text, fate, 1);
     }
 
-    /// A command that is sent at least once and at most so often in a row; where it is sent [perhaps](Fate::Perhaps), also not at
-    /// all.
+    /// A command that is sent at least once and at most so often in a row; where it is sent [perhaps](Fate::Perhaps),
+    /// also not at all.
     pub(super) fn note_repeated(&mut self, text: String, fate: Fate, most: usize) {
         if fate != Fate::NotSent {
             self.commands.push(Sent { text, fate, most });

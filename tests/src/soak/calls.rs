@@ -87,7 +87,8 @@ fn call<C: Command>(arm: &mut Arm, session: &mut Session, command: &C) -> Result
     result
 }
 
-/// Some queries of one name in a row, each of which has an answer of its own: the tool turns about the vertical as joint 1 does.
+/// Some queries of one name in a row, each of which has an answer of its own: the tool turns about the vertical as
+/// joint 1 does.
 fn forward_kinematics(arm: &mut Arm, session: &mut Session) {
     for _ in 0..3 {
         let angle = f64::from(arm.serial() % 34_000) / 100.0 - 170.0;
@@ -209,7 +210,8 @@ fn motion(arm: &mut Arm, session: &mut Session) {
     }
 }
 
-/// While a motion is waited for, the robot asks where the arm is, from time to time; what has been reached was answered.
+/// While a motion is waited for, the robot asks where the arm is, from time to time; what has been reached was
+/// answered.
 fn note_questions(session: &mut Session, end: &End) {
     let fate = if end.cause() == Cause::Reached { Fate::Seen } else { Fate::Perhaps };
     // The first at once, and one where the times are not exact.

@@ -20,8 +20,8 @@ use super::random::Random;
 /// Faults of the replies to each command, in the order of the replies.
 pub(super) type Script = BTreeMap<&'static str, Vec<Fault>>;
 
-/// Commands of which a connection sees one at most. Theirs alone are answered twice: names cannot tell a surplus reply from the one
-/// to the next command of its name (`docs/reliability.md`).
+/// Commands of which a connection sees one at most. Theirs alone are answered twice: names cannot tell a surplus reply
+/// from the one to the next command of its name (`docs/reliability.md`).
 const ONCE: [&str; 4] =
     [GetRobotState::INFO.name, GetVersion::INFO.name, GetDhParam::INFO.name, GetFuncdiStatus::INFO.name];
 
@@ -103,7 +103,8 @@ pub(super) fn script(seed: u64, round: u32, arm: u32) -> Script {
     script
 }
 
-/// All kinds of faults but those that no client can tell from a true reply, and more of those that come in several ways.
+/// All kinds of faults but those that no client can tell from a true reply, and more of those that come in several
+/// ways.
 fn faults(more: &[Fault]) -> Vec<Fault> {
     let names_another = |fault: &Fault| matches!(fault, Fault::None | Fault::Twice | Fault::Renamed(_));
     let mut faults = Fault::one_of_each();

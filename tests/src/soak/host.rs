@@ -1,4 +1,5 @@
-//! Where the simulated controllers run: in this process, or in another, so that the memory of this one is that of the clients.
+//! Where the simulated controllers run: in this process, or in another, so that the memory of this one is that of the
+//! clients.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::SocketAddr;

@@ -1,5 +1,5 @@
-//! Replies that are complete and odd, from a port that is not a simulator's: what can be read of them counts, and the connection
-//! lives, so that a stop can be sent.
+//! Replies that are complete and odd, from a port that is not a simulator's: what can be read of them counts, and the
+//! connection lives, so that a stop can be sent.
 
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};

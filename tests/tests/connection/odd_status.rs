@@ -1,4 +1,5 @@
-//! Status packets that are odd, from a port that is not a simulator's: what fits is believed, what does not is reported.
+//! Status packets that are odd, from a port that is not a simulator's: what fits is believed, what does not is
+//! reported.
 
 use std::io::Write;
 use std::net::TcpStream;

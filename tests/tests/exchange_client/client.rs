@@ -159,7 +159,8 @@ impl Connection {
         calls.chain(self.oldest_posted().filter(|_| self.is_finishing)).min()
     }
 
-    /// True if a deadline would come in the same moment as another one, so that the threads would decide which is first.
+    /// True if a deadline would come in the same moment as another one, so that the threads would decide which is
+    /// first.
     fn meets(&self, deadline: Instant) -> bool {
         let calls = self.calls.iter().flatten().map(|(_, other)| *other);
         let apart = |other: Instant| other.max(deadline).duration_since(other.min(deadline));

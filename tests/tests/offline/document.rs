@@ -173,8 +173,8 @@ fn seven_sections_are_marked_reconstructed() {
 /// Words in Latin letters of the vendor's document, version 2.0.4: all that its text has.
 const WORDS: &str = include_str!("../../data/document-words.txt");
 
-/// Keys of a command or a type that no word of the document is, ranges and values of newer firmware, without evidence of their own. The
-/// commands that the document does not have are in another test.
+/// Keys of a command or a type that no word of the document is, ranges and values of newer firmware, without evidence
+/// of their own. The commands that the document does not have are in another test.
 #[test]
 fn each_key_beyond_the_document_has_its_evidence() {
     let words: BTreeSet<_> = WORDS.lines().collect();

@@ -1,4 +1,5 @@
-//! The pages that a reader begins with: their links lead somewhere, and the Chinese README has the code of the English one.
+//! The pages that a reader begins with: their links lead somewhere, and the Chinese README has the code of the English
+//! one.
 
 mod hosted;
 mod numbers;

@@ -97,7 +97,8 @@ fn everything_of_the_spec_is_in_it() {
     assert!(text.contains("\n- Events: 560 errors, 228 warnings and 106 of information, [by code](EVENTS.md)\n"));
 }
 
-/// The figures were counted in the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February 2024.
+/// The figures were counted in the vendor's table itself: JakaCobot.github.io, `docs/en/guide/errinfo.md`, February
+/// 2024.
 #[test]
 fn each_event_is_explained_in_both_languages() {
     let (spec, mut codes) = (spec(), 0);

@@ -31,7 +31,8 @@ struct Stop {
 }
 
 impl Stop {
-    /// A stop that ends at the last set-point and begins where the joints, or the tool, were the fastest, but for a share.
+    /// A stop that ends at the last set-point and begins where the joints, or the tool, were the fastest, but for a
+    /// share.
     fn of(arm: &Arm, steps: impl Fn(&[[f64; 6]]) -> Vec<f64>, uneven: f64) -> Self {
         let mut before = positions(arm, 1).0;
         let steps = steps(&before);

@@ -29,8 +29,8 @@ impl Witness {
         URDF.iter().map(|(name, _)| *name)
     }
 
-    /// The arm as it is drawn, with up to 0.39 mm of noise a joint. The base mesh may lie aside of the axis of joint 1; only
-    /// the height over the base counts.
+    /// The arm as it is drawn, with up to 0.39 mm of noise a joint. The base mesh may lie aside of the axis of joint 1;
+    /// only the height over the base counts.
     ///
     /// # Panics
     /// There is no such arm.
@@ -121,7 +121,8 @@ pub fn pose(place: [f64; 3], [roll, pitch, yaw]: [f64; 3]) -> Frame {
     frame
 }
 
-/// The joint positions near others that bring the flange to a frame, by Newton's method; none where it does not get there.
+/// The joint positions near others that bring the flange to a frame, by Newton's method; none where it does not get
+/// there.
 pub fn inverse(arm: &Witness, target: Frame, near: [f64; 6]) -> Option<[f64; 6]> {
     let mut joints = near;
     for _ in 0..8 {

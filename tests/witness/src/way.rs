@@ -90,7 +90,8 @@ pub struct Steps {
     pub millimetres: f64,
 }
 
-/// The least number of pieces of a line or an arc: on an arc of a millimetre the direction changes within tenths of one.
+/// The least number of pieces of a line or an arc: on an arc of a millimetre the direction changes within tenths of
+/// one.
 const LEAST_PIECES: f64 = 400.0;
 
 impl Excess {
@@ -114,7 +115,8 @@ impl Excess {
         }
     }
 
-    /// Whether some limit is exceeded by more than these amounts: degrees, mm, a share of a speed, a distance from a singularity.
+    /// Whether some limit is exceeded by more than these amounts: degrees, mm, a share of a speed, a distance from a
+    /// singularity.
     pub fn is_beyond(&self, [degrees, millimetres, speed, singularity]: [f64; 4]) -> bool {
         self.is_lost
             || self.degrees > degrees
@@ -177,7 +179,8 @@ impl Bounds {
         }
     }
 
-    /// A way of the tool centre point at a speed in mm/s, with blending of so many mm; and the joint positions at its end.
+    /// A way of the tool centre point at a speed in mm/s, with blending of so many mm; and the joint positions at its
+    /// end.
     pub fn tcp_way(
         &self,
         from: [f64; 6],
@@ -241,8 +244,8 @@ impl Bounds {
         excess.or(way).or(self.landing(last, to, period, steps))
     }
 
-    /// On the way to a stop after a set-point. Either step after step, each shorter than the one before by as much as the
-    /// first allows; or the fastest joint with the acceleration and the jerk of a stop, whichever is shorter.
+    /// On the way to a stop after a set-point. Either step after step, each shorter than the one before by as much as
+    /// the first allows; or the fastest joint with the acceleration and the jerk of a stop, whichever is shorter.
     fn landing(&self, last: [f64; 6], to: [f64; 6], period: f64, steps: Steps) -> Excess {
         let moved: [f64; 6] = std::array::from_fn(|joint| to[joint] - last[joint]);
         let mut count = 1_u32;

@@ -26,8 +26,8 @@ pub(super) struct Options {
     /// Send without asking
     ///
     /// Commands that move the arm, switch power or change a setting ask for confirmation on a terminal, and are refused
-    /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are sent at once; on a terminal a
-    /// warning says before the former two that another program may lose the command port.
+    /// elsewhere unless this is given. Queries, commands of the connection, and those that stop or pause the arm are
+    /// sent at once; on a terminal a warning says before the former two that another program may lose the command port.
     #[arg(long, short)]
     pub(super) yes: bool,
     /// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised
@@ -38,22 +38,25 @@ pub(super) struct Options {
     pub(super) check_firmware: bool,
     /// Wait until the motion has ended, and tell by the exit code how; Ctrl-C stops the arm
     ///
-    /// The arm is where it was sent if the controller says so when it is asked after the motion. The wait ends after 300 s, or after
-    /// --timeout; the motion does not. For `joint_move`, `end_move`, `moveL`, `movc` and
+    /// The arm is where it was sent if the controller says so when it is asked after the motion. The wait ends after
+    /// 300 s, or after --timeout; the motion does not. For `joint_move`, `end_move`, `moveL`, `movc` and
     /// `start_torq_sensor_payload_identify`.
     #[arg(long)]
     pub(super) wait: bool,
     /// Print the bytes that would be sent, and send nothing
     #[arg(long, conflicts_with = "wait")]
     pub(super) dry_run: bool,
-    /// Print one JSON object: `command` and `reply`, by the names of its fields; or, with `=wire`, the reply's text as received
+    /// Print one JSON object: `command` and `reply`, by the names of its fields; or, with `=wire`, the reply's text as
+    /// received
     #[arg(long, value_enum, value_name = "KEYS", num_args = 0..=1, require_equals = true, default_missing_value = "names")]
     pub(super) json: Option<Keys>,
-    /// Read requests from standard input, one JSON object a line, and print a line of JSON for each; over one connection
+    /// Read requests from standard input, one JSON object a line, and print a line of JSON for each; over one
+    /// connection
     ///
-    /// A line has the whole request, as --params takes it. The answer has `command`, and `reply` by the names of its fields; with --wait
-    /// motions are waited for, and it has `outcome`, `text` and `waited_s`; where something fails, `error` and `exit_code`. The first failure
-    /// ends it. Nothing is asked: commands about which `jaka call` would ask need --yes.
+    /// A line has the whole request, as --params takes it. The answer has `command`, and `reply` by the names of its
+    /// fields; with --wait motions are waited for, and it has `outcome`, `text` and `waited_s`; where something fails,
+    /// `error` and `exit_code`. The first failure ends it. Nothing is asked: commands about which `jaka call` would ask
+    /// need --yes.
     #[arg(long, conflicts_with_all = ["params", "raw", "dry_run", "list", "check_firmware", "json"])]
     pub(super) stdin: bool,
     /// With --stdin, go on after a failure; the exit code is that of the first

@@ -60,7 +60,8 @@ pub(super) fn seconds(time: Duration) -> String {
     format!("{}.{:06}", time.as_secs(), time.subsec_micros())
 }
 
-/// A value with the parts of both. Where one of them has no parts, neither has: it is written as a whole, so that nothing is lost.
+/// A value with the parts of both. Where one of them has no parts, neither has: it is written as a whole, so that
+/// nothing is lost.
 pub(super) fn wider(one: Value, other: Value) -> Value {
     match (one, other) {
         (Value::Null, value) | (value, Value::Null) => value,

@@ -25,7 +25,8 @@ pub(crate) use self::recording_queue::RecordingQueue;
 /// How long to wait after a connection could not be accepted, perhaps because descriptors had run out.
 const REST: Duration = Duration::from_millis(20);
 
-/// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own connections.
+/// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own
+/// connections.
 const IDLE: Duration = Duration::from_secs(5);
 
 /// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a

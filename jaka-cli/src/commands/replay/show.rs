@@ -79,7 +79,8 @@ fn list(title: &str, lines: &[String]) -> String {
     title.iter().chain(lines.iter().take(LISTED)).chain(&more).map(|line| line.clone() + "\n").join("")
 }
 
-/// How many status packets there are, with the longest time between two of a connection, and how many entries are missing.
+/// How many status packets there are, with the longest time between two of a connection, and how many entries are
+/// missing.
 fn entries(recording: &Recording, filter: &Filter) -> String {
     let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
     let is_packet = |entry: &&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));

@@ -54,7 +54,8 @@ fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled
     ahead.sort_by_key(|event| event.at);
 }
 
-/// Sends the lines of standard input, from a thread that reads them. What is not understood is told, and nothing happens.
+/// Sends the lines of standard input, from a thread that reads them. What is not understood is told, and nothing
+/// happens.
 pub(super) fn begin_lines(sender: Sender<Typed>) {
     thread::spawn(move || read(&sender));
 }

@@ -13,8 +13,8 @@ use crate::terminal::{exit, output};
 
 /// Compare two specs, and say what each change means for Rust programs.
 ///
-/// A spec is `builtin`, a folder of TOML files, or a pack, which stands for the built-in spec with that pack. A change is
-/// major, minor or patch, as for the version number of a crate.
+/// A spec is `builtin`, a folder of TOML files, or a pack, which stands for the built-in spec with that pack. A change
+/// is major, minor or patch, as for the version number of a crate.
 #[derive(Debug, Args)]
 pub(super) struct Diff {
     /// The old spec: `builtin`, a folder or a pack

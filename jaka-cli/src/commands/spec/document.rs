@@ -17,7 +17,8 @@ use crate::terminal::output;
 /// Write the protocol's reference, in Markdown.
 #[derive(Debug, Args)]
 pub(super) struct Reference {
-    /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to `REFERENCE.md`
+    /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to
+    /// `REFERENCE.md`
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
     lang: Edition,
     /// Write the page of the controller's events instead, by code

@@ -1,4 +1,5 @@
-//! Lines on their way to standard error, which a thread of its own writes: one that sends set-points does not wait for a terminal.
+//! Lines on their way to standard error, which a thread of its own writes: one that sends set-points does not wait for
+//! a terminal.
 
 use std::collections::VecDeque;
 use std::io::{Write, stderr};

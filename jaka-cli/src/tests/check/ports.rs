@@ -1,4 +1,5 @@
-//! What a newcomer meets: wrong addresses, ports that are mixed up, other programs, and controllers that do not answer this client.
+//! What a newcomer meets: wrong addresses, ports that are mixed up, other programs, and controllers that do not answer
+//! this client.
 
 use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};

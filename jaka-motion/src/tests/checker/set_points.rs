@@ -100,8 +100,8 @@ fn a_pose_keeps_its_distance_from_singularities() {
     assert_eq!(checker.check_set_point([from.into(); 2], joints.into(), CYCLE), Ok(()));
 }
 
-/// Both ends are far enough from the singularity that is between them. There is no case for the elbow: a pose is reached with the elbow bent as it
-/// was, too, and that is nearer.
+/// Both ends are far enough from the singularity that is between them. There is no case for the elbow: a pose is
+/// reached with the elbow bent as it was, too, and that is nearer.
 #[test]
 fn a_pose_does_not_leap_over_a_singularity() {
     let model = Model::default();

@@ -1,7 +1,7 @@
 //! Whole numbers in unusual forms.
 
-/// The whole number that `text` holds, also with a fraction of zero or an exponent. It is read digit by digit: a float on the way
-/// would round, up or down to a whole number too.
+/// The whole number that `text` holds, also with a fraction of zero or an exponent. It is read digit by digit: a float
+/// on the way would round, up or down to a whole number too.
 pub(crate) fn whole(text: &str) -> Option<i64> {
     if let Ok(int) = text.parse() {
         return Some(int);
@@ -26,7 +26,8 @@ pub(crate) fn whole(text: &str) -> Option<i64> {
     Some(if text.starts_with('-') { -value } else { value })
 }
 
-/// With a fraction or an exponent, only numbers that a float tells from each other: so other programs read them, and write them.
+/// With a fraction or an exponent, only numbers that a float tells from each other: so other programs read them, and
+/// write them.
 const BELOW: i64 = 1 << 53;
 
 /// The number that decimal digits make without the zeros at their end, and how many these are.

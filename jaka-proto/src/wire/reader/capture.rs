@@ -2,7 +2,8 @@
 
 use super::{DecodeError, Reader};
 
-/// Takes the next key and its value, by [`Reader::eat_key`] and [`Reader::keep`]; false if it is another key, which is then where it was.
+/// Takes the next key and its value, by [`Reader::eat_key`] and [`Reader::keep`]; false if it is another key, which is
+/// then where it was.
 ///
 /// # Errors
 /// The value is not to be taken so: the caller reads the text in another way.

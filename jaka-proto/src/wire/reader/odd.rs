@@ -1,7 +1,7 @@
 //! Objects that are odd: complete by their quotes and brackets, and not JSON throughout.
 //!
-//! So are half a surrogate pair (valid JSON, which stands for no text), NaN, more levels of nesting than are read, and bytes that
-//! are no UTF-8.
+//! So are half a surrogate pair (valid JSON, which stands for no text), NaN, more levels of nesting than are read, and
+//! bytes that are no UTF-8.
 
 use std::borrow::Cow;
 

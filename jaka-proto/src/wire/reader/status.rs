@@ -4,8 +4,8 @@ use super::fields::repeated;
 use super::{Decode, DecodeError, Keys, Mark, Reader};
 
 impl Reader<'_> {
-    /// Enters an object whose fields are left out where they do not fit, if it is a whole message other than a reply: inside
-    /// another message nothing is left out.
+    /// Enters an object whose fields are left out where they do not fit, if it is a whole message other than a reply:
+    /// inside another message nothing is left out.
     ///
     /// # Errors
     /// The next value is not an object.
@@ -36,8 +36,8 @@ impl Reader<'_> {
         std::mem::take(&mut self.left_out)
     }
 
-    /// Reads a status field's value over what the slot held before. A null counts as absent, and so does a value that does not
-    /// fit, or a key that comes twice.
+    /// Reads a status field's value over what the slot held before. A null counts as absent, and so does a value that
+    /// does not fit, or a key that comes twice.
     ///
     /// # Errors
     /// It is not clear where the value ends.

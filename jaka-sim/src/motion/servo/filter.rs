@@ -1,6 +1,7 @@
 //! The filter of servo mode (4.60), between the set-points and the drives.
 //!
-//! The document and the vendor's other texts say of each filter what it is, and nothing about how it computes: that is chosen here.
+//! The document and the vendor's other texts say of each filter what it is, and nothing about how it computes: that is
+//! chosen here.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -41,7 +42,8 @@ pub(super) enum Filter {
     Cartesian(Box<Cartesian>),
 }
 
-/// True for a filter with which the arm can follow: not one with a limit or a cut-off frequency of zero, or of fewer than 3 points.
+/// True for a filter with which the arm can follow: not one with a limit or a cut-off frequency of zero, or of fewer
+/// than 3 points.
 pub(crate) fn can_follow(settings: &SetServoMoveFilter) -> bool {
     match *settings {
         SetServoMoveFilter::JointLowPass { cutoff_frequency, .. } => cutoff_frequency > 0.0,

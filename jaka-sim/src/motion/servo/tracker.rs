@@ -19,9 +19,9 @@ struct ServoLimits {
 
 /// Follows a place of `N` coordinates within limits.
 ///
-/// A place that itself moves within the limits is followed exactly. After one that does not, each coordinate comes back to it as fast as
-/// its share of the limits allows and without passing it, unless the place itself stops or turns back faster than the limits
-/// allow.
+/// A place that itself moves within the limits is followed exactly. After one that does not, each coordinate comes back
+/// to it as fast as its share of the limits allows and without passing it, unless the place itself stops or turns back
+/// faster than the limits allow.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tracker<const N: usize> {
     limits: ServoLimits,
@@ -129,7 +129,8 @@ impl ServoLimits {
     }
 }
 
-/// The greatest value that, reduced by `decrease` each cycle to nothing, sums up to no more than `sum`; with the sign of `sum`.
+/// The greatest value that, reduced by `decrease` each cycle to nothing, sums up to no more than `sum`; with the sign
+/// of `sum`.
 fn reducible(sum: f64, decrease: f64) -> f64 {
     if decrease <= 0.0 {
         return 0.0;

@@ -1,4 +1,5 @@
-//! A reset: what is queued is not delivered. The witness is a plain socket that reads nothing until the connection is reset.
+//! A reset: what is queued is not delivered. The witness is a plain socket that reads nothing until the connection is
+//! reset.
 
 use std::io::Read;
 use std::sync::Arc;

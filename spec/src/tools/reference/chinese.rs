@@ -23,8 +23,8 @@ const INDEX: &str = include_str!("../../../reference/zh/index.md");
 /// The texts of the Chinese edition's errata: TOML, the Chinese ones by the English ones.
 const ERRATA_TEXTS: &str = include_str!("../../../reference/zh/errata.toml");
 
-/// The Chinese edition of the [reference](super::reference), in Markdown: its front matter and its traps, and by section of the
-/// document the errata and all commands. An erratum without a Chinese text is in English.
+/// The Chinese edition of the [reference](super::reference), in Markdown: its front matter and its traps, and by
+/// section of the document the errata and all commands. An erratum without a Chinese text is in English.
 ///
 /// It links to the English edition, which has the rest, as `REFERENCE.md` in the same folder.
 pub fn reference_zh(spec: &Spec) -> String {

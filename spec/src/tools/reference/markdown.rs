@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 pub(super) use crate::prose::{code_span as code, prose as escape};
 
-/// A cell's text, which may have links of ours, without what Markdown would take for HTML or for the cell's end. Code spans stay.
+/// A cell's text, which may have links of ours, without what Markdown would take for HTML or for the cell's end. Code
+/// spans stay.
 fn cell(text: &str) -> String {
     let text: String = text.chars().map(|c| if crate::prose::is_hidden(c) { ' ' } else { c }).collect();
     // What a link has escaped already.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::{Choice, Command, Field, Reply, Request, Spec, TypeKind};
 
-/// The spec, with commands and fields in the docs called as on the wire. In the spec's files docs use the names of Rust; errata
-/// quote the document, and stay as they are.
+/// The spec, with commands and fields in the docs called as on the wire. In the spec's files docs use the names of
+/// Rust; errata quote the document, and stay as they are.
 pub(super) fn in_wire_names(spec: &Spec) -> Spec {
     let commands = Names(spec.commands().map(|command| (command.name.clone(), command.wire.clone())).collect());
     let mut spec = spec.clone();
@@ -59,7 +59,8 @@ fn of_fields(fields: &mut [Field], names: &Names) {
 struct Names(BTreeMap<String, String>);
 
 impl Names {
-    /// These names and those of fields, which come first. A text that is a key itself, or the name of two keys, stays as it is.
+    /// These names and those of fields, which come first. A text that is a key itself, or the name of two keys, stays
+    /// as it is.
     fn and_those_of<'f>(&self, fields: impl Iterator<Item = &'f Field>) -> Self {
         let mut names = self.0.clone();
         let fields: Vec<_> = fields.filter(|field| !field.wire.is_empty()).collect();

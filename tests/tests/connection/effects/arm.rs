@@ -10,8 +10,8 @@ use jaka_sync::{Client, Error, StatusStream};
 
 /// Makes a test of each `command => function`, and the list of the commands.
 ///
-/// The function must send the command to the arm that it is given. Commands that are wrong in the list fail the test; one
-/// whose function is in no list is dead code.
+/// The function must send the command to the arm that it is given. Commands that are wrong in the list fail the test;
+/// one whose function is in no list is dead code.
 macro_rules! effects {
     ($($command:ident => $effect:ident),+ $(,)?) => {
         /// The commands that have a test here.

@@ -18,7 +18,8 @@ pub(super) fn sent(replies: &Replies, packets: Packets) -> Expected {
     }
 }
 
-/// The end of a motion that was accepted, where something goes wrong with the query for the arm's position, or with packets.
+/// The end of a motion that was accepted, where something goes wrong with the query for the arm's position, or with
+/// packets.
 pub(super) fn end(replies: &Replies, packets: Packets) -> Expected {
     if !packets.are_known() {
         return Expected { first: Outcome::StatusLost, ..unknown(replies, packets) };

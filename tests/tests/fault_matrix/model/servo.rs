@@ -6,8 +6,8 @@ use super::{Expected, Replies, When, call, end, later};
 use crate::cell::Kind;
 use crate::outcome::{Cause, Outcome};
 
-/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left, and a query tells whether it was:
-/// a lost reply is not a reason to give up the connection, on which a stop can be sent.
+/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left, and a query tells
+/// whether it was: a lost reply is not a reason to give up the connection, on which a stop can be sent.
 pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     if !packets.are_known() {
         return unknown(replies, packets);
@@ -21,8 +21,8 @@ pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     }
 }
 
-/// The same where the link is as it is from before: whether the arm is at rest is asked first, and without an answer servo mode is
-/// not asked for.
+/// The same where the link is as it is from before: whether the arm is at rest is asked first, and without an answer
+/// servo mode is not asked for.
 pub(super) fn asking_for_rest(replies: &Replies, packets: Packets) -> Expected {
     match replies.when {
         _ if !packets.are_known() => unknown(replies, packets),

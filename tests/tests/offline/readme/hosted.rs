@@ -1,4 +1,5 @@
-//! The READMEs of crates, as they are shown where no rustdoc makes links: made from `docs/overview.md`, the crate's documentation.
+//! The READMEs of crates, as they are shown where no rustdoc makes links: made from `docs/overview.md`, the crate's
+//! documentation.
 
 use std::fs;
 

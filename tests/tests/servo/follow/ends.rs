@@ -252,8 +252,8 @@ fn with_accelerations(acceleration: f64) -> Limits {
     limits.with_joint_jerks([1.01 * acceleration / RAMP_S; 6]).expect("above 0")
 }
 
-/// From 1 s to the end at 4 s one joint or another loses speed by all of its acceleration: joint 6 before it turns round
-/// at 2 s and before the end, joints 4 and 5 in between.
+/// From 1 s to the end at 4 s one joint or another loses speed by all of its acceleration: joint 6 before it turns
+/// round at 2 s and before the end, joints 4 and 5 in between.
 fn without_reserve() -> (Limits, Vec<TimedPoint>) {
     let limits = with_accelerations(25.0).with_stop_accelerations([25.0; 6]).expect("above 0");
     let of_joints = [(5, 0.0, 1.0, -25.0), (5, 2.0, 1.0, 25.0), (3, 0.7, 1.0, 25.0), (4, 1.4, 1.0, 25.0)];

@@ -36,7 +36,8 @@ const SHARE: f64 = 2e-9;
 const DEGREES: f64 = 3e-12;
 /// By how many degrees a joint's range may be exceeded: rounding.
 const RANGE: f64 = 2e-5;
-/// By how many mm a region may be exceeded: 0.1 between places that are computed, and half a millimetre where a way cuts the edge of a box.
+/// By how many mm a region may be exceeded: 0.1 between places that are computed, and half a millimetre where a way
+/// cuts the edge of a box.
 const REGION: f64 = 0.61;
 const NAMES: [&str; 3] = ["speed", "acceleration", "jerk"];
 

@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 use crate::generator::judge::Judge;
 use jaka_tests::plain_controller::{PlainController, six};
 
-/// Judges set-points by their index. Where one came late the arm may have been taken to stand, so that the motion begins again from standstill: whether
-/// it has shows with the next set-points, and how often it may have is what the reports say. When set-points came that are read together, or soon after a
-/// late one, is not known.
+/// Judges set-points by their index. Where one came late the arm may have been taken to stand, so that the motion
+/// begins again from standstill: whether it has shows with the next set-points, and how often it may have is what the
+/// reports say. When set-points came that are read together, or soon after a late one, is not known.
 pub(super) struct Wire {
     /// Each with how often the motion began again; more than one until it shows.
     judges: Vec<(Judge, u64)>,

@@ -82,8 +82,8 @@ impl Alarms {
         }
     }
 
-    /// Reports an event that is more than information. The most severe one stands until the controller reports it as over, by a code of
-    /// zero: information may replace an error in the packet while the error lasts.
+    /// Reports an event that is more than information. The most severe one stands until the controller reports it as
+    /// over, by a code of zero: information may replace an error in the packet while the error lasts.
     fn event(&mut self, time: SystemTime, reading: &event::Reading, (code, message): &Event) {
         let Some(severity) = event::severity(reading) else {
             if let Some(standing) = self.standing.take() {

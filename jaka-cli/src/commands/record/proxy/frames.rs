@@ -37,8 +37,8 @@ impl MessageFrames {
         }
     }
 
-    /// Continues after bytes that are not a message: at the next brace, or with the next bytes received. What follows stays where it
-    /// is, so that the time for a stream is linear in its length, whatever it is.
+    /// Continues after bytes that are not a message: at the next brace, or with the next bytes received. What follows
+    /// stays where it is, so that the time for a stream is linear in its length, whatever it is.
     fn skip(&mut self, error: &FrameError, tell: &mut impl FnMut(Piece<'_>)) {
         let waiting = self.framer.partial();
         let next = match error {

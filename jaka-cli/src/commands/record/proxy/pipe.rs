@@ -17,8 +17,8 @@ const ROOM: usize = 16 << 10;
 
 /// Passes the bytes of both directions on, unchanged, each side's end included.
 ///
-/// They are passed on as they come, whatever they are: a copy goes to the recording, which never delays them. The copy is handed
-/// over before the bytes go out, so that the recording has each message before what it causes.
+/// They are passed on as they come, whatever they are: a copy goes to the recording, which never delays them. The copy
+/// is handed over before the bytes go out, so that the recording has each message before what it causes.
 #[derive(Debug)]
 pub(super) struct Pipe<'p> {
     pub(super) client: &'p TcpStream,

@@ -158,8 +158,8 @@ impl RecordingQueue {
         self.sender.send(Waiting::Passed(Arc::clone(connection), passed)).ok();
     }
 
-    /// Waits until all that was taken is with the recorder, also what was sent in part, and takes no more. Says how many pieces are
-    /// missing.
+    /// Waits until all that was taken is with the recorder, also what was sent in part, and takes no more. Says how
+    /// many pieces are missing.
     pub(crate) fn finish(&self) -> u64 {
         let (sender, ended) = mpsc::channel();
         self.sender.send(Waiting::Finish(sender)).ok();

@@ -2,7 +2,8 @@
 
 use crate::plots::Series;
 
-/// Speeds are means over this many seconds or more: a network delays packets differently, so that over shorter times they would be wrong.
+/// Speeds are means over this many seconds or more: a network delays packets differently, so that over shorter times
+/// they would be wrong.
 const LEAST_S: f64 = 0.1;
 
 /// Speeds of the joints, in deg/s.
