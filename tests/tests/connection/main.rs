@@ -8,6 +8,7 @@ mod exchange_stress;
 mod faults;
 mod firmware;
 mod first_program;
+mod foreign_clients;
 mod forms;
 mod held_back;
 mod hostile_text;
