@@ -85,6 +85,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::GetMotionState(command) => reply(command, out, |reply| {
             reply.in_position = state.in_position;
             reply.paused = Some(state.program_state == ProgramState::Paused);
+            // As in packets. The vendor's library reads these keys.
+            (reply.motion_line, reply.error_add_line) = (Some(0.into()), Some(0.into()));
+            reply.queue_full = Some(false);
         }),
         Request::GetRapidRate(command) => {
             reply(command, out, |reply| reply.rapid_rate = Typed::Known(state.rapid_rate))

@@ -41,9 +41,12 @@ const STATE: &str = r#"{"cmdName": "get_robot_state"}"#;
 const IN_SERVO: &str = r#"{"cmdName":"is_in_servomove"}"#;
 const SERVO_J: &str = r#"{"cmdName": "servo_j", "jointPosition": [0,0,0,0,0,0], "relFlag": 1, "stepNum": 1}"#;
 const SERVO_ON: &str = r#"{"cmdName": "servo_move", "relFlag": 1}"#;
-const TURN: &str = r#"{"cmdName": "joint_move", "relFlag": 1, "jointPosition": [0,0,0,0,0,10], "speed": 10, "accel": 10}"#;
-const STAY: &str = r#"{"cmdName": "joint_move", "relFlag": 1, "jointPosition": [0,0,0,0,0,0], "speed": 10, "accel": 10}"#;
-const TURN_BACK: &str = r#"{"cmdName": "joint_move", "relFlag": 0, "jointPosition": [JOINTS], "speed": 10, "accel": 10}"#;
+const TURN: &str =
+    r#"{"cmdName": "joint_move", "relFlag": 1, "jointPosition": [0,0,0,0,0,10], "speed": 10, "accel": 10}"#;
+const STAY: &str =
+    r#"{"cmdName": "joint_move", "relFlag": 1, "jointPosition": [0,0,0,0,0,0], "speed": 10, "accel": 10}"#;
+const TURN_BACK: &str =
+    r#"{"cmdName": "joint_move", "relFlag": 0, "jointPosition": [JOINTS], "speed": 10, "accel": 10}"#;
 const LINE: &str =
     r#"{"cmdName": "moveL", "relFlag": 1, "cartPosition": [10,0,0,0,0,0], "speed": 10, "accel": 10, "tol": 1}"#;
 const NO_LINE: &str =
@@ -53,8 +56,7 @@ const LINE_BACK: &str =
 const BACK: &str = r#"{"cmdName": "end_move", "endPosition": [POSE], "speed": 10, "accel": 10}"#;
 
 const NO_SERVO: &str = r#"(-1, '{"errorCode": "-1", "errorMsg": "servoj command can only be excuted in servo move mode", "cmdName": "servo_j"}')"#;
-const NO_TURN: &str =
-    r#"(2, '{"errorCode": "2", "errorMsg": "call joint_move failed", "cmdName": "joint_move"}')"#;
+const NO_TURN: &str = r#"(2, '{"errorCode": "2", "errorMsg": "call joint_move failed", "cmdName": "joint_move"}')"#;
 const NO_END_MOVE: &str = r#"(2, '{"errorCode": "2", "errorMsg": "call end_move failed", "cmdName": "end_move"}')"#;
 const NO_MOVE_L: &str = r#"(2, '{"errorCode": "2", "errorMsg": "call moveL failed", "cmdName": "moveL"}')"#;
 

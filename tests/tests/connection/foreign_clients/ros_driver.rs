@@ -114,7 +114,10 @@ fn a_refused_motion_has_ended_for_it() {
     let mut wire = Wire::connect(&arm);
     let turn = r#"{"cmdName":"joint_move","jointPosition":[0.000000,0.000000,0.000000,0.000000,0.000000,45.000000],"speed":50.000000,"relFlag":0}"#;
     let before = arm.state().joint_position;
-    assert_eq!(moved(&mut wire, turn), r#"{"errorCode": "2", "errorMsg": "call joint_move failed", "cmdName": "joint_move"}"#);
+    assert_eq!(
+        moved(&mut wire, turn),
+        r#"{"errorCode": "2", "errorMsg": "call joint_move failed", "cmdName": "joint_move"}"#
+    );
     assert_eq!((arm.state().joint_position, arm.elapsed()), (before, Duration::ZERO));
 }
 
