@@ -153,8 +153,8 @@ fn a_long_line_is_a_success_for_it_while_the_arm_moves() {
     assert!(!arm.state().at_rest);
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: a reply late by 8 s, as that to `power_on` is from 1.5.14, comes within the 10 s of its
-/// socket, and one that is later would be taken for the reply to a further request.
+/// `FMCV/Comm/TCP_JAKA.py`: replies that come with the state, as those of 1.5.14 to `power_on` and `enable_robot`, come
+/// within the 10 s for which the client's socket waits.
 #[test]
 fn late_replies_to_power_and_enabling_come_within_its_patience() {
     let arm = arm().controller(|controller| controller.delays(Delays::REAL)).start();
@@ -186,13 +186,16 @@ fn refusals_are_no_successes() {
     assert!(is_accepted(client.call("power_on", r#"{"cmdName":"power_on"}"#)));
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: a code that is a number, as some firmware writes it, is no success for the client, and it waits
-/// in vain for a frame that is selected.
+/// `FMCV/Comm/TCP_JAKA.py`: a code that is a number and a name with blanks, as some firmware writes them, are no success
+/// for the client, either of them. It waits in vain for a frame that is selected.
 #[test]
 fn a_code_that_is_a_number_is_no_success_for_it() {
     let arm = arm().controller(|controller| controller.firmware(Firmware::Odd)).start();
     let mut client = Backend::connect(&arm);
-    let (is_success, _) = client.call("set_user_id", r#"{"cmdName":"set_user_id","user_frame_id":10}"#);
+    let select = r#"{"cmdName":"set_user_id","user_frame_id":10}"#;
+    let reply = client.exchange(select);
+    assert!(reply["errorCode"].as_f64() == Some(0.0) && reply["cmdName"] == " set_user_id ", "{reply:?}");
+    let (is_success, _) = client.call("set_user_id", select);
     assert!(!is_success && arm.state().user_frame_id == 10);
     assert!(!client.wait("current_user_id", &10.into()));
 }

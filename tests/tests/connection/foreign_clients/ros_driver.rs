@@ -37,7 +37,6 @@ fn arm(firmware: Firmware) -> Arm {
 }
 
 /// Sends a request whose reply the client reads and does not look at.
-#[track_caller]
 fn blind(wire: &mut Wire<'_>, request: &str) -> String {
     wire.ask(request, READ)
 }
