@@ -1,9 +1,9 @@
 //! `cyysky/FMCV_INSPECTION`, an inspection system in Python, over its own client of port 10001 (`tcp_type` `jaka_tcp`).
 //!
-//! It builds requests by f-strings, with lists as Python prints them and blanks between some members. It reads a reply by
-//! one `recv` of 5120 bytes, and by a second one where `json.loads` fails. A reply is a success where `errorCode` equals
-//! the string `"0"` and `cmdName` the command's name. It waits for an end by `get_data`: 10 ms after the request at first,
-//! then each 80 ms, for 10 s at most.
+//! It builds requests by f-strings, with lists as Python prints them and blanks between some members. It reads a reply
+//! by one `recv` of 5120 bytes, and by a second one where `json.loads` fails. A reply is a success where `errorCode`
+//! equals the string `"0"` and `cmdName` the command's name. It waits for an end by `get_data`: 10 ms after the request
+//! at first, then each 80 ms, for 10 s at most.
 
 use std::time::Duration;
 
@@ -81,8 +81,8 @@ fn is_accepted((is_success, message): (bool, Option<String>)) -> bool {
     is_success && message.as_deref() == Some("")
 }
 
-/// `FMCV/Comm/TCP_JAKA.py` and `FMCV/Com.py`: power and enabling, the frames that its calibration sets and selects, and a
-/// line by an offset.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Comm/TCP_JAKA.py` and `FMCV/Com.py`: power and enabling, the frames that its
+/// calibration sets and selects, and a line by an offset.
 ///
 /// The key of the user frame is the document's `userffset`. `FMCV/Platform/Jaka/JakaControl.py` selects frame 10.
 #[test]
@@ -115,7 +115,8 @@ fn frames_are_selected_and_a_line_has_ended_when_it_says_so() {
     }
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: the reply to `get_data` of newer firmware takes both reads, and fits into them.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Comm/TCP_JAKA.py`: the reply to `get_data` of newer firmware takes both reads, and
+/// fits into them.
 #[test]
 fn the_packet_of_newer_firmware_takes_both_of_its_reads() {
     let arm = arm().controller(|controller| controller.firmware(Firmware::Newer)).start();
@@ -127,8 +128,8 @@ fn the_packet_of_newer_firmware_takes_both_of_its_reads() {
     assert!(wire.arrived.is_empty());
 }
 
-/// `FMCV/Com.py`: a controller that says 100 ms after the start of a motion that the arm is not in position, as field notes
-/// have it, has the line ended for the client before it began.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Com.py`: a controller that says 100 ms after the start of a motion that the arm is
+/// not in position, as field notes have it, has the line ended for the client before it began.
 #[test]
 fn a_line_has_ended_for_it_before_it_shows() {
     let mut delays = Delays::NONE;
@@ -141,8 +142,8 @@ fn a_line_has_ended_for_it_before_it_shows() {
     assert!(!arm.state().at_rest && arm.elapsed() <= FIRST_QUESTION, "it asked once");
 }
 
-/// `FMCV/Com.py`: a line that takes more than 10 s is a success for the client while the arm still moves, since it returns
-/// whether the line was accepted, not whether the arm is there.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Com.py`: a line that takes more than 10 s is a success for the client while the arm
+/// still moves, since it returns whether the line was accepted, not whether the arm is there.
 #[test]
 fn a_long_line_is_a_success_for_it_while_the_arm_moves() {
     let arm = arm().start();
@@ -153,8 +154,8 @@ fn a_long_line_is_a_success_for_it_while_the_arm_moves() {
     assert!(!arm.state().at_rest);
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: replies that come with the state, as those of 1.5.14 to `power_on` and `enable_robot`, come
-/// within the 10 s for which the client's socket waits.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Comm/TCP_JAKA.py`: replies that come with the state, as those of 1.5.14 to
+/// `power_on` and `enable_robot`, come within the 10 s for which the client's socket waits.
 #[test]
 fn late_replies_to_power_and_enabling_come_within_its_patience() {
     let arm = arm().controller(|controller| controller.delays(Delays::REAL)).start();
@@ -173,8 +174,8 @@ fn late_replies_to_power_and_enabling_come_within_its_patience() {
     assert!(arm.state().powered && arm.state().enabled);
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: a refusal is none of its successes, and its message is handed on. Its mode `end_mode`, which
-/// none of its calls uses, sends that as the command's name.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Comm/TCP_JAKA.py`: a refusal is none of its successes, and its message is handed on.
+/// Its mode `end_mode`, which none of its calls uses, sends that as the command's name.
 #[test]
 fn refusals_are_no_successes() {
     let arm = arm().start();
@@ -186,8 +187,8 @@ fn refusals_are_no_successes() {
     assert!(is_accepted(client.call("power_on", r#"{"cmdName":"power_on"}"#)));
 }
 
-/// `FMCV/Comm/TCP_JAKA.py`: a code that is a number and a name with blanks, as some firmware writes them, are no success
-/// for the client, either of them. It waits in vain for a frame that is selected.
+/// `cyysky/FMCV_INSPECTION`, `FMCV/Comm/TCP_JAKA.py`: a code that is a number and a name with blanks, as some firmware
+/// writes them, are no success for the client, either of them. It waits in vain for a frame that is selected.
 #[test]
 fn a_code_that_is_a_number_is_no_success_for_it() {
     let arm = arm().controller(|controller| controller.firmware(Firmware::Odd)).start();

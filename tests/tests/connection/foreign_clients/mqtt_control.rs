@@ -199,7 +199,8 @@ fn arm(firmware: Firmware) -> Arm {
     arm.controller(|controller| controller.firmware(firmware)).start()
 }
 
-/// `src/check_jkrc.py` and `src/jaka_control/jkrc.py`: the run without motion, by its first transcript.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/check_jkrc.py` and `src/jaka_control/jkrc.py`: the run without motion, by its
+/// first transcript.
 #[test]
 fn a_run_without_motion_prints_what_its_transcript_has() {
     let arm = arm(Firmware::V1_5_14);
@@ -214,7 +215,8 @@ fn a_run_without_motion_prints_what_its_transcript_has() {
     assert!(!arm.state().powered && !arm.state().enabled);
 }
 
-/// The same files: a run with motions of length 0, by its transcript. Servo mode is entered at once, since nothing moves.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/check_jkrc.py` and `src/jaka_control/jkrc.py`: a run with motions of length 0,
+/// by its transcript. Servo mode is entered at once, since nothing moves.
 ///
 /// The three motions that were refused had a tuple in place of a list: `[0,[-263.4, 106.9, …]]` by the transcript's
 /// remark that the joints were wrong. It shows no bytes.
@@ -235,8 +237,9 @@ fn a_run_of_motions_without_length_prints_what_its_transcript_has() {
     client.run(END);
 }
 
-/// The same files: a run by the transcript that its author numbered 2. A motion is accepted after one that was refused,
-/// without `clear_error`; servo mode is not entered, since the arm moves; and `disable_robot` is acknowledged although it does.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/check_jkrc.py` and `src/jaka_control/jkrc.py`: a run by the transcript that its
+/// author numbered 2. A motion is accepted after one that was refused, without `clear_error`; servo mode is not
+/// entered, since the arm moves; and `disable_robot` is acknowledged although it does.
 #[test]
 fn a_run_with_refused_motions_prints_what_its_transcript_has() {
     let arm = arm(Firmware::V1_5_14);
@@ -256,8 +259,9 @@ fn a_run_with_refused_motions_prints_what_its_transcript_has() {
     assert!(arm.state().at_rest && !arm.state().enabled);
 }
 
-/// The same files: all 25 calls of the program in its order, by the transcript that its author numbered 3, in which the
-/// arm has power from the start. The program reads both positions twice, and prints them once.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/check_jkrc.py` and `src/jaka_control/jkrc.py`: all 25 calls of the program in
+/// its order, by the transcript that its author numbered 3, in which the arm has power from the start. The program
+/// reads both positions twice, and prints them once.
 ///
 /// The transcript does not show when its replies came, so the arm may have stood for a while: here each call takes one
 /// cycle. As in the transcript it still moves when servo mode is asked for.
@@ -282,8 +286,8 @@ fn the_25_calls_print_what_their_transcript_has() {
     assert!(arm.state().at_rest && !arm.state().powered);
 }
 
-/// `src/jaka_control/jkrc.py`: newer firmware says `"True"` where the client looks for `robot_enabled` and `powered_on`,
-/// so that it takes an arm that is enabled for one without power.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/jaka_control/jkrc.py`: newer firmware says `"True"` where the client looks for
+/// `robot_enabled` and `powered_on`, so that it takes an arm that is enabled for one without power.
 #[test]
 fn newer_firmware_is_taken_for_an_arm_without_power() {
     let arm = arm(Firmware::Newer);
@@ -292,8 +296,8 @@ fn newer_firmware_is_taken_for_an_arm_without_power() {
     client.run(&[(STATE, State, "(0, 0, 0)"), (SERVO_ON, Code, "(0,)"), (SERVO_J, FastCode, "(0,)")]);
 }
 
-/// `src/jaka_control/jkrc.py`: the search of the control loop needs the blank behind the colon, so that without blanks
-/// each success is a failure to it.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/jaka_control/jkrc.py`: the search of the control loop needs the blank behind
+/// the colon, so that without blanks each success is a failure to it.
 #[test]
 fn a_reply_without_blanks_is_taken_for_a_failure() {
     let arm = arm(Firmware::Document);
@@ -305,9 +309,9 @@ fn a_reply_without_blanks_is_taken_for_a_failure() {
     assert!(printed.starts_with(r#"(-1, '{"errorCode":"0","#), "{printed}");
 }
 
-/// Keys of the recorded packet in their order, each with the shape of its value, where `[135 int]` is an array of 135 whole
-/// numbers, and the length of its text. Python's `json.dumps` of the record has 3208 bytes, as `len` says, so that these
-/// are the lengths on the wire.
+/// Keys of the recorded packet in their order, each with the shape of its value, where `[135 int]` is an array of 135
+/// whole numbers, and the length of its text. Python's `json.dumps` of the record has 3208 bytes, as `len` says, so
+/// that these are the lengths on the wire.
 const RECORDED: &[(&str, &str, usize)] = &[
     ("len", "int", 4),
     ("drag_status", "bool", 5),
@@ -376,8 +380,8 @@ const UNCHANGED: &[(&str, &str)] = &[
     ("netState", "1"),
 ];
 
-/// `src/check_jkrc_feedback.py`: keys, order, lengths, nesting, number formats and blanks of its packet, of an arm in the
-/// same state.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/check_jkrc_feedback.py`: keys, order, lengths, nesting, number formats and
+/// blanks of its packet, of an arm in the same state.
 ///
 /// Numbers that the simulator takes from elsewhere have other lengths: measurements, which it has the same for each
 /// joint, the pose, which follows from a tool and a user frame that the record does not show, and functions with an
@@ -409,8 +413,8 @@ fn the_packet_is_as_the_recorded_one() {
     assert_eq!(differs, ["monitor_data", "actual_position", "funcdi"]);
 }
 
-/// `src/jaka_control/jkrc_feedback.py`: packets end for it where the next one begins with `{"len":`, so that it is one
-/// packet behind, and shows nothing before the second. It ignores `len`.
+/// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/jaka_control/jkrc_feedback.py`: packets end for it where the next one begins
+/// with `{"len":`, so that it is one packet behind, and shows nothing before the second. It ignores `len`.
 #[test]
 fn packets_are_found_by_the_beginning_of_the_next_one() {
     let arm = feedback_arm();

@@ -2,8 +2,8 @@
 //! older than any that the simulator has: here it talks to 1.5.14.
 //!
 //! It builds requests by concatenation with `std::to_string`, so that each number that may have a fraction has six
-//! decimals, of a `float`. It reads a reply by one `recv` of 8192 bytes, and looks into the reply to `get_data` alone: a
-//! refusal goes unnoticed. The end of a motion is the reply to `wait_complete`.
+//! decimals, of a `float`. It reads a reply by one `recv` of 8192 bytes, and looks into the reply to `get_data` alone:
+//! a refusal goes unnoticed. The end of a motion is the reply to `wait_complete`.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -62,8 +62,9 @@ fn positions(reply: &str) -> Option<([f64; 6], [f64; 6])> {
     Some((six(&reply, "joint_actual_position")?, six(&reply, "actual_position")?))
 }
 
-/// `src/robot_client_tcp_test.cpp` and `src/libs/robot_client_tcp.cpp`: power, enabling, an output, the speed rate, five
-/// motions, outputs of the third kind, ten times `get_data`, and what the destructor sends.
+/// `RobotControlAndMachineVisionLaboratory/jaka_controller_tcp_ros`, `src/robot_client_tcp_test.cpp` and
+/// `src/libs/robot_client_tcp.cpp`: power, enabling, an output, the speed rate, five motions, outputs of the third
+/// kind, ten times `get_data`, and what the destructor sends.
 #[test]
 fn the_test_program_moves_the_arm() {
     let arm = arm(Firmware::default());
@@ -105,8 +106,8 @@ fn the_test_program_moves_the_arm() {
     assert!(!arm.state().powered && !arm.state().enabled);
 }
 
-/// `src/libs/robot_client_tcp.cpp`: the client does not look at the code of a reply, so that a motion that was refused
-/// has ended for it as soon as it asks.
+/// `RobotControlAndMachineVisionLaboratory/jaka_controller_tcp_ros`, `src/libs/robot_client_tcp.cpp`: the client does
+/// not look at the code of a reply, so that a motion that was refused has ended for it as soon as it asks.
 #[test]
 fn a_refused_motion_has_ended_for_it() {
     let arm = arm(Firmware::default());
@@ -120,8 +121,9 @@ fn a_refused_motion_has_ended_for_it() {
     assert_eq!((arm.state().joint_position, arm.elapsed()), (before, Duration::ZERO));
 }
 
-/// `src/libs/robot_client_tcp.cpp`: jogs by an increment select tool 0 first, whatever was selected, and send mode 2
-/// whatever the caller says. The end is the reply to `wait_complete`.
+/// `RobotControlAndMachineVisionLaboratory/jaka_controller_tcp_ros`, `src/libs/robot_client_tcp.cpp`: jogs by an
+/// increment select tool 0 first, whatever was selected, and send mode 2 whatever the caller says. The end is the reply
+/// to `wait_complete`.
 #[test]
 fn a_jog_selects_the_flange_first() {
     let arm = arm(Firmware::default());
@@ -140,8 +142,9 @@ fn a_jog_selects_the_flange_first() {
     assert!(stop.starts_with(r#"{"errorCode": "0", "#), "{stop}");
 }
 
-/// `src/libs/robot_client_tcp.cpp`: the reply to `get_data` of newer firmware fills the client's buffer, and writes a
-/// zero behind it. What is left comes before the next reply: the client asks again and again, and never has a pose.
+/// `RobotControlAndMachineVisionLaboratory/jaka_controller_tcp_ros`, `src/libs/robot_client_tcp.cpp`: the reply to
+/// `get_data` of newer firmware fills the client's buffer, so that its terminating zero goes behind it. What is left
+/// comes before the next reply: the client asks again and again, and never has a pose.
 #[test]
 fn the_packet_of_newer_firmware_does_not_fit_into_its_buffer() {
     let arm = arm(Firmware::Newer);

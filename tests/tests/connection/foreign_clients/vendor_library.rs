@@ -1,8 +1,8 @@
-//! The vendor's client library, SDK 1.0.19 and 2.1.14: commands and keys that it sent to a recording server, and keys of
-//! replies that it reads.
+//! The vendor's client library, SDK 1.0.19 and 2.1.14: commands and keys that it sent to a recording server, and keys
+//! of replies that it reads.
 //!
-//! The names of keys are evidence. Blanks, the order of members and the values here are ours. The library is not part of
-//! this repository.
+//! The names of keys are evidence. Blanks, the order of members and the values here are ours. The library is not part
+//! of this repository.
 
 use std::time::Duration;
 
@@ -64,8 +64,8 @@ fn accepted(wire: &mut Wire<'_>, request: &str) -> Map<String, Value> {
     reply
 }
 
-/// SDK 2.1.14, bytes at a recording server: commands that it sends and keys that it reads, found by offering one key at a
-/// time.
+/// SDK 2.1.14, bytes at a recording server: commands that it sends and keys that it reads, found by offering one key at
+/// a time.
 #[test]
 fn newer_firmware_has_the_keys_that_sdk_2_1_14_reads() {
     let arm = arm(Firmware::Newer).start();
@@ -147,9 +147,10 @@ fn a_blocking_move_of_sdk_1_0_19_succeeds() {
     assert!(are_close(joints, [10.0, 90.0, 90.0, 90.0, -90.0, 0.0], 1e-4), "{joints:?}");
 }
 
-/// SDK 1.0.19, a blocking move in the moment in which the arm is enabled: the event of enabling stands in the error code, so
-/// that the library takes the move for a failure. That it stands for 256 ms is the simulator's opinion: in captures it
-/// stands in one or a few packets. Later polls have no other code than `"0x0"`, and neither has the last one.
+/// SDK 1.0.19, a blocking move in the moment in which the arm is enabled: the event of enabling stands in the error
+/// code, so that the library takes the move for a failure. That it stands for 256 ms is the simulator's opinion: in
+/// captures it stands in one or a few packets. Later polls have no other code than `"0x0"`, and neither has the last
+/// one.
 #[test]
 fn a_blocking_move_of_sdk_1_0_19_fails_as_long_as_enabling_stands_in_the_error_code() {
     let arm = arm(Firmware::default()).without_power().at(START).start();
