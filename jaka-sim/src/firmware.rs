@@ -62,7 +62,7 @@ firmwares! {
     /// | decimals of joint positions in packets, of positions in replies | 5, 6 | 5, 6 | any | any |
     /// | decimals of poses in packets | 5 | 13 | any | any |
     /// | `task_state` of a disabled arm with power | 3 | 3 | 2 | 3 |
-    /// | functions with an input to begin with | those of the document's sample | none | those of the document's sample | those of the document's sample |
+    /// | functions with an input to begin with | none | none | those of the document's sample | those of the document's sample |
     /// | blanks after commas and colons | yes | yes | no | yes |
     /// | event in `get_robot_state` | no | a number | no | a text |
     /// | states in `get_robot_state` | the document's words | `"True"`, `"False"` | the document's words | one of five forms |
@@ -88,7 +88,7 @@ firmwares! {
         tool_digital: 8,
         tool_analog: &[474.0, 474.0],
         functions: 15,
-        no_function_input: false,
+        no_function_input: true,
         disabled: TaskState::Disabled,
         pose_decimals: 5,
         monitor_head: "12338,12593,47.0,0.0,0.0",

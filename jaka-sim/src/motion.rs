@@ -71,6 +71,11 @@ impl Engine {
         self.queue.push_back(planned);
     }
 
+    /// Number of motions that wait for the end of the one that runs.
+    pub(crate) fn waiting(&self) -> usize {
+        self.queue.len()
+    }
+
     /// Brakes, and forgets all that waits. The next motion starts where that ends.
     pub(crate) fn stop(&mut self, joints: Joints, model: &Model) {
         self.queue.clear();

@@ -450,6 +450,11 @@ impl World {
     }
 
     /// Queues a motion; false if there is none.
+    /// Number of motions that wait for the end of the one that runs.
+    pub(crate) fn motions_waiting(&self) -> usize {
+        self.engine.waiting()
+    }
+
     pub(crate) fn enqueue(&mut self, planned: Option<Planned>) -> bool {
         planned.map(|planned| self.engine.enqueue(planned)).is_some()
     }

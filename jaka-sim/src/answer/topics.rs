@@ -83,8 +83,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             reply(command, out, |reply| reply.program_state.clone_from(&state.program_state))
         }
         Request::GetMotionState(command) => reply(command, out, |reply| {
-            reply.in_position = state.in_position;
-            reply.paused = Some(state.program_state == ProgramState::Paused);
+            reply.in_position = world.state.in_position;
+            reply.paused = Some(world.state.program_state == ProgramState::Paused);
+            reply.queue = i64::try_from(world.motions_waiting()).unwrap_or(i64::MAX);
             // As in packets. The vendor's library reads these keys.
             (reply.motion_line, reply.error_add_line) = (Some(0.into()), Some(0.into()));
             reply.queue_full = Some(false);
@@ -222,6 +223,10 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::GenerateTrajExeFile(command) => Outcome::accepted_if(trajectory::generate(world, &command.file_name)),
 
         // Drag mode and control that yields to forces.
+        Request::GetDragStatus(command) => reply(command, out, |reply| reply.drag_mode = Typed::Known(state.drag_mode)),
+        Request::IsOnLimit(command) => {
+            reply(command, out, |reply| reply.on_limit = Typed::Known(state.on_soft_limit != 0))
+        }
         Request::DragStatus(command) => reply(command, out, |reply| reply.drag_status = state.drag_mode),
         Request::SetTorqueControl(command) => set(&mut state.drag_mode, is_on(command.enable_flag)),
         Request::EnableAdmittanceCtrl(command) => set(&mut state.admittance.enabled, is_on(command.enable_flag)),

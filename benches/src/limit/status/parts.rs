@@ -366,7 +366,7 @@ impl Blank for MonitorData {
             seventh: None,
             eighth: None,
             ninth: None,
-            tenth: None,
+            bus_voltage: None,
         })
     }
 }
@@ -384,7 +384,7 @@ impl Blank for TorqueSensorReport {
                 error_code: Typed::Known(0),
                 contact_force: [0.0; 6],
                 raw_reading: [0.0; 6],
-                fifth: None,
+                unconditional_contact_force: None,
             }),
         })
     }

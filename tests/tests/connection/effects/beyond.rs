@@ -3,6 +3,7 @@
 use jaka_spec::{Version, Versions};
 use jaka_sync::beyond_io::{GetAnalogOutput, GetDigitalOutput};
 use jaka_sync::io::{AnalogOutputKind, DigitalOutputKind, SetAnalogOutput, SetDigitalOutput};
+use jaka_sync::proto::wire::Typed;
 use jaka_sync::proto::{Command, ErrorCode, Request, Visit};
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Error};
@@ -105,6 +106,21 @@ fn positions_and_frames_are_those_of_the_arm() {
 }
 
 #[test]
+fn limits_drag_mode_and_the_rate_are_those_of_the_arm() {
+    let mut arm = arm_of("1.7.2");
+    let known = |arm: &mut Arm| {
+        let limit = arm.client.is_on_limit().expect("it answers").on_limit;
+        let drag = arm.client.get_drag_status().expect("it answers").drag_mode;
+        (limit, drag, arm.client.get_rapid_rate().expect("it answers").rapid_rate)
+    };
+    assert_eq!(known(&mut arm), (Typed::Known(false), Typed::Known(false), Typed::Known(1.0)));
+    arm.controller.set_state(|state| {
+        (state.on_soft_limit, state.drag_mode, state.rapid_rate) = (1, true, 0.5);
+    });
+    assert_eq!(known(&mut arm), (Typed::Known(true), Typed::Known(true), Typed::Known(0.5)));
+}
+
+#[test]
 fn stops_and_motions_are_those_of_the_arm() {
     let mut arm = arm_of("1.7.2");
     let state = arm.client.get_motion_state().expect("it answers");
@@ -112,7 +128,8 @@ fn stops_and_motions_are_those_of_the_arm() {
     arm.client.joint_move(&turn(30.0)).expect("the arm is enabled");
     arm.client.joint_move(&turn(-30.0)).expect("the arm is enabled");
     arm.wait(1);
-    assert!(!arm.client.get_motion_state().expect("it answers").in_position);
+    let state = arm.client.get_motion_state().expect("it answers");
+    assert_eq!((state.in_position, state.queue), (false, 1));
     arm.controller.set_state(|state| state.emergency_stop = true);
     assert!(arm.client.emergency_stop_status().expect("it answers").emergency_stop);
 }

@@ -410,7 +410,7 @@ fn the_packet_is_as_the_recorded_one() {
     }
     assert_eq!(rest, "}");
     assert_eq!(values["len"], packet.len());
-    assert_eq!(differs, ["monitor_data", "actual_position", "funcdi"]);
+    assert_eq!(differs, ["monitor_data", "actual_position"]);
 }
 
 /// `nkawa/JAKA_Zu5s_MQTT_Control`, `src/jaka_control/jkrc_feedback.py`: packets end for it where the next one begins
