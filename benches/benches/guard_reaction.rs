@@ -26,10 +26,10 @@ const BOUND: f64 = 1.0;
 /// The time between two packets.
 const PERIOD: Duration = Duration::from_millis(8);
 
-/// How many packets of a motion come before the one that trips the guard.
+/// Number of packets of a motion before the one that trips the guard.
 const BEFORE: usize = 3;
 
-/// How long the program's own observer takes for each packet.
+/// Names of the runs, each with the time that the program's own observer takes for each packet.
 const OBSERVERS: [(&str, Duration); 2] =
     [("run under a guard", Duration::ZERO), ("the same, with an observer that takes 5 ms", Duration::from_millis(5))];
 
@@ -52,7 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the stops took from the packet to the wire, for a program that has the addresses of commands and of packets.
+/// Measures the time from the packet to the stop on the wire. The program gets the addresses of the command port and
+/// the status port.
 fn measure(
     trips: u32,
     program: impl FnOnce(SocketAddr, SocketAddr, u32) -> Result<(), Failure>,
@@ -106,14 +107,14 @@ fn guarded(commands: SocketAddr, status: SocketAddr, trips: u32, observer: Durat
     Ok(())
 }
 
-/// What has come on the command port.
+/// Message that arrived on the command port.
 #[derive(PartialEq)]
 enum Arrived {
     Motion,
     Stop(Instant),
 }
 
-/// Sends packets, and how long the stop took after each that trips the guard.
+/// Sends packets, and measures the time until the stop after each packet that trips the guard.
 fn watch(mut status: TcpStream, arrivals: &Receiver<Arrived>, trips: u32) -> Result<Samples, Failure> {
     status.set_nodelay(true)?;
     let (mut samples, mut moving) = (Samples::default(), None);

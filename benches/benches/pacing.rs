@@ -1,4 +1,4 @@
-//! When set-points go out: sessions that sleep until the cycle, sessions that spin before it, and a bare loop, in turn.
+//! Lateness of set-points: sessions that sleep until the cycle, sessions that spin before it, and a bare loop, in turn.
 //!
 //! Options: `--seconds N` for each turn (1), `--rounds N` (10), `--spin MICROSECONDS` (200).
 
@@ -24,13 +24,13 @@ const LATE: &str = "5";
 
 type Failure = Box<dyn Error>;
 
-/// What one way of pacing did, over all rounds. Times are in microseconds.
+/// Figures of one method of pacing over all rounds. Times are in microseconds.
 #[derive(Default)]
 struct Way {
     name: &'static str,
-    /// By how much each set-point was late.
+    /// Lateness of each set-point.
     late: Vec<f64>,
-    /// By how much the cycles drifted from the clock, as a share, session by session.
+    /// Drift of the cycles from the clock as a share, one value a session.
     drift: Vec<f64>,
     passed_over: u64,
     most_outstanding: usize,

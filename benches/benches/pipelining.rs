@@ -82,7 +82,7 @@ fn window<'a>(name: &'static str, address: SocketAddr, window: usize, count: u32
     }))
 }
 
-/// The same with as many set-points in one write as there is room for.
+/// Sends through a pipeline with as many set-points in one write as the window has room for.
 fn together<'a>(name: &'static str, address: SocketAddr, window: usize, count: u32) -> Result<Contender<'a>, Failure> {
     let mut client = Client::connect(address)?;
     let set_points: Vec<_> = (0..count).map(|_| set_point()).collect();
@@ -95,7 +95,8 @@ fn together<'a>(name: &'static str, address: SocketAddr, window: usize, count: u
     }))
 }
 
-/// The same window by hand, with this many set-points in a write: the answers are told apart by their length alone.
+/// Fills the same window through a plain socket, with `together` set-points in a write. Counts answers by their length
+/// alone.
 fn bare<'a>(
     name: &'static str,
     address: SocketAddr,

@@ -74,7 +74,7 @@ fn limit<'a>(address: SocketAddr) -> Result<Contender<'a>, Failure> {
     Ok(bare("limit: bare write and read", connect(address)?))
 }
 
-/// What the system takes for a time limit on the read.
+/// Bare exchange with a read timeout on the socket, which shows the cost of that timeout.
 fn with_deadline<'a>(address: SocketAddr) -> Result<Contender<'a>, Failure> {
     let stream = connect(address)?;
     stream.set_read_timeout(Some(DEADLINE))?;

@@ -1,5 +1,5 @@
-//! How long a stop takes to the wire while a program sends as much as it can. The witness is a plain socket, which
-//! knows nothing of this SDK: it says when the bytes of `stop_program` have come.
+//! Time from the call of a stop to the wire while a program sends as much as it can. The witness is a plain socket that
+//! knows nothing of this SDK. It reports the arrival of the bytes of `stop_program`.
 //!
 //! Option: `--stops N`, 2000 by default.
 
@@ -24,7 +24,7 @@ use jaka_sync::{Client, Command, Monitor};
 type Failure = Box<dyn Error + Send + Sync>;
 type ClientError = jaka_sync::Error;
 
-/// How many commands the long pipeline has.
+/// Number of commands in the long pipeline.
 const COMMANDS: usize = 100_000;
 
 /// Between one stop and the next.
@@ -33,7 +33,7 @@ const PAUSE: Duration = Duration::from_millis(1);
 /// The bound at the 99th percentile, in milliseconds.
 const BOUND: f64 = 20.0;
 
-/// What a program does meanwhile, until it is told to end.
+/// Work of a program during the stops, until the flag tells it to end.
 type Load = fn(&mut Client, &AtomicBool) -> Result<(), ClientError>;
 
 const LOADS: [(&str, Load); 5] = [
@@ -44,14 +44,14 @@ const LOADS: [(&str, Load); 5] = [
     ("replies that are odd", odd_replies),
 ];
 
-/// Robots that take packets at 1 kHz, and how long the program's observer takes for each packet.
+/// Robots that take packets at 1 kHz, each with the time that the program's observer takes for each packet.
 const OBSERVERS: [(&str, Duration); 2] =
     [("a robot, packets at 1 kHz", Duration::ZERO), ("the same, observer of 5 ms", Duration::from_millis(5))];
 
 const PACKET: &[u8] =
     br#"{"len": 120, "emergency_stop": 0, "protective_stop": 0, "powered_on": 1, "enabled": true, "inpos": false}"#;
 
-/// What the peer says in place of the fields of a version: half a surrogate pair, no number, and bytes that are no
+/// Replies of the peer without a valid version: half a surrogate pair, a value that is no number, and bytes that are no
 /// UTF-8.
 const ODD: [&[u8]; 3] = [
     br#"{"errorCode":"2","errorMsg":"call \ud83d failed","cmdName":"get_version"}"#,
@@ -81,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the stops took from the call to the wire.
+/// Measures the time from the call of a stop to the wire under a load.
 fn measure(stops: u32, load: Load) -> Result<Samples, Failure> {
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let mut client = Client::connect(listener.local_addr()?)?;

@@ -1,4 +1,4 @@
-//! From 10,000 way-points in memory to a follower that is ready: how long that takes.
+//! Time from 10,000 way-points in memory to a follower that is ready.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -9,15 +9,15 @@ use jaka_motion::{Checker, Follower, Frames, Limits, Model, Region, TimedPoint, 
 
 use crate::kinematics::{JOINTS, PERIOD};
 
-/// How many way-points there are.
+/// Number of way-points of a trajectory.
 pub const WAY_POINTS: u32 = 10_000;
-/// How long it may take, in milliseconds.
+/// Longest permitted time to make a trajectory and its follower, in milliseconds.
 const TARGET_MS: f64 = 100.0;
-/// How often it is done.
+/// Number of timed runs for each kind of trajectory.
 const RUNS: usize = 15;
-/// Where the lines start.
+/// Joint position at the start of the lines, in degrees.
 const HOME: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
-/// How far the lines lead from their middle, in mm.
+/// Distance from the middle of the lines to their ends, in mm.
 const REACH_MM: f64 = 120.0;
 
 /// Way-points in memory.
@@ -25,7 +25,7 @@ const REACH_MM: f64 = 120.0;
 pub enum Points {
     /// With times.
     Timed(Vec<TimedPoint>),
-    /// Without, and how far a corner may be rounded, in degrees or mm.
+    /// Without times; with the tolerance for the rounding of corners, in degrees or mm.
     Through(Vec<Via>, f64),
 }
 
@@ -115,7 +115,7 @@ fn lines(count: u32, length_mm: f64) -> Vec<Via> {
     points
 }
 
-/// How long it takes for each kind: at least, mostly, and at most.
+/// Times for each kind of trajectory: minimum, median and maximum.
 ///
 /// # Panics
 /// A trajectory is beyond a limit.

@@ -1,4 +1,4 @@
-//! Following a trajectory of 10,000 way-points: how long it takes to begin, and how long a set-point takes.
+//! Time to begin to follow a trajectory of 10,000 way-points, and time for each set-point.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -7,11 +7,11 @@ use jaka_motion::{Checker, Follower, Frames, Limits, Model, TimedPoint, Trajecto
 
 use crate::kinematics::{JOINTS, PERIOD};
 
-/// How many way-points there are.
+/// Number of way-points of the trajectory.
 const WAY_POINTS: u32 = 10_000;
-/// How long it may take to begin, in milliseconds.
+/// Longest permitted time to check the trajectory and make its follower, in milliseconds.
 const TARGET_MS: f64 = 100.0;
-/// How many set-points are timed.
+/// Number of timed set-points.
 const SET_POINTS: u32 = 40_000;
 
 /// For a Zu 5 without regions.
@@ -45,7 +45,7 @@ pub fn scale(number: u32) -> f64 {
     [1.0, 0.4, 0.0, 0.7, 1.0, 0.9][(number / 50 % 6) as usize]
 }
 
-/// How long making, beginning and following take.
+/// Times to make the trajectory, to begin it and to follow it.
 pub fn report() -> String {
     let mut out = format!("a trajectory of {WAY_POINTS} way-points\n");
     let checker = checker();

@@ -40,10 +40,10 @@ fn work(name: &'static str, packet: &'static str, piece: usize, targets: Vec<Tar
     }
 }
 
-/// How many frames the framer finds.
+/// Number of frames that the framer finds.
 ///
 /// # Panics
-/// Something else stands between them.
+/// The stream has bytes between its frames.
 pub fn ours(framer: &mut Framer, stream: &[u8], piece: usize) -> usize {
     let mut found = 0;
     for piece in stream.chunks(piece) {

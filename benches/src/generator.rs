@@ -1,4 +1,4 @@
-//! Set-points towards goals that change twenty times a second: how long one takes, at most and mostly.
+//! Time to generate a set-point towards goals that change twenty times a second: median and upper percentiles.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -9,9 +9,9 @@ use jaka_motion::{
 
 use crate::kinematics::{JOINTS, PERIOD};
 
-/// How many set-points are timed.
+/// Number of timed set-points.
 const SET_POINTS: u32 = 40_000;
-/// How many set-points a goal is for: 20 goals a second.
+/// Number of set-points for each goal: 20 goals a second.
 const EACH: u32 = 6;
 /// The most that 99 of 100 set-points may take, in microseconds.
 const TARGET_US: f64 = 50.0;

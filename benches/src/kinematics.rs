@@ -43,7 +43,7 @@ pub fn works() -> Vec<Work<'static>> {
 /// The period of set-points, in seconds.
 pub const PERIOD: f64 = 0.008;
 
-/// Where the line of a metre starts.
+/// Joint position at the start of the line of one metre, in degrees.
 pub const BESIDE: [f64; 6] = [-55.0, 40.0, -70.0, 200.0, -90.0, 5.0];
 
 /// Limits of every kind, with a region of each shape for each point.
@@ -70,7 +70,7 @@ pub fn set_points() -> [JointPosition; 3] {
     [0.0, 0.1, 0.2].map(|by| JOINTS.map(|joint| joint + by).into())
 }
 
-/// Where the joint way ends that starts there.
+/// Joint position at the end of the joint motion from [`BESIDE`], in degrees.
 pub const ACROSS: [f64; 6] = [35.0, 60.0, -90.0, 160.0, -70.0, 40.0];
 
 /// A metre aside of [`BESIDE`].
@@ -83,10 +83,10 @@ pub fn a_metre_aside() -> Pose {
     Pose { y: pose.y + 1000.0, ..pose }
 }
 
-/// How fast the line goes.
+/// Speed of the line.
 pub const PACE: TcpSpeed = TcpSpeed { speed_mm_s: 100.0, tolerance_mm: 0.0 };
 
-/// How fast the joint way goes.
+/// Speed and acceleration of the joint motion.
 pub const JOINT_PACE: JointSpeed = JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2: Some(60.0) };
 
 fn set_point_checks() -> Work<'static> {

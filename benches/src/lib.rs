@@ -1,4 +1,4 @@
-//! What the benchmarks share.
+//! Shared code of the benchmarks.
 
 pub mod beginning;
 #[path = "../../jaka-cli/src/plots/chart.rs"]

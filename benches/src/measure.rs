@@ -22,7 +22,7 @@ impl<'a> Contender<'a> {
         Self { name, run: Box::new(move |times| (0..times).for_each(|_| drop(black_box(once())))) }
     }
 
-    /// What it is called.
+    /// Name of the contender.
     pub fn name(&self) -> &'static str {
         self.name
     }
@@ -39,7 +39,7 @@ impl std::fmt::Debug for Contender<'_> {
     }
 }
 
-/// What is asked of the time of the first name, as a multiple of that of the second.
+/// Requirement on the time of the first name, as a multiple of the time of the second name.
 #[derive(Debug, Clone, Copy)]
 pub enum Target {
     /// At most this many times as long.
@@ -61,14 +61,14 @@ impl std::fmt::Display for Target {
     }
 }
 
-/// A work, its contenders with the limit first, and what is asked of them.
+/// A work, its contenders with the limit first, and their targets.
 #[derive(Debug)]
 pub struct Work<'a> {
-    /// What is done.
+    /// Name of the work.
     pub name: &'static str,
-    /// Those who do it; the first is the limit.
+    /// Contenders that do the work; the first is the limit.
     pub contenders: Vec<Contender<'a>>,
-    /// What is asked.
+    /// Requirements on the times of the contenders.
     pub targets: Vec<Target>,
 }
 
@@ -86,7 +86,7 @@ impl Work<'_> {
         self.table(&turns)
     }
 
-    /// How often the work is done in a turn.
+    /// Number of repetitions of the work in a turn.
     fn calibrate(&mut self) -> u32 {
         let mut times = 1;
         loop {

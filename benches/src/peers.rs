@@ -1,4 +1,4 @@
-//! The same messages by serde's derives: what others do.
+//! Messages by serde's derives, for comparison with the usual approach.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

@@ -13,9 +13,9 @@ use crate::chart::{self, Chart, Drawn, TEXT};
 
 /// Width and height on a page, in pixels.
 const SHOWN: (u32, u32) = (800, 840);
-/// How high a panel is, where 1 is the limit, or the largest value where that is larger.
+/// Height of a panel in units of the limit, or of the largest value if it exceeds the limit.
 const HEIGHT: f64 = 1.35;
-/// At which height names stand, between that and the edge.
+/// Height of the names, between the limit and the edge of the panel, in the same units.
 const NAMES: f64 = 1.17;
 const LIMIT: RGBColor = RGBColor(190, 30, 30);
 const MOMENT: RGBColor = RGBColor(120, 120, 120);

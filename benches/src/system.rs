@@ -1,5 +1,5 @@
-//! What the benchmarks of the system share: a server that answers printed messages, figures of interleaved rounds, and
-//! what the system reports about a process.
+//! Shared code of the system benchmarks: a server that answers printed messages, figures of interleaved rounds, and
+//! figures that the system reports about a process.
 
 pub mod canned;
 pub mod child;

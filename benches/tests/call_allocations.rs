@@ -9,7 +9,7 @@ use jaka_benches::system::canned;
 use jaka_robot::servo::ServoJ;
 use jaka_robot::{Client, Config, Monitor, Robot, RobotConfig, ServoConfig};
 
-/// Where a server with printed answers takes commands.
+/// Address of the command port of a server with printed answers.
 fn commands() -> SocketAddr {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
@@ -17,7 +17,7 @@ fn commands() -> SocketAddr {
     address
 }
 
-/// Where nothing is said of the status.
+/// Address of a status port that sends no packet.
 fn status() -> SocketAddr {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");

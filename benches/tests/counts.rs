@@ -11,7 +11,7 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::messages::types::Pose;
 use jaka_proto::wire::Writer;
 
-/// How often `once` allocates when all buffers are there.
+/// Number of allocations of `once` after a first call has allocated all buffers.
 fn allocations<T>(mut once: impl FnMut() -> T) -> u64 {
     drop(once());
     measure(|| drop(once())).count_total
@@ -127,8 +127,8 @@ fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
     assert_eq!(count.count_total, 0);
 }
 
-/// What is held goes with the number of pieces: one between two points with times, some 50 for each second of a plan.
-/// What they were planned with is gone.
+/// Memory grows with the number of pieces: one between two points with times, some 50 for each second of a plan.
+/// The follower keeps none of the memory of the planning.
 #[test]
 fn trajectories_hold_no_more_than_their_pieces() {
     let checker = beginning::checker();

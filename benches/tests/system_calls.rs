@@ -14,10 +14,10 @@ use jaka_benches::system::canned;
 
 use self::skipped::skipped;
 
-/// How often a count is repeated that a busy machine raises, as it may: the lowest one tells.
+/// Number of repetitions of a count that a busy machine may raise. The lowest count is decisive.
 const ROUNDS: usize = 5;
 
-/// The system calls by name, and how many there were.
+/// Number of system calls by name.
 type Counts = BTreeMap<String, i64>;
 
 /// A server with printed answers, in this process, which is not counted.
@@ -30,7 +30,7 @@ fn server() -> [String; 2] {
     addresses
 }
 
-/// What one of `count` runs takes more than none; nothing where there is no strace, or it may not trace.
+/// Counts the system calls that `count` more runs take; none if strace is missing or must not trace.
 fn each(what: &str, count: i64) -> Option<Counts> {
     let [commands, status] = server();
     let trace = |count: i64| {
@@ -65,7 +65,7 @@ fn counts(summary: &str) -> Counts {
     summary.lines().filter_map(row).collect()
 }
 
-/// What is wrong with the system calls of this many set-points, if something is.
+/// Finds a problem in the system calls of this many set-points; none if they are correct.
 fn problem_of_set_points(counts: &Counts, set_points: i64) -> Option<&'static str> {
     let of = |name: &str| counts.get(name).copied().unwrap_or_default();
     if of("sendto") != set_points {

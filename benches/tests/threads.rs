@@ -17,7 +17,7 @@ use self::skipped::skipped;
 /// Longer than a thread takes to begin, however busy the machine is.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Where nothing is ever said.
+/// Address of a server that never sends a byte.
 fn silence() -> SocketAddr {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
@@ -25,7 +25,7 @@ fn silence() -> SocketAddr {
     address
 }
 
-/// How many threads have a name of ours; none where the system has no /proc.
+/// Number of threads whose name starts with `jaka`; none if the system has no /proc.
 fn ours() -> Option<usize> {
     let tasks = fs::read_dir("/proc/self/task").ok()?;
     let names = tasks.flatten().filter_map(|task| fs::read_to_string(task.path().join("comm")).ok());

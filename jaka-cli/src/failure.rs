@@ -1,4 +1,4 @@
-//! Why a command failed.
+//! Failures of a command.
 
 pub(crate) mod command_line;
 
@@ -13,7 +13,7 @@ use jaka_robot::{Error, ErrorKind, Explanation, Refusal, Remedy, jaka_sync};
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
 
-/// Why a command failed.
+/// Failure of a command.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The command line, an argument or the config file is wrong.
@@ -26,28 +26,29 @@ pub(crate) enum Failure {
     Refused {
         /// The controller's own words.
         refusal: Refusal,
-        /// What the code means, where the spec knows it.
+        /// Meaning of the code, where the spec knows it.
         meaning: Option<String>,
-        /// Why it did, as far as the robot's status shows.
+        /// Explanation of the refusal, as far as the robot's status shows one.
         explanation: Option<Box<Explanation>>,
     },
     /// A stop was not taken, or that is not known.
     NotStopped(Box<Failure>),
-    /// What was waited for did not come in time.
+    /// A wait ended with its timeout.
     NotInTime(String),
-    /// A motion was not sent: why, and what helps.
+    /// A motion was not sent: the cause, and a remedy.
     NotSent(String),
-    /// Messages of the controller deviate from the spec, or requests of clients from the recording: how many.
+    /// Messages of the controller deviate from the spec, or requests of clients from the recording: the number of
+    /// deviations.
     Departs(String),
-    /// What there is to say has been printed, or its reader is gone: the exit code tells the rest.
+    /// All output has been printed, or its reader is gone: the exit code tells the rest.
     Printed(u8),
-    /// Ctrl-C ended it before all was done; what was done has been printed.
+    /// Ctrl-C ended it before all was done; the results up to then have been printed.
     Interrupted,
     /// Something on this machine.
     Local {
-        /// What cannot be done, such as "cannot start the simulated controller".
+        /// Text that names the failed action, such as "cannot start the simulated controller".
         what: String,
-        /// Why not.
+        /// Cause of the failure.
         source: io::Error,
     },
 }
@@ -67,7 +68,7 @@ impl Failure {
         Self::local(format!("cannot write {}", path.display()), source)
     }
 
-    /// The error with what the spec or a pack says about the controller's code.
+    /// The error with the meaning that the spec or a pack gives the controller's code.
     pub(crate) fn explained(spec: &Spec, error: impl Into<Error>) -> Self {
         let error = error.into();
         match error.kind() {
@@ -79,20 +80,20 @@ impl Failure {
         }
     }
 
-    /// Something on this machine does not work: what cannot be done, and why.
+    /// Something on this machine does not work: the failed action, and the cause.
     pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
         Self::Local { what: what.into(), source }
     }
 }
 
-/// What the spec or a pack says about the code of a refusal.
+/// Meaning of a refusal's code, from the spec or a pack.
 fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     known.map(|known| first_sentence(&known.doc).0.to_owned())
 }
 
 impl Failure {
-    /// What to type, or to do, against the cause.
+    /// Command to type, or action to take, against the cause.
     pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         match self {
             Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
@@ -102,7 +103,7 @@ impl Failure {
     }
 }
 
-/// What this program offers for a remedy.
+/// Text of a remedy, in terms of this program's commands.
 pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
     if let Remedy::OfEvent(event) = remedy {
         let remedy = event.remedy()?;
@@ -164,7 +165,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
     }))
 }
 
-/// What it means that a stop has failed.
+/// Meaning of a failed stop for a person: the arm may still move.
 pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     if may_have_run {
         "it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop"

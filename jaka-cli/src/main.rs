@@ -25,7 +25,7 @@ use crate::commands::Command;
 use crate::failure::Failure;
 use crate::terminal::console::ConsoleArgs;
 
-/// What `jaka --help` says after the list of commands.
+/// Text of `jaka --help` after the list of commands.
 const NOTES: &str = "\
 The robot:
   Commands that talk to a robot take its address from, in this order: --sim,

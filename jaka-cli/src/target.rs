@@ -26,7 +26,7 @@ use crate::failure::Failure;
 use crate::recordings::record;
 use crate::text::seconds::some_seconds;
 
-/// How long connecting may take by default.
+/// Default timeout for connecting.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// Patience with a simulated controller. It shares this process: a machine that holds it up holds up the command, too.
@@ -183,7 +183,7 @@ impl AddressArgs {
     }
 }
 
-/// A robot's addresses and how to connect to them.
+/// A robot's addresses, and the config of its connections.
 #[derive(Debug)]
 pub(crate) struct Target {
     address: RobotAddress,
@@ -204,18 +204,18 @@ impl Target {
         Self { config: address.configure(config), address, timeout, controller: None }
     }
 
-    /// What people call the robot: its name and address.
+    /// Title of the robot for people: its name and address.
     pub(crate) fn title(&self) -> &str {
         &self.address.title
     }
 
-    /// The same robot, with everything recorded that goes over its connections.
+    /// Returns the robot with a recorder for everything that goes over its connections.
     pub(crate) fn recorded(mut self, recorder: Recorder, sampling: StatusSampling) -> Self {
         self.config = self.config.recorder(recorder).status_sampling(sampling);
         self
     }
 
-    /// The address of one of its ports, and how long connecting may take.
+    /// The address of one of its ports, and the timeout for connecting.
     pub(crate) fn address(&self, port: Port) -> (&str, Duration) {
         let address = match port {
             Port::Command => &self.address.commands,
@@ -224,7 +224,7 @@ impl Target {
         (address, self.address.connect_timeout.unwrap_or(CONNECT_TIMEOUT))
     }
 
-    /// How it connects.
+    /// Config of its connections.
     pub(crate) fn config(&self) -> &Config {
         &self.config
     }
@@ -246,12 +246,12 @@ impl Target {
         Ok(robot)
     }
 
-    /// How long something may take, if the command line says so.
+    /// `--timeout` of the command line, if it is given.
     pub(crate) fn timeout(&self) -> Option<Duration> {
         self.timeout
     }
 
-    /// How long something may take: as the command line says, or else this long.
+    /// Timeout for an action: `--timeout` of the command line, or else this one.
     pub(crate) fn patience(&self, usual: Duration) -> Duration {
         self.timeout.unwrap_or(usual)
     }
@@ -276,7 +276,7 @@ impl Target {
         Ok(StatusStream::connect_with(&self.config.clone().reply_timeout(timeout), &self.address.status)?)
     }
 
-    /// The same, with a thread that reads and reconnects.
+    /// Connects to the status port, with a thread that reads and reconnects.
     pub(crate) fn monitor<S: Decode + Send + Sync + 'static>(
         &self,
         reconnect: Reconnect,

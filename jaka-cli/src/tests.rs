@@ -139,7 +139,7 @@ pub(crate) fn target(timeout: Option<Duration>) -> Option<Target> {
     robot.map(|(config, addresses)| Target::at(config, addresses, timeout))
 }
 
-/// What the time is for this thread's command.
+/// Current time of this thread's command.
 pub(crate) fn now() -> Instant {
     let robot = |robot: &Option<(Config, _)>| robot.as_ref()?.0.get_clock().map(SimulatedClock::now);
     ROBOT.with_borrow(robot).unwrap_or_else(Instant::now)

@@ -8,7 +8,7 @@ use std::{env, fs};
 use jaka_tests::skipped;
 
 const PAGE: &str = include_str!("../../docs/any-language.md");
-/// What each of the programs imports.
+/// Module that each of the programs imports.
 const MODULE: &str = "simulated_robot.py";
 const PROGRAMS: [&str; 4] = ["first_motion.py", "protective_stop.py", "power_loss.py", "slow_status.py"];
 

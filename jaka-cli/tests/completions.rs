@@ -16,8 +16,8 @@ const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"
 
 const CONFIG: &str = "[robots.cell1]\naddress = '10.5.5.100'\n[robots.'cell 2']\naddress = 'arm.example'\n";
 
-/// What bash does with the words of a line, of which the last is the one at the cursor: a line for each word that it
-/// can become.
+/// Script of bash that completes the words of a line, of which the last is the one at the cursor. Prints a line for
+/// each word that it can become.
 const ASK: &str = r#"
 source "$1"; shift
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
@@ -45,8 +45,8 @@ fn folder_of_files() -> std::path::PathBuf {
     folder
 }
 
-/// What zsh's completion is told of the words of a line. The functions of its completion system print what they are
-/// given.
+/// Script of zsh that completes the words of a line. Functions in place of those of its completion system print their
+/// arguments.
 const ASK_ZSH: &str = r#"
 compdef() { :; }
 compset() { print -r -- "before: ${PREFIX%%=*}="; }
@@ -57,10 +57,11 @@ words=("$@"); CURRENT=$#; PREFIX=${words[-1]}
 _jaka
 "#;
 
-/// What fish makes of a line.
+/// Script of fish that completes a line.
 const ASK_FISH: &str = "source $argv[1]; complete -C $argv[2]";
 
-/// What this script of a shell prints, which sources the completions of `jaka` for it, with these words.
+/// Runs a script of this shell with these words, which sources the completions of `jaka` for it. Returns the lines that
+/// it prints.
 fn asked(name: &str, options: &[&str], ask: &str, words: &[&str]) -> Vec<String> {
     let script = scratch(&format!("jaka.{name}"));
     fs::write(&script, jaka(["completions", name]).out).expect("it can be written");
@@ -75,7 +76,7 @@ fn asked(name: &str, options: &[&str], ask: &str, words: &[&str]) -> Vec<String>
     out.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect()
 }
 
-/// What the words become in bash, which has `=` as a word of its own.
+/// Completions of the words in bash, which has `=` as a word of its own.
 fn in_bash(words: &[&str]) -> Vec<String> {
     asked("bash", &[], ASK, &[&["jaka"], words].concat())
 }

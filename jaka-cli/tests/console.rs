@@ -1,4 +1,4 @@
-//! What goes to standard error, and in which colours: `-v`, `-q` and `--color`.
+//! Messages on standard error, and their colours: `-v`, `-q` and `--color`.
 
 use std::process::Stdio;
 

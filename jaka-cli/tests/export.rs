@@ -17,7 +17,7 @@ const SESSION: &str = r#"{"jaka_recording":1,"started":1763726000.5,"software":"
 {"time":1000.206,"port":"status","connection":3,"event":"received","text":"{\"enabled\":\"perhaps\"}"}
 "#;
 
-/// What is exported of a recording of this text.
+/// Result of the export of a recording of this text.
 fn export(session: &str, options: &[&str]) -> String {
     let path = scratch("session.jsonl");
     fs::write(&path, session).unwrap();

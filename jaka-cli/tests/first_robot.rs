@@ -11,7 +11,7 @@ use crate::program::{self, Run};
 /// `jaka sim`, which ends with the test.
 struct Controller {
     program: Child,
-    /// What it prints; it ends where nobody can read that.
+    /// Standard output of the program, which ends where nobody can read it.
     _output: BufReader<ChildStdout>,
     commands: String,
     status: String,
@@ -41,7 +41,7 @@ impl Drop for Controller {
     }
 }
 
-/// What a run says of an item of `jaka check`.
+/// Lines of a run on an item of `jaka check`.
 fn finding<'r>(run: &'r Run, item: &str) -> &'r str {
     let at = run.out.find(&format!("\n{item}")).unwrap_or_else(|| panic!("{run:?}"));
     let found = &run.out[at + 1..];

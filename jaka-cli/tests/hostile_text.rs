@@ -26,7 +26,7 @@ fn assert_visible(what: &str, text: &str) {
     assert!(hidden.is_empty(), "{what}: {hidden:?} in {text:?}");
 }
 
-/// The same, and that no line of it is one of the hostile text's.
+/// Asserts that a terminal only shows the text, and that no line of it is one of the hostile text's.
 fn assert_harmless(what: &str, text: &str) {
     assert_visible(what, text);
     assert!(!text.lines().any(|line| line.trim_start().starts_with("FORGED")), "{what}: {text}");

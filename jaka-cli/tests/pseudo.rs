@@ -37,7 +37,7 @@ pub(crate) fn start_on_terminal(script: &str) -> Option<Child> {
     started(command)
 }
 
-/// What the program shows where this is typed, and its exit code.
+/// Runs the program on a terminal where this is typed. Returns the text that it shows, and its exit code.
 pub(crate) fn on_terminal(line: &str, typed: &str) -> Option<(String, Option<i32>)> {
     let mut child = start_on_terminal(&format!("exec '{JAKA}' {line}"))?;
     child.stdin.take().expect("it is piped").write_all(typed.as_bytes()).expect("it is read");

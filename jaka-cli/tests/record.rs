@@ -34,7 +34,7 @@ fn read(path: &Path) -> Recording {
     recording
 }
 
-/// What happened on a connection, without its beginning.
+/// Events of a connection, without its beginning.
 fn events(recording: &Recording, connection: u32) -> Vec<&Event> {
     let entries = recording.entries.iter().filter(|entry| entry.connection == connection);
     entries.map(|entry| &entry.event).filter(|event| !matches!(event, Event::Connected { .. })).collect()
@@ -73,7 +73,7 @@ impl Proxy {
         Self::start(name, &["-r", "127.0.0.1", "--command-port", &port].map(str::to_owned))
     }
 
-    /// What it has recorded when it is interrupted.
+    /// Interrupts the proxy, and returns its recording.
     fn finish(self) -> Recording {
         interrupt(&self.child);
         assert_eq!(end(self.child).code(), Some(0));

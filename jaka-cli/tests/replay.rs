@@ -201,7 +201,7 @@ mod served {
         path
     }
 
-    /// What a replay has printed after its addresses when it is interrupted.
+    /// Interrupts a replay, and returns its output after the addresses.
     fn finish(child: Child, out: BufReader<ChildStdout>) -> String {
         interrupt(&child);
         rest(child, out)

@@ -28,7 +28,7 @@ fn folder_with(name: &str, pack_name: &str) -> String {
     folder.display().to_string()
 }
 
-/// What a run gave, with the paths of scratch files and of the tests' packs shortened.
+/// Result of a run, with the paths of scratch files and of the tests' packs shortened.
 fn text(arguments: &[&str]) -> String {
     let folder_of = |path: PathBuf| format!("{}/", path.parent().unwrap().display());
     let text = jaka([&["spec"], arguments].concat()).text();

@@ -11,7 +11,7 @@ use jaka_tests::Arm;
 use crate::common::interrupt;
 use crate::common::{end, failure, jaka, output, started};
 
-/// What the program prints, which must succeed.
+/// Output of the program, which must succeed.
 fn printed(args: &[&str]) -> String {
     let (stdout, stderr, code) = output(&mut jaka(&[&["status"], args].concat()));
     assert_eq!((&*stderr, code), ("", Some(0)));
@@ -46,7 +46,7 @@ fn a_table_shows_the_usual_fields() {
     .assert_eq(&printed(&["--sim", "--sim-powered"]));
 }
 
-/// What the program prints of a controller whose status packets have this `errcode`.
+/// Output of the program for a controller whose status packets have this `errcode`.
 fn printed_with_code(code: &str, args: &[&str]) -> String {
     let controller = Arm::real_time().without_power().start();
     controller.set_state(|state| code.clone_into(&mut state.error_code));
@@ -338,7 +338,7 @@ codes = ["0x7F0001"]
 meaning = "the demonstration is over"
 "#;
 
-/// What the program prints of a packet, with the pack.
+/// Output of the program for a packet, with the pack.
 fn printed_with_pack(packet: &str, fields: &str) -> String {
     let pack = crate::program::scratch("status_pack.toml");
     std::fs::write(&pack, PACK).unwrap();

@@ -1,4 +1,4 @@
-//! How a command finds its robot, and what it says if it does not.
+//! Search of a command for its robot, and its message if it finds none.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 

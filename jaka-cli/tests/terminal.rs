@@ -1,4 +1,4 @@
-//! What is asked, and what a person is warned of: on a terminal, which `script` of util-linux gives the program.
+//! Questions and warnings to a person on a terminal, which `script` of util-linux gives the program.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 #![cfg(target_os = "linux")]
@@ -263,7 +263,7 @@ impl Keys {
         self.shown.recv_timeout(LONG).expect("a line comes")
     }
 
-    /// What is shown after this key, without the time.
+    /// Presses a key, and returns the line that is shown, without the time.
     fn press(&mut self, key: &str) -> String {
         self.input.write_all(key.as_bytes()).expect("the terminal takes it");
         let line = self.next();

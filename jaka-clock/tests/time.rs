@@ -1,4 +1,4 @@
-//! When a simulated time goes on, and how far.
+//! Advances of the simulated time: their moments and their lengths.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};

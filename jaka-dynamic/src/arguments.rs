@@ -18,9 +18,9 @@ pub struct Argument {
     pub wire: String,
     /// The key under which [`request`](super::request) takes its value: the field's Rust name, or the tag's key.
     pub field: String,
-    /// What to give, such as `NUMBER`, `on|off` or `[X,Y,Z,RX,RY,RZ]`.
+    /// Placeholder for the value, such as `NUMBER`, `on|off` or `[X,Y,Z,RX,RY,RZ]`.
     pub hint: String,
-    /// What it means, in which unit and range, and what sources disagree on.
+    /// Meaning of the value, its unit and range, and the points on which sources disagree.
     pub help: String,
     /// True where it must be given; with a tag, in the variants that have it.
     pub required: bool,
@@ -39,7 +39,7 @@ pub struct PossibleValue {
     pub name: String,
     /// Its form on the wire, such as `0`.
     pub wire: Value,
-    /// What it means, in one sentence.
+    /// Meaning of the value, in one sentence.
     pub help: String,
 }
 

@@ -8,20 +8,21 @@ use jaka_proto::wire::DecodeError;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Departure {
-    /// Where, by the keys on the wire and the names of elements, such as `torqsensor[0]` or `actual_position.rx`;
-    /// empty for the message as a whole.
+    /// Place in the message, by the keys on the wire and the names of elements, such as `torqsensor[0]` or
+    /// `actual_position.rx`; empty for the message as a whole.
     pub field: String,
-    /// What differs.
+    /// Kind of the difference.
     pub kind: DepartureKind,
-    /// What stands there, as JSON; empty where nothing does.
+    /// Value found there, as JSON; empty if there is none.
     pub found: String,
-    /// What the spec has there; for an unknown key, the type that the value looks like, in the spec's notation.
+    /// Form that the spec expects there; for an unknown key, the type that the value looks like, in the spec's
+    /// notation.
     pub expected: String,
-    /// Whether the message can still be decoded.
+    /// Effect of the difference on decoding.
     pub reading: Reading,
     /// True for a number outside a range that newer firmware has widened.
     pub advisory: bool,
-    /// How many further elements of the same array differ in the same way.
+    /// Number of further elements of the same array that differ in the same way.
     pub more: usize,
 }
 
@@ -36,7 +37,7 @@ impl Departure {
     }
 }
 
-/// What differs.
+/// Kind of a difference between a message and the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DepartureKind {
@@ -54,12 +55,13 @@ pub enum DepartureKind {
     Unlisted,
 }
 
-/// Whether what differs can be read.
+/// Effect of a difference on decoding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
-    /// It decodes: to the same value, to raw JSON, or by being skipped.
+    /// The value decodes: to the same value, to raw JSON, or by being skipped.
     Lenient,
-    /// It does not, and so neither does the message; of a status packet, the field is left out.
+    /// The value does not decode, and so neither does the message; in a status packet, the decoder leaves the field
+    /// out.
     Unreadable,
 }
 

@@ -1,4 +1,4 @@
-//! Whether the examples of a command fit its fields.
+//! Check of the examples of a command against its fields.
 
 use std::fmt;
 
@@ -17,7 +17,7 @@ pub struct Misfit {
     pub message: String,
     /// True for a request, false for a reply.
     pub is_request: bool,
-    /// What does not fit.
+    /// Description of the misfit.
     pub what: String,
     /// True for a reply that can still be read, such as one with a number written as a string.
     pub is_lenient: bool,

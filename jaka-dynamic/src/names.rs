@@ -32,7 +32,7 @@ pub(super) fn field_of<'f>(fields: &'f [Field], key: &str) -> Option<&'f Field> 
     by_wire.or_else(|| fields.iter().find(|field| field.name == key))
 }
 
-/// What to suggest in place of an unknown field: the known ones with similar names, or else all.
+/// Suggests the known fields with names similar to that of an unknown field, or else all known fields.
 pub(super) fn suggestion<'k>(name: &str, known: impl Iterator<Item = [&'k str; 2]>) -> String {
     let known: Vec<_> = known.collect();
     let near = |spelling: &str| {

@@ -1,4 +1,4 @@
-//! What is wrong with a request.
+//! Problem in a request.
 
 use std::fmt;
 
@@ -11,17 +11,17 @@ use serde_json::Value;
 pub struct Problem {
     /// The field concerned, such as `pose.x`.
     pub field: String,
-    /// What is wrong with it.
+    /// Kind of the problem.
     pub kind: ProblemKind,
     /// The value given, as JSON; empty where none was.
     pub value: String,
-    /// What is allowed; for an unknown field, the fields that there are.
+    /// Description of the allowed values; for an unknown field, of the fields that exist.
     pub allowed: String,
     /// True where the check can be switched off: newer firmware may take the value, or it is only advised against.
     pub advisory: bool,
 }
 
-/// What is wrong with a field.
+/// Kind of a problem with a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProblemKind {

@@ -10,14 +10,14 @@ use serde_json::{Map, Value};
 
 use super::departure::DepartureKind;
 
-/// How a value fits a scalar.
+/// Fit of a value to a scalar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fit {
-    /// It is written as the spec has it.
+    /// The value is written as the spec has it.
     Plain,
-    /// It decodes, and departs from the spec in this.
+    /// The value decodes, and departs from the spec in this.
     Lenient(DepartureKind),
-    /// It does not decode, because of this.
+    /// The value does not decode, because of this.
     Unreadable(DepartureKind),
 }
 
@@ -27,7 +27,7 @@ impl Fit {
     }
 }
 
-/// How a value fits a scalar within limits.
+/// Returns the fit of a value to a scalar within limits.
 pub(crate) fn fit(scalar: &Scalar, limits: &FieldLimits<'_>, value: &Value) -> Fit {
     let fit = match scalar {
         Scalar::Bool { off, on } => truth(value, off, on).map(|(_, fit)| fit),
@@ -114,7 +114,7 @@ pub(crate) fn typed(scalar: &Scalar, text: &str) -> Option<Value> {
     }
 }
 
-/// What to type, such as `NUMBER`.
+/// Returns the placeholder for a value, such as `NUMBER`.
 pub(crate) fn hint(scalar: &Scalar) -> &'static str {
     match scalar {
         Scalar::Bool { .. } => "on|off",
@@ -125,7 +125,7 @@ pub(crate) fn hint(scalar: &Scalar) -> &'static str {
     }
 }
 
-/// What a value may be, such as `a number, at least 0 deg/s`.
+/// Describes the allowed values, such as `a number, at least 0 deg/s`.
 pub(crate) fn words(scalar: &Scalar, limits: &FieldLimits<'_>) -> String {
     match scalar {
         Scalar::Bool { off, on } => format!("{off} or {on}"),

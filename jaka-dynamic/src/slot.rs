@@ -33,7 +33,7 @@ impl<'a> Slot<'a> {
         Self { limits: limits(field), ..Self::of_type(spec, &field.ty) }.with_unit(&field.ty)
     }
 
-    /// The same place, where this is advised of numbers.
+    /// Returns the place with this advice on its numbers.
     pub(crate) fn advised(mut self, advised: Advised<'a>) -> Self {
         self.limits.advised = advised;
         self
@@ -44,7 +44,7 @@ impl<'a> Slot<'a> {
         Self { ty: Some(ty), shape: self.spec.shape(ty), ..*self }.with_unit(ty)
     }
 
-    /// The same place, with the unit of a wrapper that stands there.
+    /// Returns the place with the unit of its type, if the type is a wrapper with a unit.
     fn with_unit(mut self, ty: &Type) -> Self {
         self.limits.unit = self.spec.unit(ty).unwrap_or(self.limits.unit);
         self
@@ -56,7 +56,7 @@ impl<'a> Slot<'a> {
         is_same && self.ty.is_some_and(|ty| self.spec.defines_as(other.spec, ty))
     }
 
-    /// What may stand here, such as `a number, at least 0 deg/s` or `0 (Absolute) or 1 (Relative)`.
+    /// Describes the values allowed here, such as `a number, at least 0 deg/s` or `0 (Absolute) or 1 (Relative)`.
     pub(crate) fn words(&self) -> String {
         let each = |element| self.inner(element).words();
         match self.shape {
@@ -83,7 +83,7 @@ impl fmt::Debug for Slot<'_> {
     }
 }
 
-/// What the numbers and texts of a field may be.
+/// Returns the limits of a field's numbers and texts.
 fn limits(field: &Field) -> FieldLimits<'_> {
     let jaka_spec::Range { min, max, advisory } = field.range;
     let unit = field.unit.as_deref().unwrap_or_default();

@@ -47,17 +47,17 @@ impl Arc {
         Transform(Isometry3::from_parts(Translation3::from(self.centre.coords + spoke), turned.0.rotation))
     }
 
-    /// How long the arc is, in mm.
+    /// Returns the length of the arc, in mm.
     pub fn length_mm(&self) -> f64 {
         self.spoke().norm() * self.angles.1
     }
 
-    /// How far the frame turns on the way, in degrees.
+    /// Returns the total turn of the frame along the arc, in degrees.
     pub fn turn_deg(&self) -> f64 {
         self.from.angle_deg(&self.middle) + self.middle.angle_deg(&self.to)
     }
 
-    /// How fast the position moves at a share of the arc, in mm for the whole of it.
+    /// Returns the derivative of the position with respect to the share of the arc, in mm for the whole arc.
     pub(crate) fn velocity(&self, share: f64) -> Vector3<f64> {
         let (_, to_end) = self.angles;
         self.axis.cross(&(Rotation3::from_axis_angle(&self.axis, to_end * share) * self.spoke())) * to_end

@@ -1,11 +1,11 @@
-//! What a motion would exceed.
+//! Limits that a motion would exceed.
 
 use std::fmt;
 use std::sync::Arc;
 
 use crate::model::{NoSolution, Point, Singularity};
 
-/// Why a motion should not be sent: what it would exceed, and where on its way.
+/// Reason not to send a motion: the limit that it would exceed, and the place on its path.
 ///
 /// ```
 /// use jaka_motion::{Checker, Frames, JointSpeed, Limits, Model};
@@ -19,17 +19,17 @@ use crate::model::{NoSolution, Point, Singularity};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Beyond {
-    /// What is exceeded, or why it is not known.
+    /// Exceeded limit, or the reason that the check has no answer.
     pub exceeded: Exceeded,
-    /// What was checked.
+    /// Motion or place that was checked.
     pub way: Way,
-    /// How much of the way is behind the arm there, from 0 to 1.
+    /// Share of the path before the place of the violation, from 0 to 1.
     pub share: f64,
     /// The arm's name.
     pub model: &'static str,
 }
 
-/// What a motion would exceed, or why that cannot be said.
+/// Limit that a motion would exceed, or the reason that the check has no answer.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Exceeded {
@@ -37,7 +37,7 @@ pub enum Exceeded {
     JointRange {
         /// The joint, 1 to 6.
         joint: usize,
-        /// Where it would be, in degrees.
+        /// Position that the joint would reach, in degrees.
         position_deg: f64,
         /// The end of its range, in degrees.
         limit_deg: f64,
@@ -46,9 +46,9 @@ pub enum Exceeded {
     JointSpeed {
         /// The joint, 1 to 6.
         joint: usize,
-        /// How fast it would turn, in deg/s.
+        /// Speed at which the joint would turn, in deg/s.
         speed_deg_s: f64,
-        /// How fast it may turn, in deg/s.
+        /// Highest speed that the joint may have, in deg/s.
         limit_deg_s: f64,
         /// The singularity that is near, if one is.
         near: Option<Singularity>,
@@ -59,7 +59,7 @@ pub enum Exceeded {
         joint: usize,
         /// Its acceleration, in deg/s².
         acceleration_deg_s2: f64,
-        /// What it may be, in deg/s².
+        /// Highest acceleration that the joint may have, in deg/s².
         limit_deg_s2: f64,
     },
     /// The motion names no acceleration. The controller's own is not known.
@@ -69,9 +69,9 @@ pub enum Exceeded {
     },
     /// The tool centre point would move too fast.
     TcpSpeed {
-        /// How fast it would move, in mm/s.
+        /// Speed at which the tool centre point would move, in mm/s.
         speed_mm_s: f64,
-        /// How fast it may move, in mm/s.
+        /// Highest speed that the tool centre point may have, in mm/s.
         limit_mm_s: f64,
     },
     /// A point of the arm would be beyond a region.
@@ -80,16 +80,16 @@ pub enum Exceeded {
         name: Arc<str>,
         /// The point of the arm.
         point: Point,
-        /// How far beyond, in mm, with the tolerance added.
+        /// Distance beyond the region, in mm, with the tolerance added.
         by_mm: f64,
-        /// How far from its way blending may take the arm, in mm.
+        /// Greatest distance from its path to which blending may take the arm, in mm.
         tolerance_mm: f64,
     },
     /// After a set-point the arm could not stop before a joint is beyond its range.
     LandingRange {
         /// The joint, 1 to 6.
         joint: usize,
-        /// Where it would stop, in degrees.
+        /// Position at which the joint would stop, in degrees.
         end_deg: f64,
         /// The end of its range, in degrees.
         limit_deg: f64,
@@ -100,26 +100,26 @@ pub enum Exceeded {
         name: Arc<str>,
         /// The point of the arm.
         point: Point,
-        /// How far beyond it would stop, or be on the way there, in mm.
+        /// Distance beyond the region at the stop or on the path to it, in mm.
         by_mm: f64,
     },
     /// After a set-point the tool centre point would go on too far until the arm stops.
     LandingWay {
-        /// How far it would go on at least, in mm along its way.
+        /// Least distance that the tool centre point would still travel, in mm along its path.
         way_mm: f64,
-        /// How far it may go on, in mm.
+        /// Longest distance that the tool centre point may still travel, in mm.
         limit_mm: f64,
     },
     /// The arm does not reach there.
     OutOfReach {
-        /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
+        /// Least change of the arm's length between shoulder and wrist with which it would reach, in mm.
         by_mm: f64,
     },
     /// The arm's wrist reaches there, but not with this orientation.
     Orientation,
     /// The arm would come too near to a singularity.
     Singularity {
-        /// Which one.
+        /// Singularity to which the arm would come too near.
         which: Singularity,
         /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it; 0 where a set-point is on
         /// the other side.
@@ -135,7 +135,7 @@ pub enum Exceeded {
     HalfTurn,
     /// A speed, an acceleration or a tolerance that is asked for is none.
     Asked {
-        /// What of it, for example `speed`.
+        /// Name of the quantity, for example `speed`.
         what: &'static str,
         /// The number that was given.
         given: f64,
@@ -146,7 +146,7 @@ pub enum Exceeded {
     TooLong,
 }
 
-/// What was checked.
+/// Motion or place that a check covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Way {
@@ -166,7 +166,7 @@ pub enum Way {
     Trajectory,
 }
 
-/// What is exceeded, and at which share of the way.
+/// Exceeded limit, and the share of the path at which it is exceeded.
 pub(crate) type Found = (Exceeded, f64);
 
 /// Place on the way; empty at its end.
@@ -179,7 +179,7 @@ struct Apart(f64, f64);
 struct Below(f64);
 
 impl Exceeded {
-    /// The same where the arm stops after a set-point.
+    /// Returns the limit in its form for a stop after a set-point, if it has one.
     pub(crate) fn at_stop(self) -> Self {
         match self {
             Self::JointRange { joint, position_deg, limit_deg } => {

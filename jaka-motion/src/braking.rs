@@ -1,6 +1,6 @@
 //! Joints in motion, and how they stop.
 
-/// Where a joint is, in degrees, and how it moves, in deg/s and deg/s².
+/// Position of a joint, in degrees, with its speed, in deg/s, and its acceleration, in deg/s².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct JointState {
     pub(crate) position: f64,
@@ -16,13 +16,13 @@ pub(crate) struct JointLimits {
     pub(crate) jerk: f64,
 }
 
-/// What rounding may add to a speed or an acceleration, as a share of its limit.
+/// Rounding error that is allowed in a speed or an acceleration, as a share of its limit.
 const ROUNDING: f64 = 1e-9;
-/// What rounding may add to the number of periods: a stop that takes just as many does not take one more.
+/// Rounding error that is allowed in the number of periods: a stop that takes just as many does not take one more.
 const PERIODS_ROUNDING: f64 = 1e-6;
 
-/// How a joint comes to rest: an acceleration that does not brake goes to zero, then it goes to the most that braking
-/// needs, is held, and goes to zero.
+/// Course of a joint to rest. An acceleration that does not brake goes to zero; then the acceleration goes to the most
+/// that braking needs, is held, and goes to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
     from: JointState,
@@ -37,7 +37,7 @@ pub(crate) struct Stop {
 pub(crate) struct StopRates {
     /// Share a second.
     pub(crate) share: f64,
-    /// In how many seconds it is reached.
+    /// Time in which the deceleration reaches that share, in seconds.
     pub(crate) ramp_s: f64,
     pub(crate) bound: StopBound,
 }
@@ -65,7 +65,7 @@ pub struct StraightStop {
     bound: StopBound,
 }
 
-/// How the steps of a stop become smaller.
+/// Decrease of the steps between set-points during a stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum StopCourse {
     /// Evenly, in so many periods.
@@ -132,13 +132,14 @@ impl JointState {
 }
 
 impl StopRates {
-    /// Stop along a velocity, whose positions are how far the joints go on, in seconds at that velocity.
+    /// Returns the stop along a velocity. Its positions are the distances that the joints still travel, in seconds at
+    /// that velocity.
     pub(crate) fn stop(self) -> Stop {
         let jerk = self.share / self.ramp_s;
         Stop::within(JointState { speed: 1.0, ..JointState::default() }, [self.share, jerk, jerk])
     }
 
-    /// How far the joints go on at most, in seconds at their velocity.
+    /// Returns the longest distance that the joints still travel, in seconds at their velocity.
     pub(crate) fn length_s(self) -> f64 {
         0.5 * (1.0 / self.share + self.ramp_s)
     }
@@ -173,7 +174,7 @@ impl Stop {
         Self { from, phases, top_acceleration: from.acceleration.abs().max(peak) }
     }
 
-    /// What is left of it after some seconds.
+    /// Returns the rest of the stop after some seconds.
     pub(crate) fn after(&self, seconds: f64) -> Self {
         let mut left = seconds;
         let phases = self.phases.map(|(duration, jerk)| {
@@ -184,7 +185,7 @@ impl Stop {
         Self { from: self.at(seconds), phases, ..*self }
     }
 
-    /// How long it takes, in seconds.
+    /// Returns the duration of the stop, in seconds.
     pub(crate) fn seconds(&self) -> f64 {
         self.phases.iter().map(|(seconds, _)| seconds).sum()
     }
@@ -202,7 +203,7 @@ impl Stop {
         JointState::at_rest(state.position)
     }
 
-    /// Where it comes to rest, in degrees.
+    /// Returns the position at which the joint comes to rest, in degrees.
     pub(crate) fn end(&self) -> f64 {
         self.at(f64::INFINITY).position
     }
@@ -224,7 +225,8 @@ impl Stop {
         self.top_acceleration
     }
 
-    /// Where it turns back, if its acceleration is against its motion and more than it needs to stop.
+    /// Returns the position at which the joint turns back, if its acceleration is against its motion and more than the
+    /// stop needs.
     fn turn(&self) -> Option<f64> {
         let (releases, jerk) = self.phases[0];
         let JointState { speed, acceleration, .. } = self.from;
@@ -271,7 +273,7 @@ impl StraightStop {
         }
     }
 
-    /// How far the arm goes on in all, as a multiple of the step before the stop.
+    /// Returns the distance that the arm still travels, as a multiple of the step before the stop.
     pub fn steps(&self) -> f64 {
         match self.course {
             StopCourse::Even(count) => 0.5 * (count - 1.0),
@@ -285,7 +287,7 @@ impl StraightStop {
     }
 }
 
-/// How long the joint takes that stops the last, in seconds.
+/// Returns the time until the last joint stops, in seconds.
 pub(crate) fn longest_stop(stops: &[Stop; 6]) -> f64 {
     stops.iter().map(Stop::seconds).fold(0.0, f64::max)
 }

@@ -42,12 +42,12 @@ use crate::transform::Transform;
 /// Compares motions with the limits of an arm, before they are sent.
 ///
 /// # What is promised
-/// What is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM),
+/// Refuses a motion that is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM),
 /// [`AMOUNT_DEG`](Self::AMOUNT_DEG), [`AMOUNT_SPEED`](Self::AMOUNT_SPEED),
-/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on the way is refused, however short the time for which
-/// it is. What is within all limits is not refused, unless it comes nearer to a singularity than the least distance and
-/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY) more: there the joints may turn so fast that they are not found.
-/// The speeds of a set-point are means over its period.
+/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY)) anywhere on its path, for however short a time. Accepts a motion
+/// that is within all limits, unless it comes nearer to a singularity than the least distance and
+/// [`AMOUNT_SINGULARITY`](Self::AMOUNT_SINGULARITY) more: there the joints may turn so fast that the checker does not
+/// find them. The speeds of a set-point are means over its period.
 ///
 /// # A start beyond a limit
 /// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further
@@ -86,19 +86,20 @@ const TOOL_USED: f64 = 0.98;
 /// Shares of the way to rest at which the speed of the tool is looked at.
 const PLACES_TO_REST: [f64; 3] = [0.25, 0.55, 0.9];
 
-/// By how much a limit may be exceeded without notice, somewhere between the places on a way that are computed.
+/// Amounts by which a motion may exceed a limit without notice, somewhere between the computed places on its path.
 impl Checker {
-    /// What is beyond a region by more than this, in mm, is refused.
+    /// Greatest distance beyond a region that may go unnoticed, in mm; the checker refuses a greater one.
     pub const AMOUNT_MM: f64 = 1.0;
 
-    /// What is beyond a joint's range by more than this, in degrees, is refused.
+    /// Greatest angle beyond a joint's range that may go unnoticed, in degrees; the checker refuses a greater one.
     pub const AMOUNT_DEG: f64 = 0.1;
 
-    /// What is faster than a speed limit by more than this share of it is refused. The speeds of set-points are means
-    /// over the period.
+    /// Greatest excess over a speed limit that may go unnoticed, as a share of the limit; the checker refuses a greater
+    /// one. The speeds of set-points are means over the period.
     pub const AMOUNT_SPEED: f64 = 0.02;
 
-    /// What is nearer to a singularity than the least distance by more than this is refused.
+    /// Greatest amount by which the distance from a singularity may be below the least distance without notice; the
+    /// checker refuses a greater one. It has no unit.
     pub const AMOUNT_SINGULARITY: f64 = 0.002;
 }
 
@@ -398,7 +399,7 @@ impl Checker {
         all.min_by(|one, other| one.0.total_cmp(&other.0))
     }
 
-    /// What is exceeded at the end of a way.
+    /// Returns the violation of a limit at the end of a path.
     pub(crate) fn beyond_of(&self, way: Way, exceeded: Exceeded) -> Beyond {
         Beyond { exceeded, way, share: 1.0, model: self.limits.model().name() }
     }
@@ -466,7 +467,7 @@ impl Checker {
         RoomToStop { checker: self, points: self.points() }
     }
 
-    /// What a check of a way finds, if all of its numbers are finite.
+    /// Runs a check if all numbers of the motion are finite; otherwise refuses the motion.
     fn checked<T>(
         &self,
         way: Way,

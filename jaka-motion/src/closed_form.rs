@@ -22,7 +22,7 @@ pub(crate) struct ClosedForm {
     pub(crate) precision: Precision,
 }
 
-/// What the angles are for.
+/// Required precision of the angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Precision {
     /// The links are the arm's: rounding is all that is left to take off.
@@ -35,8 +35,8 @@ pub(crate) enum Precision {
 const SINGULAR: f64 = 1e-7;
 
 impl Precision {
-    /// How far out of reach, in mm, a target may be and still get the angles nearest to it: a pose on the wire has six
-    /// decimals, and a calibrated arm reaches further than this one.
+    /// Returns the greatest distance out of reach, in mm, at which a target still gets the angles nearest to it: a pose
+    /// on the wire has six decimals, and a calibrated arm reaches further than this one.
     fn slack_mm(self) -> f64 {
         match self {
             Self::Exact => 1e-4,
@@ -44,7 +44,8 @@ impl Precision {
         }
     }
 
-    /// The same for guesses of an offset wrist, whose angle of joint 6 is not exact yet.
+    /// Returns the greatest distance out of reach, in mm, for guesses of an offset wrist, whose angle of joint 6 is not
+    /// exact yet.
     fn rough_mm(self) -> f64 {
         match self {
             Self::Exact => 1.0,
@@ -52,7 +53,7 @@ impl Precision {
         }
     }
 
-    /// How finely the angle of joint 6 is looked for on an offset wrist.
+    /// Returns the resolution of the search for the angle of joint 6 on an offset wrist.
     fn search(self) -> Search {
         match self {
             Self::Exact => Search { touching: 1e-6, finest: 2e-5 },
@@ -60,7 +61,8 @@ impl Precision {
         }
     }
 
-    /// How far from a singularity, in radians, two branches are kept apart, so that steps from each lead to its own.
+    /// Returns the distance from a singularity, in radians, that two branches keep, so that steps from each lead to its
+    /// own solution.
     fn apart(self) -> f64 {
         match self {
             Self::Exact => 0.0,
@@ -69,7 +71,7 @@ impl Precision {
     }
 }
 
-/// How the last three axes lie.
+/// Arrangement of the last three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wrist {
     /// Joint 4 is parallel to joints 2 and 3, and the three wrist axes do not meet.
@@ -88,7 +90,7 @@ pub(crate) type AngleSets = ArrayVec<[f64; 6], 16>;
 pub(crate) struct Solutions {
     /// Angles of the links in radians.
     pub(crate) angles: AngleSets,
-    /// How far the nearest branch without angles falls short, in mm; none where no branch does.
+    /// Shortfall of the nearest branch without angles, in mm; none if no branch falls short.
     pub(crate) short_mm: Option<f64>,
 }
 
@@ -105,7 +107,8 @@ struct Guess {
 /// Guesses for all roots.
 type Guesses = ArrayVec<Guess, 128>;
 
-/// Room for rounding: how far a length may fall short, in mm, and how far from a singularity branches stay, in radians.
+/// Room for rounding: the shortfall that a length may have, in mm, and the distance of branches from a singularity, in
+/// radians.
 #[derive(Debug, Clone, Copy)]
 struct Room {
     slack_mm: f64,
@@ -116,7 +119,7 @@ struct Room {
 const MOST_MISS: f64 = 0.05;
 /// Solutions that differ by less, in radians, may be one.
 const NEAR: f64 = 0.02;
-/// How many times as far off as two solutions the middle between them is, where they are not one.
+/// Least ratio of the error at the middle between two solutions to their own error, if the two are not one.
 const BETWEEN: f64 = 10.0;
 /// Refinement of an offset wrist's angles, also where two solutions nearly meet.
 const REFINEMENT: Refinement = Refinement { exact: 1e-11, damping: 1e-6 };
@@ -171,7 +174,7 @@ impl ClosedForm {
         Links { alpha: self.links.alpha, a, d, joint_home_offset: links.joint_home_offset }
     }
 
-    /// Where the axis of joint 6 meets that of joint 5.
+    /// Returns the point at which the axis of joint 6 meets that of joint 5.
     fn wrist_centre(&self, target: &Isometry3<f64>) -> Point3<f64> {
         target * Point3::new(0.0, 0.0, -self.links.d[5])
     }
@@ -189,8 +192,8 @@ impl ClosedForm {
         }
     }
 
-    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is by how many mm the
-    /// point is too near to the axis.
+    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is the distance in mm by
+    /// which the point is too near to the axis.
     fn base_angles(&self, point: Point3<f64>, room: Room) -> Result<[f64; 2], f64> {
         let (offset, radius) = (self.aside(), point.x.hypot(point.y));
         let short_mm = offset.abs() - radius;
@@ -345,8 +348,8 @@ impl ClosedForm {
         }
     }
 
-    /// How far off the flange is between two solutions, but for what joints take off that are not singular: more than
-    /// nothing, unless the two are one.
+    /// Returns the error of the flange between two solutions, after steps of the joints that are not singular. It is
+    /// above zero unless the two solutions are one.
     fn off_between(&self, angles: &[f64; 6], target: &Isometry3<f64>) -> f64 {
         let mut joints = self.links.positions(angles);
         for _ in 0..2 {

@@ -42,19 +42,19 @@ pub struct Follower {
     scale: f64,
     limits: ChangeLimits,
     state: State,
-    /// That of the set-point before.
+    /// State at the set-point before.
     before: State,
 }
 
-/// How far the trajectory was followed.
+/// Progress along the trajectory.
 #[derive(Debug, Clone, Copy)]
 struct State {
     time_s: f64,
     rate: f64,
-    /// By how much the rate has changed in the last period.
+    /// Change of the rate in the last period.
     change: f64,
     joints: JointPosition,
-    /// How far that is from the set-point before, in degrees.
+    /// Distance of each joint from the set-point before, in degrees.
     step: [f64; 6],
 }
 
@@ -69,9 +69,9 @@ enum ChangeLimits {
 
 /// A stop along the curve, looked at before it is made. Made by [`Follower::stopping`].
 ///
-/// Each period of it is found as the set-point of that period is, in some microseconds. How many there are depends on
-/// what the trajectory leaves of the joints' accelerations, and can be all that are left of it: so who has to be done
-/// in a servo period looks so far ahead in one as there is time for.
+/// Each period of it is computed as the set-point of that period is, in some microseconds. The number of periods
+/// depends on the joint accelerations that the trajectory leaves, and can be all that are left of it. A caller with a
+/// deadline in a servo period therefore looks ahead in each by as many periods as it has time for.
 #[derive(Debug, Clone)]
 #[must_use = "it looks ahead as far as it is asked to"]
 pub struct Stopping {
@@ -79,11 +79,11 @@ pub struct Stopping {
     periods: u32,
 }
 
-/// In how many seconds the change of the rate reaches what the curve allows.
+/// Time in which the change of the rate reaches the value that the curve allows, in seconds.
 const CHANGE_REACHED_S: f64 = 0.1;
-/// How often the change of the rate is halved where it is too much for a joint.
+/// Number of halvings of the change of the rate where it is too much for a joint.
 const HALVINGS: u32 = 16;
-/// What rounding may add to an acceleration, in deg/s²: the joint positions have some 16 digits.
+/// Rounding error that is allowed in an acceleration, in deg/s²: the joint positions have some 16 digits.
 const ROUNDING: f64 = 1e-6;
 
 impl Follower {
@@ -155,7 +155,7 @@ impl Follower {
         self.state.time_s
     }
 
-    /// How fast the trajectory time goes, from 0 to 1.
+    /// Returns the rate at which the trajectory time goes, from 0 to 1.
     pub fn rate(&self) -> f64 {
         self.state.rate
     }
@@ -170,7 +170,7 @@ impl Follower {
         self.state.rate == 0.0 || self.is_at_end()
     }
 
-    /// What it would do if the scale were 0 from now on, or it [brakes](Self::brake) already.
+    /// Returns the stop that it would make if the scale were 0 from now on, or if it [brakes](Self::brake) already.
     pub fn stopping(&self) -> Stopping {
         let mut follower = self.clone();
         follower.set_scale(0.0);
@@ -178,10 +178,10 @@ impl Follower {
         Stopping { follower, periods: 0 }
     }
 
-    /// In how many periods it would be at rest if the scale were 0 from now on, or it [brakes](Self::brake) already;
-    /// none if that takes more than `most`.
+    /// Returns the number of periods until it would be at rest if the scale were 0 from now on, or if it
+    /// [brakes](Self::brake) already; none if that takes more than `most`.
     ///
-    /// It finds each of these set-points; [`stopping`](Self::stopping) does that bit by bit.
+    /// It computes each of these set-points; [`stopping`](Self::stopping) does that bit by bit.
     pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
         self.stopping().look_ahead(most)
     }
@@ -189,10 +189,10 @@ impl Follower {
     /// The contact of the whole trajectory after which the tool centre point goes on the furthest, if that is further
     /// than `allowed_mm`; none otherwise.
     ///
-    /// Any set-point may be followed by a contact, and [`brake`](Self::brake) be called `delay_s` after it. What is
-    /// computed is at the rate 1, which is the most: at a lower one, also one that goes up or down meanwhile, the tool
-    /// has gone less far when it is braked, and rests sooner. Where the tool goes on further than is allowed before it
-    /// is braked at all, the place at which that is the furthest is told.
+    /// Any set-point may be followed by a contact, and by a call of [`brake`](Self::brake) `delay_s` after it. The
+    /// computation takes the rate 1, which is the worst: at a lower one, also one that goes up or down meanwhile, the
+    /// tool has gone less far when it is braked, and rests sooner. If the tool goes on further than is allowed before
+    /// it is braked at all, the result is the place at which that is the furthest.
     ///
     /// Each period of the trajectory is looked at, and braking where bounds do not tell that it is short enough. It
     /// allocates a number for each.
@@ -210,7 +210,7 @@ impl Follower {
         self.period_s
     }
 
-    /// By how much the rate is to change in the next period, and where a joint does not allow that.
+    /// Returns the wanted change of the rate in the next period, and the one to take if a joint does not allow it.
     fn wanted_changes(&self) -> [f64; 2] {
         let State { time_s, rate, .. } = self.state;
         let (from_s, to_s) = (time_s - rate * self.period_s, time_s + self.period_s);
@@ -302,14 +302,14 @@ impl Stopping {
         Some(self.periods)
     }
 
-    /// How many periods it has looked at.
+    /// Returns the number of periods that were looked at.
     pub fn periods(&self) -> u32 {
         self.periods
     }
 }
 
-/// By how much the rate changes in a period to be off by nothing as soon as it can, where the change itself changes by
-/// `jerk` a period at most: changes of `k` periods that become smaller by that end at nothing.
+/// Returns the change of the rate in a period that brings `off` to zero as soon as possible, where the change itself
+/// changes by `jerk` a period at most: changes of `k` periods that become smaller by that end at zero.
 fn change_towards(off: f64, jerk: f64) -> f64 {
     if jerk <= 0.0 {
         return 0.0;

@@ -80,7 +80,7 @@ use crate::speed::TcpVelocity;
 pub struct Generator {
     constraints: Constraints,
     led: Led,
-    /// That of the set-point before.
+    /// State at the set-point before.
     before: Led,
     goal: Goal,
     plan: Plan,
@@ -97,7 +97,7 @@ struct Led {
     stops_already: bool,
 }
 
-/// What a [`Generator`] is on the way to.
+/// Target of a [`Generator`]: joint positions, a velocity or standstill.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Goal {
@@ -113,46 +113,47 @@ pub enum Goal {
     Rest,
 }
 
-/// One set-point, and what kept it from being nearer to the goal.
+/// One set-point, and the bound that kept it from being nearer to the goal.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
     /// The set-point.
     pub joints: JointPosition,
-    /// What it was slowed or held by, beyond the speeds, accelerations and jerks of the joints.
+    /// Bound that slowed or held the motion, other than the speeds, accelerations and jerks of the joints.
     pub bound: Option<Bound>,
 }
 
-/// What slows or holds a motion.
+/// Bound that slows or holds a motion.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Bound {
     /// A limit that is near.
     Limit(Beyond),
-    /// What was computed for the goal did not pass the generator's own check. [`Generator::rejections`] counts them.
+    /// The generator's own check refused the states computed for the goal. [`Generator::rejections`] counts these
+    /// refusals.
     Rejected,
 }
 
-/// Where an arm would come to rest if it stopped now.
+/// Position and time of rest of an arm that stops now.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Landing {
     /// Its joint positions there.
     pub joints: JointPosition,
-    /// In how many seconds, 0 for an arm at rest.
+    /// Time until the arm rests, in seconds; 0 for an arm at rest.
     pub time_s: f64,
     /// Bound of the deceleration.
     pub bound: StopBound,
 }
 
 jaka_proto::worded! {
-    /// Why a [`Generator`] or its [`Dynamics`] cannot be made.
+    /// Error for a [`Generator`] or its [`Dynamics`] that cannot be made.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum GeneratorError {
         /// A speed, acceleration or jerk is too small, or not a number.
         TooLittle {
-            /// What of a joint, for example `speed`.
+            /// Name of the joint's quantity, for example `speed`.
             what: &'static str,
             /// Its unit.
             unit: &'static str,
@@ -165,7 +166,7 @@ jaka_proto::worded! {
         } => "{what} of joint {joint}: {given} {unit} is not at least {least} {unit}",
         /// A speed or an acceleration is higher than the arm's limits allow.
         BeyondLimit {
-            /// What of a joint, for example `speed`.
+            /// Name of the joint's quantity, for example `speed`.
             what: &'static str,
             /// Its unit.
             unit: &'static str,
@@ -173,7 +174,7 @@ jaka_proto::worded! {
             joint: usize,
             /// The number that was given.
             given: f64,
-            /// What the limits allow.
+            /// Highest value that the limits allow.
             limit: f64,
         } => "{what} of joint {joint}: {given} {unit} is beyond the arm's limit of {limit} {unit}",
         /// The period is not from 1 ms to 1 s.
@@ -215,10 +216,10 @@ impl Generator {
         Ok(Self { constraints, led, before: led, goal: Goal::Rest, plan: Plan::new(), rejections: 0 })
     }
 
-    /// The same for a tool that must be able to stop soon: the tool centre point moves with at most this speed, in mm/s
-    /// as mean over a period, and from each set-point on it comes to rest within this way, in mm, of which the last
-    /// period before is a part. Goals are approached more slowly for that, joint positions from rest still straight in
-    /// joint space.
+    /// Returns the generator for a tool that must be able to stop soon. The tool centre point moves with at most this
+    /// speed, in mm/s as mean over a period. From each set-point on it comes to rest within this distance, in mm, of
+    /// which the last period before is a part. The generator approaches goals more slowly for that, but joint
+    /// positions from rest still straight in joint space.
     ///
     /// # Errors
     /// The speed is not above 0.
@@ -309,14 +310,14 @@ impl Generator {
         is_at_rest(&self.led.state)
     }
 
-    /// Where the arm would come to rest with the goal [`Goal::Rest`], and when.
+    /// Returns the position at which the arm would come to rest with the goal [`Goal::Rest`], and the time until then.
     pub fn landing(&self) -> Landing {
         let Led { stops, bound, .. } = self.led;
         Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops), bound }
     }
 
-    /// How often what was computed for a goal did not pass the check of speeds, accelerations and jerks, or nothing was
-    /// found. The set-point was then one on the way to rest.
+    /// Returns the number of times that the states computed for a goal did not pass the check of speeds, accelerations
+    /// and jerks, or that none were found. The set-point was then one on the way to rest.
     pub fn rejections(&self) -> u64 {
         self.rejections
     }
@@ -326,12 +327,12 @@ impl Generator {
         self.constraints.period_s
     }
 
-    /// What a set-point is compared with.
+    /// Returns the checker that set-points are compared with.
     pub fn checker(&self) -> &Checker {
         &self.constraints.checker
     }
 
-    /// The states that lead to the goal, unless that is rest; and what slows them.
+    /// Returns the states that lead to the goal, unless that is rest; and the bound that slows them.
     fn proposed(&mut self) -> (Option<[JointState; 6]>, Option<Bound>) {
         let slowed = match self.goal {
             Goal::Joints(target) if finite(target.0) => {

@@ -1,4 +1,4 @@
-//! What an arm may do.
+//! Limits of an arm.
 
 mod axes;
 mod clearance;
@@ -13,12 +13,11 @@ pub(crate) use self::clearance::SingularityClearance;
 pub use self::region::{Region, RegionFrame};
 use crate::model::Model;
 
-/// What an arm may do: joint ranges, joint speeds and accelerations, the speed of the tool, regions, and the distance
+/// Limits of an arm: joint ranges, joint speeds and accelerations, the speed of the tool, regions, and the distance
 /// from singularities.
 ///
-/// It is what a [`Checker`](crate::Checker) compares motions with, before they are sent. It is not a fence and not a
-/// safety function: what another program, a person at the pendant or the controller itself makes the arm do is not
-/// checked.
+/// A [`Checker`](crate::Checker) compares motions with them before they are sent. They are not a fence and not a safety
+/// function: motions that another program, a person at the pendant or the controller itself starts are not checked.
 ///
 /// ```
 /// use jaka_motion::{Limits, Model, Point, Region};
@@ -62,18 +61,18 @@ pub enum Preset {
 }
 
 jaka_proto::worded! {
-    /// Why something cannot be a limit.
+    /// Error for a value that cannot be a limit.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum InvalidLimit {
         /// A number is not finite.
         NotFinite {
-            /// Of what, for example `joint range`.
+            /// Name of the quantity, for example `joint range`.
             what: &'static str,
         } => "{what}: a number is not finite",
         /// A number that must be above 0 is not.
         NotPositive {
-            /// Of what, for example `joint speed`.
+            /// Name of the quantity, for example `joint speed`.
             what: &'static str,
             /// The number.
             given: f64,
@@ -137,8 +136,8 @@ jaka_proto::worded! {
     }
 }
 
-/// In how many seconds a joint reaches its acceleration by default, in a motion and in a stop. Ours: no source has
-/// jerks of these arms.
+/// Time in which a joint reaches its acceleration by default, in seconds, in a motion and in a stop. Ours: no source
+/// has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
 /// Acceleration of a stop by default, in deg/s². Ours: no source has any. It is below the 720 deg/s² that the document
 /// advises for motions of joints (4.7).
@@ -149,15 +148,15 @@ const STOP_TCP_ACCELERATION: f64 = 8000.0;
 /// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a
 /// hundred times as fast as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
-/// What rounding may add to an angle in degrees, a length in mm or a distance from a singularity: far below the stated
-/// amounts, and far above how exactly joint positions are found for a pose.
+/// Rounding error that is allowed in an angle in degrees, a length in mm or a distance from a singularity: far below
+/// the stated amounts, and far above the error of joint positions that are found for a pose.
 pub(crate) const ROUNDING: f64 = 1e-5;
-/// What rounding may add to where a start beyond a limit is: so little that it does not add up over a queue or a
-/// session.
+/// Rounding error that is allowed in the position of a start beyond a limit: so little that it does not add up over a
+/// queue or a session.
 pub(crate) const START_ROUNDING: f64 = 1e-9;
 
 impl Limits {
-    /// What is published for an arm, and where nothing is, careful defaults of ours.
+    /// Returns the published limits of an arm and, where nothing is published, careful defaults of ours.
     ///
     /// - Joint ranges and speeds are the published ones.
     /// - Joint accelerations are **not published** for these arms. The default is ours: [`Preset::Gentle`], for example
@@ -514,8 +513,8 @@ impl Preset {
         }
     }
 
-    /// In how many seconds a joint reaches its highest speed, but for the 0.1 s in which it reaches its acceleration.
-    /// Ours: no source has accelerations of these arms.
+    /// Returns the time in which a joint reaches its highest speed, in seconds, but for the 0.1 s in which it reaches
+    /// its acceleration. Ours: no source has accelerations of these arms.
     fn seconds(self) -> f64 {
         match self {
             Self::Gentle => 2.5,

@@ -78,7 +78,7 @@ fn half_turn(degrees: f64) -> (f64, f64) {
     }
 }
 
-/// How a point on the last link moves with each joint: mm per radian, and below it radians per radian.
+/// Returns the motion of a point on the last link with each joint: mm per radian, and below it radians per radian.
 pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Matrix6<f64> {
     Matrix6::from_columns(&frames.map(|frame| {
         let axis = frame.rotation * Vector3::z();
@@ -87,14 +87,14 @@ pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Ma
     }))
 }
 
-/// How the velocity of a point on the last link changes where the joints turn on at these rates, in radians a second:
-/// mm/s², and below it rad/s².
+/// Returns the change of the velocity of a point on the last link where the joints go on at these rates, in radians a
+/// second: mm/s², and below it rad/s².
 pub(crate) fn bend(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>, rates: &[f64; 6]) -> Vector6<f64> {
     let axes = frames.map(|frame| frame.rotation * Vector3::z());
     let origins = frames.map(|frame| frame.translation.vector);
     let whole: Vector3<f64> = (0..6).map(|joint| axes[joint].cross(&(point - origins[joint])) * rates[joint]).sum();
     let (mut moved, mut turned, mut turning) = (Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
-    // How the origin of each joint moves with the joints before it.
+    // Motion of the origin of each joint with the joints before it.
     let (mut before, mut carried) = (origins[0], Vector3::zeros());
     for joint in 0..6 {
         carried += turning.cross(&(origins[joint] - before));

@@ -53,7 +53,8 @@ jaka_proto::worded! {
         /// The end of the upper arm, on the axis of joint 3: the third of
         /// [`Model::joint_frames`](crate::Model::joint_frames).
         Elbow => "elbow",
-        /// Where the axes of joints 5 and 6 meet: the fifth of [`Model::joint_frames`](crate::Model::joint_frames).
+        /// Point at which the axes of joints 5 and 6 meet: the fifth of
+        /// [`Model::joint_frames`](crate::Model::joint_frames).
         Wrist => "wrist",
     }
 }
@@ -64,19 +65,19 @@ jaka_proto::worded! {
 pub struct DhMismatch {
     /// The published arm's name.
     pub model: &'static str,
-    /// Which parameter differs: `alpha`, `a`, `d` or `joint_home_offset`.
+    /// Name of the parameter that differs: `alpha`, `a`, `d` or `joint_home_offset`.
     pub parameter: &'static str,
     /// The joint, 1 to 6.
     pub joint: usize,
-    /// What the controller has, in mm or degrees.
+    /// Value that the controller has, in mm or degrees.
     pub found: f64,
-    /// What the published arm has.
+    /// Value of the published arm, in mm or degrees.
     pub published: f64,
 }
 
-/// How far a length of a controller may be from the published one, in mm.
+/// Greatest difference of a controller's length from the published one, in mm.
 const LENGTH: f64 = 5.0;
-/// How far an angle of a controller may be from the published one, in degrees.
+/// Greatest difference of a controller's angle from the published one, in degrees.
 const ANGLE: f64 = 1.0;
 /// Further away than this, in mm, the closed form's numbers could overflow.
 const FAR: f64 = 1e9;
@@ -166,8 +167,8 @@ impl Model {
         self.links.frames(&joints.into().0).map(Transform)
     }
 
-    /// How the tool moves with each joint: the rows are its velocity along x, y, z of the arm's base in mm/s and its
-    /// turning about these directions in deg/s, the columns the joints, each for 1 deg/s.
+    /// Returns the motion of the tool with each joint. The rows are the velocity of the tool along x, y, z of the arm's
+    /// base in mm/s and its turning about these directions in deg/s; the columns are the joints, each for 1 deg/s.
     ///
     /// `tool` is seen from the flange; only its position counts.
     pub fn jacobian(&self, joints: impl Into<JointPosition>, tool: &Transform) -> [[f64; 6]; 6] {
@@ -300,7 +301,7 @@ impl Model {
         fit::fit(self, pairs, tolerance)
     }
 
-    /// How far shoulder, elbow and wrist are from their singularities, for the frames of the joints.
+    /// Returns the distances of shoulder, elbow and wrist from their singularities, for the frames of the joints.
     pub(crate) fn distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         self.signed_distances(frames).map(f64::abs)
     }
@@ -353,7 +354,8 @@ impl Model {
         })
     }
 
-    /// What the closed form says, in degrees and within the joints' ranges, nearest to the reference first.
+    /// Returns the solutions of the closed form, in degrees and within the joints' ranges, nearest to the reference
+    /// first.
     fn candidates(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Result<AngleSets, NoSolution> {
         if !target.to_homogeneous().iter().chain(reference).all(|number| number.is_finite()) {
             return Err(NoSolution::NotFinite);

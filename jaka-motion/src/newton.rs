@@ -7,9 +7,9 @@ use crate::links::{Links, jacobian};
 
 /// The weight of one radian relative to one millimetre.
 pub(crate) const RADIAN: f64 = 1e3;
-/// How far a solution's flange may be off, as [`off`] counts it.
+/// Greatest error of the flange for a solution, as [`off`] counts it.
 pub(crate) const ACCEPTED: f64 = 1e-3;
-/// How joint positions are refined.
+/// Settings for the refinement of joint positions.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Refinement {
     /// An error not worth a step, as [`off`] counts it.

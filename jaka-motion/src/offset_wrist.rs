@@ -23,7 +23,7 @@ use nalgebra::Vector3;
 /// The equation for the angle of joint 6. All lengths are shares of that of the arm.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OffsetWrist {
-    /// Where the axes of joints 5 and 6 meet, seen from the shoulder.
+    /// Point at which the axes of joints 5 and 6 meet, seen from the shoulder.
     pub(crate) wrist: Vector3<f64>,
     /// The x and y axes of the flange.
     pub(crate) across: [Vector3<f64>; 2],
@@ -35,7 +35,7 @@ pub(crate) struct OffsetWrist {
     pub(crate) offset: f64,
 }
 
-/// How finely roots are looked for.
+/// Resolution of the search for roots.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Search {
     /// Share of the sum of the coefficients below which a value may be a root.
@@ -61,7 +61,7 @@ struct Polynomial {
     sin: [f64; TERMS],
     /// The sum of the absolute values of the coefficients, no less than any value.
     sum: f64,
-    /// The same of the third derivative.
+    /// Sum of the absolute values of the third derivative's coefficients, no less than any of its values.
     third: f64,
 }
 
@@ -71,7 +71,7 @@ const TERMS: usize = 9;
 const PLACES: u8 = 17;
 /// Intervals with which the search begins.
 const INTERVALS: u8 = 32;
-/// Where the search begins, in radians: no angle that is likely, so that roots lie within intervals.
+/// Angle at which the search begins, in radians: no angle that is likely, so that roots lie within intervals.
 const BEGIN: f64 = 0.123_456_7;
 /// A value below this share of the largest term is rounding: any angle would do.
 const ROUNDING: f64 = 1e-13;
@@ -79,7 +79,7 @@ const ROUNDING: f64 = 1e-13;
 const NOISE: f64 = 1e-13;
 /// The most steps for one root; bisection alone takes 52.
 const STEPS: usize = 64;
-/// Within a region where roots meet, how many of the smallest half-widths are between two places.
+/// Number of the smallest half-widths between two places, within a region where roots meet.
 const SPACING: f64 = 50.0;
 
 impl OffsetWrist {

@@ -6,7 +6,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use self::bernstein::{differences, largest, part, peak, sum, value, weights};
 
-/// Where the joints are at one moment, and how they move.
+/// Joint positions at one moment, with their speeds and accelerations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// The joint positions.
@@ -27,14 +27,14 @@ pub(crate) struct Piece {
     way: [[f64; 5]; 6],
 }
 
-/// Between what a piece stays.
+/// Bounds within which a piece stays.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hull {
     /// The lowest and the highest position of each joint, in degrees.
     positions: [[f64; 2]; 6],
-    /// What no joint's speed is above, in deg/s.
+    /// Upper bound of each joint's speed, in deg/s.
     pub(crate) speeds: [f64; 6],
-    /// What no joint's acceleration is above, in deg/s².
+    /// Upper bound of each joint's acceleration, in deg/s².
     pub(crate) accelerations: [f64; 6],
 }
 
@@ -49,12 +49,12 @@ impl Hull {
         (0..6).all(between)
     }
 
-    /// How far each joint turns at most in so many seconds, in radians.
+    /// Returns the greatest turn of each joint in so many seconds, in radians.
     pub(crate) fn turned(&self, seconds: f64) -> [f64; 6] {
         self.speeds.map(|speed| speed.to_radians() * seconds)
     }
 
-    /// By how much that changes at most, in radians.
+    /// Returns the greatest change of that turn, in radians.
     pub(crate) fn swung(&self, seconds: f64) -> [f64; 6] {
         self.accelerations.map(|acceleration| acceleration.to_radians() * seconds * seconds)
     }
@@ -138,7 +138,7 @@ impl Piece {
         differences(&self.speeds(joint), 4.0 / self.seconds)
     }
 
-    /// Between what it stays, found at once.
+    /// Returns the bounds within which it stays, found at once.
     pub(crate) fn hull(&self) -> Hull {
         let mut hull = Hull { positions: [[0.0; 2]; 6], speeds: [0.0; 6], accelerations: [0.0; 6] };
         for joint in 0..6 {
@@ -168,7 +168,7 @@ impl Piece {
         std::array::from_fn(|joint| peak(&self.jerks(joint)))
     }
 
-    /// What no joint's jerk is above, found at once.
+    /// Returns an upper bound of each joint's jerk, in deg/s³, found at once.
     pub(crate) fn jerks_at_most(&self) -> [f64; 6] {
         std::array::from_fn(|joint| largest(&self.jerks(joint)))
     }

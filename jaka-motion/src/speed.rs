@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use crate::beyond::Exceeded;
 
-/// How fast a motion straight in joint space is requested to be: of the joint with the longest way, the others less in
+/// Requested speed of a motion straight in joint space: that of the joint with the longest path, the others less in
 /// proportion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointSpeed {
@@ -15,17 +15,17 @@ pub struct JointSpeed {
     pub acceleration_deg_s2: Option<f64>,
 }
 
-/// How fast a line or an arc is requested to be, and how far from its way blending may take the arm.
+/// Requested speed of a line or an arc, and the greatest distance from its path to which blending may take the arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TcpSpeed {
     /// The speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
-    /// How far the arm may be from its way, in mm: what regions allow is less by as much, at the start too. One longer
-    /// than the arm with its tool is refused.
+    /// Greatest distance of the arm from its path, in mm: regions allow less by as much, at the start too. The checker
+    /// refuses a tolerance longer than the arm with its tool.
     pub tolerance_mm: f64,
 }
 
-/// How the tool centre point moves and the tool turns.
+/// Velocity of the tool centre point, and angular velocity of the tool.
 #[cfg(feature = "generator")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -34,11 +34,11 @@ pub struct TcpVelocity {
     pub linear_mm_s: [f64; 3],
     /// About x, y and z, in deg/s.
     pub angular_deg_s: [f64; 3],
-    /// Whose x, y and z.
+    /// Frame of x, y and z.
     pub frame: VelocityFrame,
 }
 
-/// Whose axes a velocity has.
+/// Frame whose axes a velocity has.
 #[cfg(feature = "generator")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]

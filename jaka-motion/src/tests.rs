@@ -1,4 +1,4 @@
-//! What the tests share: a deterministic source of numbers, and differences between transforms.
+//! Helpers that the tests share: a deterministic source of numbers, and differences between transforms.
 
 #[cfg(feature = "generator")]
 mod braking;
@@ -57,7 +57,7 @@ fn to_pose(transform: Transform) -> [f64; 6] {
     Pose::from(transform).into()
 }
 
-/// How far apart two transforms are in mm and degrees.
+/// Returns the distance between two transforms, in mm and degrees.
 fn apart(one: &Transform, other: &Transform) -> (f64, f64) {
     (one.distance_mm(other), one.angle_deg(other))
 }

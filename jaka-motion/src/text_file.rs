@@ -13,7 +13,7 @@ pub struct FileError {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What is wrong.
+    /// Description of the error.
     pub message: String,
 }
 
@@ -30,7 +30,7 @@ pub struct FileErrors {
 pub(crate) struct Report<'t> {
     text: &'t str,
     file_name: &'t str,
-    /// Where lines start, so that many errors do not take long.
+    /// Starts of lines, so that many errors do not take long.
     lines: Vec<usize>,
     errors: FileErrors,
 }
@@ -86,7 +86,7 @@ impl<'t> Report<'t> {
         self.error(at, format!("{what}: found `{short}{rest}`, expected {expected}"));
     }
 
-    /// What was read, if nothing is wrong.
+    /// Returns the result of reading, if there are no errors.
     pub(crate) fn finish<T>(mut self, read: T) -> Result<T, FileErrors> {
         self.errors.first.sort();
         if self.errors.first.is_empty() { Ok(read) } else { Err(self.errors) }

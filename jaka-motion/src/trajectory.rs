@@ -61,7 +61,7 @@ use crate::piece::{Piece, Sample};
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Shared>);
 
-/// What clones share.
+/// Data that clones share.
 #[derive(PartialEq)]
 struct Shared {
     pieces: Vec<Piece>,
@@ -70,17 +70,17 @@ struct Shared {
     checker: Checker,
 }
 
-/// A point that a trajectory was made of: when it is reached, and how.
+/// Point that a trajectory was made of: the time at which it is reached, and the manner of passing it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WayPoint {
-    /// When the arm is there, or nearest to it, in seconds from the start.
+    /// Time at which the arm is there, or nearest to it, in seconds from the start.
     pub time_s: f64,
-    /// How the arm passes it.
+    /// Manner in which the arm passes it.
     pub passing: Passing,
 }
 
-/// How the arm passes a way-point.
+/// Manner in which the arm passes a way-point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Passing {
@@ -199,12 +199,12 @@ impl Trajectory {
         &self.0.slow
     }
 
-    /// How long it takes.
+    /// Returns the duration.
     pub fn duration(&self) -> Duration {
         Duration::try_from_secs_f64(self.duration_s()).unwrap_or(Duration::MAX)
     }
 
-    /// How long it takes, in seconds.
+    /// Returns the duration, in seconds.
     pub fn duration_s(&self) -> f64 {
         self.0.pieces.last().map_or(0.0, Piece::end_s)
     }
@@ -219,8 +219,8 @@ impl Trajectory {
         self.at(f64::INFINITY).joints
     }
 
-    /// Where the joints are at a time in seconds from the start, and how they move; times before the start and after
-    /// the end count as these.
+    /// Returns the joint positions at a time in seconds from the start, with their speeds and accelerations; times
+    /// before the start and after the end count as these.
     ///
     /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that
     /// after the step.
@@ -291,7 +291,7 @@ impl Trajectory {
         made.check(checker).map(|()| Self(Arc::new(made)))
     }
 
-    /// Which piece has a time.
+    /// Returns the index of the piece at a time.
     fn piece_at(&self, time_s: f64) -> usize {
         self.0.pieces.partition_point(|piece| piece.start_s <= time_s).saturating_sub(1)
     }
@@ -343,7 +343,7 @@ impl Shared {
     }
 }
 
-/// How long it takes and how many parts it has, which can be thousands.
+/// Shows the duration and the numbers of parts, which can be thousands.
 impl fmt::Debug for Trajectory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut parts = f.debug_struct("Trajectory");

@@ -1,11 +1,11 @@
-//! Where one frame is, seen from another.
+//! Position and orientation of a frame, seen from another.
 
 use std::ops::Mul;
 
 use jaka_proto::messages::types::Pose;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
-/// Where a frame is, seen from another: a position in mm and an orientation.
+/// Position, in mm, and orientation of a frame, seen from another.
 ///
 /// A [`Pose`] in the form in which it is computed with: `a * b` is frame `b`, given in frame `a`, seen from where `a`
 /// is given. A pose becomes a transform and a transform a pose with `from` or `into`; see [`jaka_proto::geometry`] for
@@ -48,7 +48,7 @@ impl Transform {
         self.0.translation.vector.into()
     }
 
-    /// How far apart the positions of two frames are, in mm.
+    /// Returns the distance between the positions of two frames, in mm.
     pub fn distance_mm(&self, other: &Self) -> f64 {
         (self.0.translation.vector - other.0.translation.vector).norm()
     }

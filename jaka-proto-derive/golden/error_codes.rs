@@ -24,6 +24,6 @@ impl ::jaka_proto::ErrorCode {
     /// Not in the document. Seen on a Schneider Lexium, which is of the same controller family, with the message
     /// `permission deny, please check remote control source`.
     pub const PERMISSION_DENIED: Self = Self(3i64);
-    /// What sources say about the code, in a sentence; `None` for a code they do not name.
+    /// Meaning of the code in a sentence, from sources; `None` for a code that they do not name.
     pub fn meaning(self) -> Option<&'static str> {}
 }

@@ -296,6 +296,6 @@ pub mod changed {
     impl<T: ::jaka_sync::Call + ?Sized> ChangedCommands for T {}
     /// The payload is too heavy for the motion.
     pub const OVERLOAD: proto::ErrorCode = proto::ErrorCode(5i64);
-    /// What sources say about a code, in a sentence; `None` for a code that neither they nor this module name.
+    /// Meaning of a code in a sentence, from sources; `None` for a code that neither they nor this module name.
     pub fn meaning(code: proto::ErrorCode) -> Option<&'static str> {}
 }

@@ -244,7 +244,7 @@ pub enum Request {
     GetOptionalInfoConfig(beyond_settings::GetOptionalInfoConfig),
 }
 impl Request {
-    /// What the spec says about each command, topic by topic.
+    /// Facts of the spec about each command, topic by topic.
     pub const COMMANDS: &'static [&'static ::jaka_proto::CommandInfo] = _;
     /// Does something with the request, whatever its type.
     pub fn visit<V: ::jaka_proto::Visit>(&self, visitor: V) -> V::Output {}

@@ -1173,8 +1173,8 @@ pub mod shapes {
             Ok(())
         }
     }
-    /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the compiler leads
-    /// to each place where a field is forgotten, and are not part of the interface.
+    /// Replies and their parts, as structs that can be written as literals. The structs grow with the spec, so
+    /// that the compiler reports each literal that lacks a field. They are not part of the interface.
     #[doc(hidden)]
     #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
     pub mod literal {
@@ -1261,7 +1261,7 @@ pub enum Request {
     GetModules(shapes::GetModules),
 }
 impl Request {
-    /// What the spec says about each command, topic by topic.
+    /// Facts of the spec about each command, topic by topic.
     pub const COMMANDS: &'static [&'static ::jaka_proto::CommandInfo] = &[
         <shapes::Stop as ::jaka_proto::Command>::INFO,
         <shapes::MoveTo as ::jaka_proto::Command>::INFO,
@@ -1353,7 +1353,7 @@ impl From<shapes::GetModules> for Request {
 impl ::jaka_proto::ErrorCode {
     /// The command failed; the message says more. Also where [`moveTo`](crate::messages::shapes::MoveTo) is refused.
     pub const CALL_FAILED: Self = Self(2i64);
-    /// What sources say about the code, in a sentence; `None` for a code they do not name.
+    /// Meaning of the code in a sentence, from sources; `None` for a code that they do not name.
     pub fn meaning(self) -> Option<&'static str> {
         match self.0 {
             2i64 => Some("The command failed; the message says more."),

@@ -71,7 +71,7 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
 pub(crate) struct Method {
     /// The attributes other than the docs.
     pub(crate) head: TokenStream,
-    /// What follows `self`, from the comma on.
+    /// Tokens of the parameter list after `self`, from the comma on.
     pub(crate) parameter: TokenStream,
     /// A reference to the request.
     pub(crate) argument: TokenStream,

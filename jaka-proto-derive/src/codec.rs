@@ -63,24 +63,24 @@ fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
     }
 }
 
-/// How an object is read.
+/// Manner of reading an object.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Manner {
     /// A value that does not fit is an error.
     Strict,
     /// A status packet: a value that does not fit is left out.
     Status,
-    /// The same, and the values of other keys are not looked at.
+    /// A subset of a status packet: as a status packet, but the values of other keys are not looked at.
     StatusSubset,
 }
 
 impl Manner {
-    /// How a named type is read.
+    /// Returns the manner of reading a named type.
     pub(crate) fn of(spec: &Spec, id: TypeId) -> Self {
         if spec.status_type() == Some(id) { Self::Status } else { Self::Strict }
     }
 
-    /// How the reader goes to the next key.
+    /// Name of the reader's method that goes to the next key.
     fn next(self) -> TokenStream {
         if self == Self::StatusSubset { quote!(next_wanted) } else { quote!(next_field) }
     }
@@ -120,7 +120,7 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream, manner: M
     }
 }
 
-/// The same over the fields of `self`, whose memory is used again.
+/// Statements and an expression that read an object into the fields of `self`, whose memory is used again.
 pub(crate) fn read_object_in_place(fields: &[Field], manner: Manner) -> TokenStream {
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let name = ident(&field.name);
@@ -229,7 +229,7 @@ pub(crate) fn read_array(fields: &[Field], exact: bool, constructor: &TokenStrea
     }
 }
 
-/// The same over the fields that `slot` names, whose memory is used again.
+/// Statements and an expression that read an array into the fields that `slot` names, whose memory is used again.
 pub(crate) fn read_array_in_place(fields: &[Field], exact: bool, slot: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let values = fields.iter().map(|field| {
         let (text, slot) = (&field.name, slot(&ident(&field.name)));

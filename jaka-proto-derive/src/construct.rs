@@ -1,6 +1,6 @@
-//! How programs make values: constructors of the required fields, and setters of the optional ones.
+//! Functions by which programs make values: constructors of the required fields, and setters of the optional ones.
 //!
-//! So a field that is optional can come without a change of what is there.
+//! A new optional field adds a setter and leaves the existing functions as they are.
 
 use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeDef, TypeKind, is_floats, to_snake};
 use proc_macro2::{Ident, TokenStream};

@@ -18,7 +18,7 @@ pub(crate) struct Docs<'s> {
     command: Option<&'s Command>,
 }
 
-/// Where docs stand.
+/// Place of the docs, which decides the items that their links lead to.
 #[derive(Clone, Copy)]
 pub(crate) enum Place<'s> {
     /// `messages` of jaka-proto, or the module of a topic in it: links lead to requests.
@@ -48,7 +48,7 @@ impl<'s> Docs<'s> {
         own(&self.prose(text))
     }
 
-    /// What a topic is about, for inside its module: there, links are looked up.
+    /// Docs of a topic, as inner attributes of its module: rustdoc looks up their links inside the module.
     pub(crate) fn topic(self, topic: &Topic) -> TokenStream {
         let text = self.prose(&format!("{}.\n\n{}", topic.title, topic.doc));
         let lines = lines(&text);
@@ -61,7 +61,8 @@ impl<'s> Docs<'s> {
         own(&format!("# {title}\n\nWith the messages of [`{name}`](crate::{name})."))
     }
 
-    /// What a field means, in which unit and range, how it is spelled on the wire, and what sources disagree on.
+    /// Docs of a field: its meaning, its unit and range, its spelling on the wire, and the points on which sources
+    /// disagree.
     pub(crate) fn field(self, fields: &[Field], field: &Field) -> TokenStream {
         let (_, rest) = first_sentence(&field.doc);
         let (paragraph, others) = rest.split_at(rest.find("\n\n").unwrap_or(rest.len()));
@@ -93,14 +94,14 @@ impl<'s> Docs<'s> {
         quote!(#docs #alias)
     }
 
-    /// What a setter sets: the field's docs say more.
+    /// Docs of a setter: a summary of its field, whose docs say more.
     pub(crate) fn setter(self, field: &Field) -> TokenStream {
         let docs = own(&self.summary(field, ""));
         let alias = alias(&field.wire, &field.name);
         quote!(#docs #alias)
     }
 
-    /// What a constructor makes, and in which units it takes its arguments: those for the required fields.
+    /// Docs of a constructor: the value that it makes, and the units of its arguments, which are the required fields.
     pub(crate) fn constructor(self, doc: &str, fields: &[Field]) -> TokenStream {
         let first = self.attributes(first_sentence(doc).0);
         let required = fields.iter().filter(|field| !field.optional);
@@ -113,7 +114,7 @@ impl<'s> Docs<'s> {
         quote!(#first #list)
     }
 
-    /// What the request does, what is sent, what that needs, and what comes back.
+    /// Docs of a request: its effect, the message that is sent, the requirements and the reply.
     pub(crate) fn request_type(self, command: &'s Command) -> TokenStream {
         let reply = self.reply(command).map(|reply| format!(" The reply is {reply}."));
         let method = self.trait_method(command).map(|method| format!(" The method is [`{method}`]."));
@@ -121,12 +122,12 @@ impl<'s> Docs<'s> {
         own(&self.about(command, &code_span(&command.wire), &links))
     }
 
-    /// Which request the reply answers.
+    /// Docs of a reply: the request that it answers.
     pub(crate) fn reply_type(self, command: &Command) -> TokenStream {
         own(&format!("What the controller answers to [`{}`].", self.request(command)))
     }
 
-    /// The same as for the request, with an example, and how the method fails: as `call` does.
+    /// Docs of a method: those of its request, with an example, and with errors that refer to those of `call`.
     pub(crate) fn method(self, command: &'s Command, call: &str) -> TokenStream {
         let (path, name) = (self.request(command), code_span(&command.wire));
         let sent =
@@ -170,7 +171,7 @@ impl<'s> Docs<'s> {
         }
     }
 
-    /// What the name of a command is linked to.
+    /// Link target for the name of a command; `None` where the name is not a link.
     fn target(self, name: &str) -> Option<String> {
         let command = self.spec.command_called(name)?;
         if self.command.is_some_and(|own| own.wire == command.wire) {
@@ -230,7 +231,8 @@ impl<'s> Docs<'s> {
         }
     }
 
-    /// What a command does; `sent` names it, and `links` lead to what belongs to it.
+    /// Effect of a command, with its message and its requirements. `sent` names the message; `links` lead to related
+    /// items.
     fn about(self, command: &'s Command, sent: &str, links: &str) -> String {
         let docs = self.of_command(command);
         let section = command.section.as_ref().map(|section| format!(" ({section})")).unwrap_or_default();
@@ -286,7 +288,8 @@ fn remarks(command: &Command) -> String {
     [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
 }
 
-/// What is sent and what comes back, a message in a line. After an arrow, no message of a pack can end the block.
+/// Section with the messages that are sent and received, one a line. After an arrow, no message of a pack can end the
+/// block.
 fn example(examples: &[Example]) -> String {
     let lines = examples.iter().map(|example| {
         let line = |arrow: &str, message: &Option<String>| {
@@ -298,7 +301,7 @@ fn example(examples: &[Example]) -> String {
     if lines.is_empty() { lines } else { format!("\n\n# Example\n```text{lines}\n```") }
 }
 
-/// What the controller does where a requirement is not met.
+/// Sentence about the controller's refusal where a requirement is not met; empty for a command without requirements.
 fn refusal(command: &Command) -> String {
     match &command.refusal {
         _ if command.requires.is_empty() => String::new(),

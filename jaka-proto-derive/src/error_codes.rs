@@ -17,7 +17,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
         impl ::jaka_proto::ErrorCode {
             #consts
 
-            /// What sources say about the code, in a sentence; `None` for a code they do not name.
+            /// Meaning of the code in a sentence, from sources; `None` for a code that they do not name.
             pub fn meaning(self) -> Option<&'static str> {
                 match self.0 {
                     #meanings
@@ -37,7 +37,7 @@ pub(crate) fn in_pack(docs: Docs<'_>, codes: &[ErrorCode]) -> Option<TokenStream
         quote! {
             #consts
 
-            /// What sources say about a code, in a sentence; `None` for a code that neither they nor this module name.
+            /// Meaning of a code in a sentence, from sources; `None` for a code that neither they nor this module name.
             pub fn meaning(code: proto::ErrorCode) -> Option<&'static str> {
                 match code.0 {
                     #meanings

@@ -48,7 +48,7 @@ pub(crate) fn in_pack(spec: &Spec, events: &[Event]) -> Option<TokenStream> {
     let (causes, remedies) = (notes(cause), notes(remedy));
     (!events.is_empty()).then(|| {
         quote! {
-            /// How severe an event of the controller is, also one that only this module names.
+            /// Severity of an event of the controller, also of one that only this module names.
             pub fn event_severity(event: proto::ControllerEvent) -> proto::Severity {
                 match event.code() {
                     #severities
@@ -56,7 +56,7 @@ pub(crate) fn in_pack(spec: &Spec, events: &[Event]) -> Option<TokenStream> {
                 }
             }
 
-            /// What an event of the controller means, also one of which only this module says so.
+            /// Meaning of an event of the controller, also of one that only this module explains.
             pub fn event_meaning(event: proto::ControllerEvent) -> Option<&'static str> {
                 match event.code() {
                     #meanings
@@ -122,8 +122,8 @@ fn option(value: Option<TokenStream>) -> TokenStream {
 /// First and last code of a range, and what is said of it.
 type Row<T> = (Literal, Literal, T);
 
-/// What is said of the events of ranges of codes, in the order of the codes. Neighbours of which the same is said are
-/// one range.
+/// Rows for the ranges of codes of the events, in the order of the codes, each with the value that `say` gives for its
+/// event. Adjacent ranges with the same value are one row.
 fn table<'s, T: PartialEq>(events: &[&'s Event], say: impl Fn(&'s Event) -> Option<T>) -> Vec<Row<T>> {
     let mut ranges: Vec<_> =
         events.iter().flat_map(|event| event.codes.iter().map(move |codes| (codes, event))).collect();

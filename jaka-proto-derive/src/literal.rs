@@ -19,8 +19,8 @@ pub(crate) fn module(spec: &Spec, topic: &Topic, elsewhere: TokenStream) -> Opti
     let twins: Vec<_> = replies.chain(types).collect();
     (!twins.is_empty()).then(|| {
         quote! {
-            /// What replies hold, as structs that can be written as literals. They grow with the spec, so that the
-            /// compiler leads to each place where a field is forgotten, and are not part of the interface.
+            /// Replies and their parts, as structs that can be written as literals. The structs grow with the spec, so
+            /// that the compiler reports each literal that lacks a field. They are not part of the interface.
             #[doc(hidden)]
             #[allow(missing_docs, missing_debug_implementations, clippy::too_many_lines)]
             pub mod literal {

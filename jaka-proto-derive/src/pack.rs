@@ -14,8 +14,8 @@ use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
 use crate::{error_codes, events, literal, topic};
 
-/// What `jaka_sync::pack!` hands over: the path of jaka-sync, that of the TOML file, and those of the packs on which it
-/// stands.
+/// Input of the macro from `jaka_sync::pack!`: the path of jaka-sync, the path of the TOML file, and the paths of the
+/// packs on which it builds.
 pub(crate) struct PackInput {
     sync: TokenStream,
     path: LitStr,
@@ -131,7 +131,7 @@ pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> To
     }
 }
 
-/// What the spec has by now as the pack has it, under the names that the pack's user knows.
+/// Re-exports of the items that the spec has by now as the pack has them, under the names that the pack's user knows.
 fn covered(module: &Module, scope: Scope<'_>) -> TokenStream {
     let mut items = Vec::new();
     for topic in &module.spec.topics {

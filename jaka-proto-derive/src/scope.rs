@@ -1,4 +1,4 @@
-//! Where generated code stands.
+//! Scope of generated code: its topic, and the paths and docs that follow from it.
 
 use jaka_spec::{Command, Field, Reply, Scalar, Spec, Topic, Type, TypeId};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -6,15 +6,15 @@ use quote::{format_ident, quote};
 
 use crate::docs::{Docs, Place};
 
-/// Where generated code stands, and so how it names types: those of its own topic plainly, others by their topic's
-/// module.
+/// Scope of generated code. It decides the names of types in the code: types of its own topic have their plain name,
+/// others the path of their topic's module.
 #[derive(Clone, Copy)]
 pub(crate) struct Scope<'s> {
     pub(crate) spec: &'s Spec,
     /// The topic whose module it is; none outside of all of them.
     pub(crate) topic: Option<&'s Topic>,
     pub(crate) paths: &'s ModulePaths,
-    /// What its docs link to.
+    /// Place of its docs, which decides the items that their links lead to.
     pub(crate) docs: Docs<'s>,
 }
 
@@ -49,8 +49,8 @@ impl<'s> Scope<'s> {
         }
     }
 
-    /// How the functions that read the topic's types are compiled: those of the status packet here, since most programs
-    /// read it, and others in the programs that use them.
+    /// Attribute of the functions that read the topic's types. The functions for the status packet are compiled here,
+    /// since most programs read it; those for other types are `#[inline]` and compiled in the programs that use them.
     pub(crate) fn inline_reads(self) -> Option<TokenStream> {
         let status = self.spec.status_type();
         let has_status = self.topic.is_some_and(|topic| status.is_some_and(|status| topic.types.contains(&status)));
@@ -117,7 +117,7 @@ impl<'s> Scope<'s> {
 /// The paths that generated code uses.
 #[derive(Default)]
 pub(crate) struct ModulePaths {
-    /// What stands before the names of the topic's own types.
+    /// Path prefix of the topic's own types.
     pub(crate) own: TokenStream,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: TokenStream,
@@ -128,12 +128,12 @@ pub(crate) struct ModulePaths {
 }
 
 impl ModulePaths {
-    /// Those of the module itself; `elsewhere` has the other topics' modules.
+    /// Paths for code in the module itself; `elsewhere` has the other topics' modules.
     pub(crate) fn new(elsewhere: TokenStream) -> Self {
         Self { own: TokenStream::new(), elsewhere, packs: quote!(super), wire: quote!(wire) }
     }
 
-    /// Those of a module inside it.
+    /// Paths for code in a module inside it.
     pub(crate) fn inner(elsewhere: TokenStream) -> Self {
         Self { own: quote!(super::), elsewhere, packs: quote!(super::super), wire: quote!(super::wire) }
     }

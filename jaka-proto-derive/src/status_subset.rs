@@ -11,8 +11,8 @@ use crate::codec::{Manner, in_place, read_object, read_object_in_place};
 use crate::docs::{Docs, Place};
 use crate::scope::{ModulePaths, Scope};
 
-/// What `jaka_sync::status_subset!` hands over: the path of jaka-sync, what stands before `struct`, the name and the
-/// fields.
+/// Input of the macro from `jaka_sync::status_subset!`: the path of jaka-sync, the tokens before `struct`, the name and
+/// the fields.
 pub(crate) struct SubsetInput {
     sync: TokenStream,
     head: TokenStream,

@@ -70,7 +70,7 @@ pub(crate) fn requests(spec: &Spec) -> TokenStream {
         }
 
         impl Request {
-            /// What the spec says about each command, topic by topic.
+            /// Facts of the spec about each command, topic by topic.
             pub const COMMANDS: &'static [&'static ::jaka_proto::CommandInfo] =
                 &[#(<#modules::#names as ::jaka_proto::Command>::INFO),*];
 

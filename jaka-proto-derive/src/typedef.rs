@@ -55,8 +55,8 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
     object_with(scope, name, docs, fields, &quote!(#[inline] #read), &quote!(proto::__object_impls!(#name);))
 }
 
-/// The same for a named type. It is read in place too if that is possible and some of its fields own memory, to use
-/// that again.
+/// A named type that is a JSON object: a struct and its codec. It is read in place too if that is possible and some of
+/// its fields own memory, to use that memory again.
 fn object_type(
     scope: Scope<'_>,
     (name, def): (&Ident, &TypeDef),

@@ -101,7 +101,7 @@ fn gap(fields: &[Field], value: impl Fn(&Ident) -> TokenStream) -> Option<TokenS
     (optional.len() > 1).then(|| quote!(place.no_gap(&[#(#elements),*])?;))
 }
 
-/// What is advised of a field, as it stands among `fields` whose values are `value`.
+/// Expression for the limits that are advised of a field, one of `fields`; `value` gives the value of each of them.
 fn advised(
     scope: Scope<'_>,
     (fields, field): (&[Field], &Field),

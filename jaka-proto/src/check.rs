@@ -1,11 +1,11 @@
-//! What is checked before a request is sent.
+//! Checks of a request before it is sent.
 
 use std::fmt;
 
 use crate::firmware::{FirmwareRange, FirmwareVersion, NotInFirmware};
 use crate::wire::Typed;
 
-/// What a field may hold, and which firmware has it.
+/// Limits of the values of a field, and the firmware that has the field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldLimits<'u> {
     /// Least value allowed.
@@ -14,7 +14,7 @@ pub struct FieldLimits<'u> {
     pub max: Option<f64>,
     /// True where newer firmware takes more than the range.
     pub advisory: bool,
-    /// What is advised of numbers, in addition to the range.
+    /// Advisory bounds of numbers, in addition to the range.
     pub advised: Advised<'u>,
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
@@ -24,7 +24,7 @@ pub struct FieldLimits<'u> {
     pub firmware: FirmwareRange,
 }
 
-/// How great a number may be unless that is left to the controller.
+/// Advisory bound of a number, which [`AdvisoryRanges::Ignored`] leaves to the controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Advice<'u> {
     /// Greatest magnitude.
@@ -35,7 +35,7 @@ pub struct Advice<'u> {
     pub unit: &'u str,
 }
 
-/// What is advised of the numbers of a field: at most one [`Advice`] for each unit.
+/// Advisory bounds of the numbers of a field: at most one [`Advice`] for each unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Advised<'u> {
     rows: &'u [Advice<'u>],
@@ -110,20 +110,20 @@ impl fmt::Display for FieldLimits<'_> {
     }
 }
 
-/// Whether advisory ranges are enforced: those that newer firmware has widened, and those that are only advised.
+/// Treatment of advisory ranges: ranges that newer firmware has widened, and ranges that are only advised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AdvisoryRanges {
-    /// They are enforced like all others.
+    /// The check enforces them like all other ranges.
     #[default]
     Enforced,
-    /// They are left to the controller.
+    /// The check leaves them to the controller.
     Ignored,
 }
 
-/// What a request is checked against, in addition to the spec.
+/// Rules for the check of a request, in addition to the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rules {
-    /// Whether advisory ranges are enforced.
+    /// Treatment of advisory ranges.
     pub ranges: AdvisoryRanges,
     /// The controller's firmware, for requests to be refused that it does not have; none for any.
     pub firmware: Option<FirmwareVersion>,
@@ -136,7 +136,7 @@ impl From<AdvisoryRanges> for Rules {
 }
 
 crate::worded! {
-    /// Why a request is not sent.
+    /// Reason for which a request is not sent.
     #[derive(Debug, Clone, PartialEq, Eq)]
     pub enum NotSent {
         /// The spec forbids it.
@@ -169,7 +169,7 @@ pub struct InvalidArgument {
     pub field: String,
     /// The value given.
     pub value: String,
-    /// What is allowed.
+    /// Allowed values, in words.
     pub allowed: String,
     /// True where the check can be switched off by [`AdvisoryRanges`]: newer firmware may take the value, or it is only
     /// advised against.
@@ -188,7 +188,7 @@ impl InvalidArgument {
         Self { command, field, value: value.into(), allowed: allowed.into(), advisory: false }
     }
 
-    /// The same value, refused by an advisory range.
+    /// Marks the value as refused by an advisory range.
     #[must_use]
     pub fn in_advisory_range(self) -> Self {
         Self { advisory: true, ..self }
@@ -216,7 +216,7 @@ pub struct Place<'p> {
     name: PlaceName,
     outer: Option<&'p Place<'p>>,
     rules: Rules,
-    /// What is advised of the numbers here, unless a field in between says otherwise.
+    /// Advisory bounds of the numbers here, unless a field in between has its own.
     advised: Advised<'p>,
 }
 
@@ -325,7 +325,7 @@ impl<'p> Place<'p> {
     }
 }
 
-/// How the spec knows a value of an enum.
+/// Status of a value of an enum in the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Standing {
     /// Every firmware takes it.
@@ -385,7 +385,7 @@ impl Validate for serde_json::Value {
     }
 }
 
-/// What is given as raw JSON is not checked.
+/// Checks a typed value; raw JSON is not checked.
 impl<T: Validate> Validate for Typed<T> {
     fn validate(&self, place: &Place<'_>, limits: &FieldLimits<'_>) -> Result<(), NotSent> {
         self.known().map_or(Ok(()), |value| value.validate(place, limits))
@@ -430,7 +430,7 @@ impl<'u> Advised<'u> {
         Self { rows, times: 1.0 }
     }
 
-    /// The same with bounds that are as many times as great; once where no count is given, or one that is not positive.
+    /// Multiplies the bounds by `count`, or by one where `count` is absent or not positive.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "counts are small whole numbers")]
     pub fn times(self, count: impl Into<Option<i64>>) -> Self {
@@ -447,7 +447,7 @@ impl<'u> Advised<'u> {
         self.of(unit).is_none_or(|row| value.abs() <= row.max && !(row.nonzero && value == 0.0))
     }
 
-    /// What is advised of a number in this unit.
+    /// Returns the advisory bound of a number in this unit, multiplied by the count.
     fn of(&self, unit: &str) -> Option<Advice<'u>> {
         let row = self.rows.iter().find(|row| row.unit.is_empty() || row.unit == unit)?;
         Some(Advice { max: row.max * self.times, ..*row })

@@ -1,4 +1,4 @@
-//! What ties a request to its reply.
+//! Commands: each links the type of a request to the type of its reply.
 
 use std::time::Duration;
 
@@ -11,10 +11,10 @@ use crate::wire::{Fields, Writer};
 /// Implemented by the generated requests. A client sends any of them through one method, so code can be generic over
 /// the command.
 pub trait Command: Fields + Validate {
-    /// What the controller answers in addition to its error code: a struct, or `()` where it answers nothing more.
+    /// Payload of the reply, in addition to the error code: a struct, or `()` for a reply without a payload.
     type Reply: Fields;
 
-    /// What the spec says about the command.
+    /// Facts of the spec about the command.
     const INFO: &'static CommandInfo;
 
     /// Writes the request as it goes over the wire.
@@ -45,14 +45,14 @@ fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Re
 
 /// Something to do with a request, whatever its type: see [`Request::visit`](crate::Request::visit).
 pub trait Visit {
-    /// What comes of it.
+    /// Result of the operation.
     type Output;
 
-    /// Does it.
+    /// Applies the operation to the request.
     fn visit<C: Command>(self, command: &C) -> Self::Output;
 }
 
-/// What the spec says about a command.
+/// Facts of the spec about a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
@@ -64,7 +64,7 @@ pub struct CommandInfo {
     pub head: &'static str,
     /// Section of the vendor's document, such as `4.7`; empty for a command that the document does not have.
     pub section: &'static str,
-    /// What the command does to the robot.
+    /// Effect of the command on the robot.
     pub effect: Effect,
     /// Role of the command to the arm. That of a pack is its author's claim.
     pub role: Option<Role>,
@@ -75,7 +75,7 @@ pub struct CommandInfo {
     pub is_motion: bool,
     /// States without which the controller refuses.
     pub requires: &'static [Requirement],
-    /// How long a reply may take, where the client's default does not fit.
+    /// Timeout for a reply, where the client's default does not fit.
     pub deadline: Option<Duration>,
     /// False where the controller may go away instead of replying.
     pub reply_certain: bool,
@@ -90,8 +90,8 @@ pub struct CommandInfo {
     pub needs_firmware: bool,
 }
 
-/// What the spec says about a command: of its fields those that are not as for most, which are answered within the
-/// client's default time. For generated code.
+/// Builds the facts of a command from the fields that differ from those of most commands. The controller
+/// answers most commands within the client's default timeout. For generated code.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __command_info {
@@ -130,7 +130,7 @@ impl CommandInfo {
     }
 }
 
-/// What a command does to the robot.
+/// Effect of a command on the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Effect {

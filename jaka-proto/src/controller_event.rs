@@ -27,12 +27,12 @@ use crate::wire::{Decode as _, Reader, Value};
 pub struct ControllerEvent(NonZeroU32);
 
 crate::worded! {
-    /// How severe a controller's event is.
+    /// Severity of a controller's event.
     ///
-    /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. Whether
-    /// the arm is stopped, the other fields of the status packet say. For a program that waits for the end of a motion
-    /// the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown event
-    /// ends the wait only together with an arm at rest or a stop that the status packet shows.
+    /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. The
+    /// other fields of the status packet say whether the arm is stopped. For a program that waits for the end of a
+    /// motion the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown
+    /// event ends the wait only together with an arm at rest or a stop that the status packet shows.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Severity {
@@ -160,7 +160,7 @@ impl fmt::Debug for ControllerEvent {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct UnreadableEvent {
-    /// What stands in place of the code, as the controller wrote it.
+    /// Text in place of the code, as the controller wrote it.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! What every reply has in common.
+//! Envelope of a reply: the keys that every reply has.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ const CODE: &str = "errorCode";
 const MESSAGE: &str = "errorMsg";
 pub(crate) const ENVELOPE: [&str; 3] = [COMMAND, CODE, MESSAGE];
 
-/// The same with their quotes and colons.
+/// Keys of the envelope with their quotes and colons.
 pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
 pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
 pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";

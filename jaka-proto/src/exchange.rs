@@ -78,16 +78,16 @@ pub struct Received {
     pub request: RequestId,
     /// `cmdName` of the request.
     pub command: Cow<'static, str>,
-    /// Where the reply has gone.
+    /// Destination of the reply.
     pub delivery: Delivery,
 }
 
-/// Where a reply has gone.
+/// Destination of a reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Delivery {
-    /// To the waiter that read it.
+    /// The waiter that read the reply.
     Waiter,
-    /// It is pending for another waiter.
+    /// Another waiter, for which the reply is pending.
     Pending,
     /// The request was posted: its outcome is counted.
     Counted,
@@ -103,7 +103,7 @@ pub struct PostedRequest {
     pub id: RequestId,
     /// Its `cmdName`.
     pub command: &'static str,
-    /// When it was sent.
+    /// Time at which it was sent.
     pub sent_at: Instant,
 }
 
@@ -111,7 +111,7 @@ pub struct PostedRequest {
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct PostedOutcomes {
-    /// How many were accepted.
+    /// Number of accepted requests.
     pub accepted: u64,
     /// The others, by `cmdName`, in the order in which it was learnt.
     pub failed: Vec<(&'static str, Failure)>,
@@ -133,12 +133,12 @@ impl Exchange {
         Self { sent: SentRequests::new(bare_reply), ..Self::default() }
     }
 
-    /// How many requests are outstanding, with those that were given up or abandoned.
+    /// Number of outstanding requests, including requests that were given up or abandoned.
     pub fn outstanding(&self) -> usize {
         self.sent.outstanding()
     }
 
-    /// How many posted requests are outstanding, without those that were given up or abandoned.
+    /// Number of outstanding posted requests, without requests that were given up or abandoned.
     pub fn posted_outstanding(&self) -> usize {
         self.posted.outstanding.len()
     }
@@ -222,8 +222,8 @@ impl Exchange {
         self.pending_for(request);
     }
 
-    /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. What is pending
-    /// for it must have been taken before.
+    /// The deadline of a request that was sent has passed. Its reply, if it comes, will be discarded. The caller must
+    /// have taken a pending outcome before.
     ///
     /// # Errors
     /// The reply may have come already, and been taken for that to an older request of the same name: whatever comes

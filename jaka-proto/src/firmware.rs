@@ -21,7 +21,7 @@ use crate::text::Visible;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FirmwareVersion {
-    /// Those that are not given are zero.
+    /// Numbers of the version, the major one first; numbers that are not given are zero.
     numbers: [u32; Self::MOST],
     given: u8,
 }
@@ -119,13 +119,13 @@ impl FirmwareRange {
     /// All versions.
     pub const ALL: Self = Self { since: None, until: None };
 
-    /// The same, but for versions before this one.
+    /// Excludes the versions before this one.
     #[must_use]
     pub const fn since<const N: usize>(self, numbers: [u32; N]) -> Self {
         Self { since: Some(FirmwareVersion::new(numbers)), until: self.until }
     }
 
-    /// The same, but for versions after this one.
+    /// Excludes the versions after this one.
     #[must_use]
     pub const fn until<const N: usize>(self, numbers: [u32; N]) -> Self {
         Self { since: self.since, until: Some(FirmwareVersion::new(numbers)) }
@@ -184,7 +184,7 @@ impl NotInFirmware {
         Self { command: command.into(), field, value: None, firmware, range }
     }
 
-    /// The same for a value of the field, rather than for the field.
+    /// Narrows the error from the field as a whole to one value of the field.
     #[must_use]
     pub fn with_value(self, value: impl Into<String>) -> Self {
         Self { value: Some(value.into()), ..self }

@@ -59,7 +59,7 @@ pub struct Framer {
     visited: u64,
 }
 
-/// What comes on a stream.
+/// Kind of messages that a stream carries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stream {
     Replies,
@@ -300,7 +300,7 @@ impl Framer {
         self.buffer.resize(len, 0);
     }
 
-    /// How many of the bytes that wait come before the next frame, or before what may be its beginning.
+    /// Counts the waiting bytes before the next frame, or before its possible beginning at the end of them.
     fn lost_len(&self) -> usize {
         let (waiting, beginning) = (self.partial(), self.stream.beginning());
         memmem::find(waiting, beginning).unwrap_or_else(|| {
@@ -336,7 +336,7 @@ impl fmt::Debug for Framer {
 }
 
 impl Stream {
-    /// How the frame begins that ends a search.
+    /// Beginning of a frame that ends a search.
     fn beginning(self) -> &'static [u8] {
         match self {
             Self::Replies => b"{",
@@ -345,7 +345,7 @@ impl Stream {
     }
 }
 
-/// Where the scanner stands.
+/// State of the scanner.
 #[derive(Debug)]
 enum State {
     /// Between frames.

@@ -1,8 +1,8 @@
 //! Joint positions and poses in other units, and orientations as matrices and quaternions.
 //!
 //! On the wire, and so in the fields of [`JointPosition`](crate::messages::types::JointPosition) and
-//! [`Pose`](crate::messages::types::Pose), angles are degrees and lengths millimetres. What is computed here is methods
-//! of the two types, and each name states its unit.
+//! [`Pose`](crate::messages::types::Pose), angles are degrees and lengths millimetres. The conversions are methods of
+//! the two types, and each name states its unit.
 //!
 //! ```
 //! use jaka_proto::geometry::Quaternion;

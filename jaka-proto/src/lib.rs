@@ -40,7 +40,7 @@ pub use reply::{
 pub use request::RequestError;
 pub use wire::python;
 
-/// What macros of this crate name; no part of the interface.
+/// Items that macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {
     pub use serde;

@@ -79,7 +79,7 @@ pub struct Recording {
     pub header: Header,
     /// All others, in the order of the file.
     pub entries: Vec<Entry>,
-    /// What is wrong with the last line, if the file ends within it, as after a crash. It is not an entry.
+    /// Error in the last line, if the file ends within that line, as after a crash. The line is not an entry.
     pub truncated: Option<RecordingError>,
 }
 
@@ -87,9 +87,9 @@ pub struct Recording {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Header {
-    /// When the recording began, counted from 1970-01-01 00:00 UTC, in whole microseconds.
+    /// Start of the recording, counted from 1970-01-01 00:00 UTC, in whole microseconds.
     pub started: Duration,
-    /// What wrote it, with its version, such as `jaka-sync 0.1.0`.
+    /// Software that wrote the recording, with its version, such as `jaka-sync 0.1.0`.
     pub software: String,
 }
 
@@ -97,30 +97,30 @@ pub struct Header {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Entry {
-    /// When it happened, counted from the start of the recording, in whole microseconds.
+    /// Time of the event, counted from the start of the recording, in whole microseconds.
     pub time: Duration,
     /// The port of the connection.
     pub port: Port,
     /// The number of the connection, counted from 1 over both ports.
     pub connection: u32,
-    /// What happened.
+    /// Event on the connection.
     pub event: Event,
 }
 
 /// A port of a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Port {
-    /// Where commands are taken, usually 10001.
+    /// Port that takes commands, usually 10001.
     Command,
-    /// Where status packets are sent, usually 10000.
+    /// Port that sends status packets, usually 10000.
     Status,
 }
 
-/// What happened on a connection.
+/// Event on a connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Event {
-    /// It was made.
+    /// The connection was made.
     Connected {
         /// Address and port of the controller.
         address: String,
@@ -129,11 +129,11 @@ pub enum Event {
     Sent(Message),
     /// A message of the controller came, or bytes that are not one.
     Received(Message),
-    /// It ended.
+    /// The connection ended.
     Closed {
-        /// Who ended it.
+        /// Party that ended it.
         by: Ending,
-        /// Why, in words.
+        /// Reason, in words.
         why: String,
     },
     /// A call failed, or no connection could be made.
@@ -150,7 +150,7 @@ pub enum Event {
     },
     /// Entries of this connection are missing here, since the file could not be written as fast.
     Dropped {
-        /// How many.
+        /// Number of missing entries.
         count: u64,
     },
 }
@@ -169,7 +169,7 @@ pub enum MotionStep {
     Failed,
 }
 
-/// Who ended a connection.
+/// Party that ended a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ending {
     /// The program, or the client because of what it received.
@@ -192,7 +192,7 @@ pub struct Message(Vec<u8>);
 pub struct RecordingError {
     /// The number of the line, counted from 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// Error in the line.
     pub source: DecodeError,
 }
 
@@ -436,10 +436,10 @@ impl fmt::Display for RecordingError {
     }
 }
 
-/// The text of what is wrong is this error's own.
+/// Has no source: its text includes the text of the field `source`.
 impl std::error::Error for RecordingError {}
 
-/// What a recording can hold, so that what is read is equal to what was written.
+/// Rounds down to whole microseconds, the resolution of a recording, so that a time reads back as it was written.
 fn whole_microseconds(time: Duration) -> Duration {
     Duration::new(time.as_secs(), time.subsec_micros() * 1000)
 }

@@ -12,7 +12,7 @@ use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, re
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Reply<'a, R> {
-    /// What the reply has in addition to its payload; `None` for a bare Python tuple, which has nothing else.
+    /// Envelope of the reply; `None` for a bare Python tuple, which has only a payload.
     pub envelope: Option<Envelope<'a>>,
     /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it
     /// was, so that a missing field never hides a refusal.

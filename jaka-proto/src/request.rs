@@ -25,7 +25,7 @@ impl Request {
         Self::COMMANDS.iter().find(|info| info.bare_reply.is_some()).map(|info| info.name)
     }
 
-    /// What the spec says about the command.
+    /// Returns the facts of the spec about the command.
     #[inline]
     pub fn info(&self) -> &'static CommandInfo {
         struct Info;
@@ -101,7 +101,7 @@ crate::worded! {
         Field {
             /// `cmdName` of the request.
             command: String,
-            /// What is wrong with the field.
+            /// Error in the field.
             source: DecodeError,
         } => "the request `{command}` does not fit the spec",
     }

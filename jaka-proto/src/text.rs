@@ -48,7 +48,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     escaped(text, is_visible)
 }
 
-/// The same for text of several lines: line feeds stay.
+/// Escapes text of several lines as [`visible`] does, but keeps line feeds.
 pub fn visible_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| is_visible(c) || c == '\n')
 }
@@ -61,7 +61,7 @@ pub fn visible_json(text: &str) -> Cow<'_, str> {
     escaped_json(text, |white| white)
 }
 
-/// The same in one line: line ends and tabs between the parts become blanks.
+/// Escapes JSON as [`visible_json`] does, in one line: line ends and tabs between the parts become blanks.
 pub fn visible_json_line(text: &str) -> Cow<'_, str> {
     escaped_json(text, |_| ' ')
 }

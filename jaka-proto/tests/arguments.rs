@@ -1,4 +1,5 @@
-//! What the spec forbids is an error that names field, value and range; what newer firmware takes can be let through.
+//! Arguments that the spec forbids give an error that names field, value and range. Values that newer firmware takes
+//! can be let through.
 
 use jaka_proto::Command;
 use jaka_proto::check::{AdvisoryRanges, InvalidArgument, NotSent};

@@ -1,4 +1,4 @@
-//! What a field may hold: the ends of a range, text, arrays, what is raw or absent, and the words of a refusal.
+//! Limits of a field: the ends of a range, text, arrays, raw and absent values, and the words of a refusal.
 
 use jaka_proto::FirmwareRange;
 use jaka_proto::check::{AdvisoryRanges, FieldLimits, InvalidArgument, NotSent, Place, Rules, Standing, Validate};
@@ -11,7 +11,7 @@ fn request(ranges: AdvisoryRanges) -> Place<'static> {
     Place::request("set_fan", ranges.into())
 }
 
-/// What is wrong with a field of this value; nothing, if it may be sent.
+/// Returns the error for a field of this value; `None` if it may be sent.
 fn invalid(value: &dyn Validate, limits: &FieldLimits, ranges: AdvisoryRanges) -> Option<InvalidArgument> {
     match request(ranges).check("fan", value, limits) {
         Ok(()) => None,

@@ -1,4 +1,4 @@
-//! How programs make requests, and how values are shown.
+//! Construction of requests by programs, and display of values.
 
 use jaka_proto::messages::force::TorqueSensorBrand;
 use jaka_proto::messages::motion::{Jog, JogFrame, JointMove, LineMode, MoveL};

@@ -1,4 +1,4 @@
-//! What replies have in common, as it is read and written.
+//! Envelope of a reply, as it is read and written.
 
 use jaka_proto::messages::io::{GetExtioStatus, GetExtioStatusReply};
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, literal};
@@ -62,7 +62,7 @@ fn only_an_accepted_reply_has_a_payload() {
     assert!(bare.envelope.is_none() && matches!(bare.payload, Some(Ok(_))), "{bare:?}");
 }
 
-/// The same keys in the usual form, which takes one pass, and in one that takes a closer look.
+/// Objects with these keys: in the usual form, which takes one pass, and in one that takes a closer look.
 fn both_ways(keys: &str) -> [String; 2] {
     [format!("{{{keys}}}"), format!("{{{keys}, \"new\" : \"\\ud83d\"}}")]
 }
@@ -121,7 +121,7 @@ fn an_odd_reply_is_read_as_far_as_its_envelope_can_be() {
             assert_eq!((envelope.code, &*envelope.message), (Ok(ErrorCode(number)), "no"), "{json}");
             assert_eq!(envelope.command.as_deref(), Some("jog"), "{json}");
         }
-        // What is odd itself is not believed.
+        // A value that is odd itself is not believed.
         let json = format!(r#"{{"errorCode": {odd}, "errorMsg": {odd}, "cmdName": {odd}}}"#);
         let envelope = Envelope::read_odd(&json).expect(&json);
         assert_eq!((envelope.code.is_ok(), envelope.command), (false, None), "{json}");

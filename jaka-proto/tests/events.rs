@@ -9,7 +9,7 @@ fn event(code: u32) -> ControllerEvent {
     ControllerEvent::new(code).expect("the code is not zero")
 }
 
-/// How many codes with this upper half there are of each severity: errors, warnings, information.
+/// Counts the codes with this upper half by severity: errors, warnings, information.
 fn counts(upper: u32) -> [usize; 3] {
     let mut counts = [0; 3];
     for lower in 0..=0xFFFF {

@@ -23,7 +23,7 @@ fn answer(exchange: &mut Exchange, command: &str) -> Result<Received, OutOfSync>
     receive(exchange, &named(command))
 }
 
-/// What is pending for a request.
+/// Takes the reply or the failure that is pending for a request.
 fn pending(exchange: &mut Exchange, request: RequestId) -> Option<Result<String, Failure>> {
     let (mut text, mut reader) = (String::new(), TextOnly);
     let mut waiter = Waiter::new(request, &mut text, &mut reader);
@@ -262,7 +262,7 @@ fn what_is_pending_for_no_waiter_is_dropped() {
         drop(&mut exchange, a);
         assert_eq!(pending(&mut exchange, a), None);
     }
-    // What is still outstanding is not pending.
+    // A request that is still outstanding is not pending.
     let a = send(&mut exchange, "a");
     exchange.discard_pending(a);
     assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Pending);

@@ -170,7 +170,7 @@ fn without_a_known_firmware_all_is_sent() {
     let request = SetFan { curve: Some(FanCurve { quiet: Some(true) }), ..SetFan::default() };
     assert_eq!(request.check(AdvisoryRanges::Enforced), Ok(()));
     assert_eq!(request.check(Rules::default()), Ok(()));
-    // What the spec forbids is still refused.
+    // The check still refuses a value that the spec forbids.
     let request = SetFan { delay: -1.0, ..request };
     assert!(matches!(request.check(Rules::default()), Err(NotSent::InvalidArgument(_))));
 }

@@ -1,4 +1,4 @@
-//! What is read over an earlier value is what is read afresh, and a reply read in one pass is what two passes read.
+//! Values read over earlier ones equal values read afresh; a reply read in one pass equals one read in two passes.
 
 use jaka_proto::messages::collision::ProtectiveStopStatusReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
@@ -123,7 +123,7 @@ fn a_field_that_does_not_fit_is_absent_and_reported_and_the_packet_stays() {
 const FULL: &str = r#"{"len": 1, "din": [1], "errmsg": "text", "actual_position": [1, 2, 3, 4, 5, 6], "ain": [1, 2],
     "rapidrate": 1, "drag_status": 1, "protective_stop": 0, "extio": {"mode": 1}}"#;
 
-/// What tests say about packets.
+/// Type of packets that tests make with a given length.
 trait WithLength {
     fn with_length(length: Option<i64>) -> Self;
 }
@@ -179,7 +179,7 @@ fn memory_of_values_of_any_shape_is_used_again() {
     }
 }
 
-/// How deep arrays nest.
+/// Depth to which arrays nest.
 fn depth(mut value: &Value) -> usize {
     let mut depth = 0;
     while let Value::Array(list) = value {

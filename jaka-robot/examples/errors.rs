@@ -1,4 +1,4 @@
-//! What errors look like, and what a program can ask them.
+//! Texts of errors, and the questions that a program can ask them.
 //!
 //! `cargo run --example errors` runs against a simulated controller; with an address, against a robot. It causes errors
 //! that move nothing: the arm must not be enabled.
@@ -46,7 +46,7 @@ fn run() -> Result<(), Box<dyn StdError>> {
     Ok(())
 }
 
-/// Prints an error, its sources, and what to do about it.
+/// Prints an error, its sources, and its remedy.
 fn report(result: &Result<(), Error>) {
     let Err(error) = result else {
         println!("  no error");

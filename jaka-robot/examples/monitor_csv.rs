@@ -30,7 +30,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     // Only a simulated arm is moved. It goes on when its client is gone.
     let _client = target.is_simulated.then(|| set_going(&target.commands)).transpose()?;
     match write_csv(&monitor, Duration::from_secs(seconds), &mut stdout().lock()) {
-        // Who reads has seen enough: `monitor_csv | head`.
+        // A reader that closes the pipe has seen enough: `monitor_csv | head`.
         Err(error) if is_broken_pipe(&*error) => Ok(()),
         result => result,
     }
@@ -59,7 +59,7 @@ fn write_csv(monitor: &Monitor, time: Duration, out: &mut impl Write) -> Result<
     Ok(())
 }
 
-/// The cells of a packet. What it does not say stays empty: a zero would be a claim.
+/// The cells of a packet. A key that it does not have stays empty: a zero would be a claim.
 fn row(packet: &Snapshot<RobotStatus>, start: Instant) -> String {
     let status = &packet.status;
     let joints = status.joint_actual_position.map(|joints| joints.0);

@@ -17,7 +17,7 @@ use jaka_robot::motion::MoveL;
 use jaka_robot::{ForceComponent, ForceLimit, MotionExt as _, Robot};
 use jaka_sim::Contact;
 
-/// How long a motion may take.
+/// Timeout for a motion.
 const MOTION: Duration = Duration::from_secs(20);
 
 fn main() -> ExitCode {

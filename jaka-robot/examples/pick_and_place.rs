@@ -23,9 +23,9 @@ use jaka_sim::{Happening, Level};
 const IO: Numbering = Numbering::FromOne;
 /// The number of the gripper's output in commands: from which number a controller counts them is to be tried.
 const GRIPPER: i64 = 1;
-/// How long the fingers take. A gripper with a sensor says so itself: wait for its digital input then.
+/// Time that the fingers need. With a sensor in the gripper, wait for its digital input instead.
 const FINGERS: Duration = Duration::from_millis(300);
-/// How long a motion may take, and how long a part may stay away.
+/// Timeout for a motion, and for the arrival of a part.
 const MOTION: Duration = Duration::from_secs(15);
 const PART: Duration = Duration::from_secs(60);
 

@@ -71,7 +71,7 @@ fn run_into_something(
     Ok(robot.run(&to(away), MOTION)?)
 }
 
-/// What the end of a motion tells.
+/// Prints the end of a motion, and the last packet before it.
 fn report(end: &End) {
     println!("  after {:.1?}: {end}", end.report.waited);
     let Some(last) = end.packets.last() else { return };

@@ -67,7 +67,7 @@ fn sine(start: JointPosition, time: Duration) -> JointPosition {
     joints
 }
 
-/// The same pacing without a robot: what this machine can do.
+/// Runs a loop with the same pacing and no robot, and returns the lateness of its cycles on this machine, sorted.
 fn bare_loop(period: Duration, cycles: u64, spin: Duration) -> Vec<Duration> {
     let start = Instant::now();
     let mut late = Vec::new();

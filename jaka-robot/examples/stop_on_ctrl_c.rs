@@ -48,7 +48,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What Ctrl-C does.
+/// Flag and stop handle that Ctrl-C uses.
 #[derive(Clone)]
 struct Stop {
     /// The handle stops the motion that runs; this keeps the next one from being sent.
@@ -98,7 +98,7 @@ fn swing(robot: &mut Robot, stop: &Stop) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Where joint 1 rests: a stop takes its time.
+/// Waits until joint 1 rests, because a stop takes its time, and returns its position in degrees.
 fn joint_1(robot: &mut Robot) -> Result<f64, jaka_robot::Error> {
     robot.monitor().next_packet()?;
     robot.monitor().wait_until(|status| status.in_position == Some(true), Duration::from_secs(5))?;

@@ -83,7 +83,7 @@ fn move_and_return(robot: &mut Client) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The reply to a motion says that it was accepted; where the arm is, the joints say.
+/// The reply to a motion says that it was accepted; the joints show the position of the arm.
 fn arrive(robot: &mut Client, target: JointPosition) -> Result<(), Box<dyn Error>> {
     let deadline = Instant::now() + Duration::from_secs(30);
     while Instant::now() < deadline {
@@ -107,7 +107,7 @@ fn switch_output(robot: &mut Client, status: &mut StatusStream) -> Result<(), Bo
     println!("\nSwitch digital output 1 of the cabinet on and off");
     for value in [Switch::On, Switch::Off] {
         robot.set_digital_output(&SetDigitalOutput::cabinet(1, value))?;
-        // What has arrived so far is older than the reply; the packet after it is not.
+        // A packet that has arrived by now is older than the reply; the packet after it is not.
         status.newest_packet()?;
         let outputs = status.next_packet()?.digital_outputs.unwrap_or_default();
         println!("  set {value:?}; the status shows {:?}", &outputs[..outputs.len().min(4)]);

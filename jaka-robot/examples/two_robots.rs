@@ -46,7 +46,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the threads share.
+/// State that the threads share.
 struct Cell {
     failed: AtomicBool,
     stops: [RobotStop; 2],

@@ -1,4 +1,4 @@
-//! The arm at the other end of a connection: what is sent to it, what is asked of it, and what is known of it.
+//! The arm at the other end of a connection: commands to it, queries, and its state.
 
 mod guards;
 #[cfg(all(test, shuttle))]
@@ -76,7 +76,7 @@ impl<S: MotionStatus> StatusSource for Monitor<S> {
     }
 }
 
-/// Status port of an arm: its monitor, and what it has told.
+/// Status port of an arm: its monitor, and the status that it has told.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StatusPort<'m> {
     pub(crate) source: &'m dyn StatusSource,
@@ -99,7 +99,7 @@ pub(crate) struct Arm {
     /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what
     /// it was lent for, whatever the program acknowledges.
     told: Option<u64>,
-    /// How often this program had changed frames when it last moved the arm: packets may be older than a change since.
+    /// Number of this program's frame changes at the time of its last motion; packets may be older than a later change.
     frame_changes: u64,
 }
 
@@ -113,7 +113,7 @@ impl Arm {
         Self { client, source, state, position, told: None, frame_changes: 0 }
     }
 
-    /// The same arm for another thread, which this one outlives.
+    /// Returns a second arm of the same connections, for another thread, which ends before this arm is dropped.
     pub(crate) fn lent(&mut self) -> Self {
         let (source, state) = (Arc::clone(&self.source), Arc::clone(&self.state));
         let told = Some(state.lock().stops.reported());
@@ -147,7 +147,7 @@ impl Arm {
         self.link().changes_but_of(self.client.handle())
     }
 
-    /// What changes under way, from now on.
+    /// Record of changes under way (selected frames, rapid rate) that begins now.
     pub(crate) fn under_way(&self) -> UnderWay {
         let is_current = self.frame_changes == self.link().frame_changes();
         let newest = self.state.newest_packet().filter(|_| is_current);
@@ -195,12 +195,12 @@ impl Arm {
         self.unacknowledged().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
     }
 
-    /// What must be acknowledged, if something must.
+    /// Occurrence that must be acknowledged, if there is one.
     pub(crate) fn unacknowledged(&self) -> Option<Occurrence> {
         self.state.unacknowledged(self.told)
     }
 
-    /// The same apart from a lost status.
+    /// Occurrence that must be acknowledged, apart from a lost status.
     pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
         self.state.unacknowledged_stop(self.told)
     }
@@ -247,7 +247,7 @@ impl Arm {
         RobotStop::new(self.client.stop_handle(), &self.state)
     }
 
-    /// The same error, with the reason for a refusal if the state of the arm shows it.
+    /// Adds the reason for a refusal to the error, if the state of the arm shows it.
     pub(crate) fn explained(&mut self, mut error: Error, timeout: Duration) -> Error {
         let found = error.refusal().and_then(|refusal| explain(self, refusal, timeout));
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
@@ -263,7 +263,7 @@ impl Arm {
     }
 }
 
-/// How long the query may take that explains a refusal.
+/// Timeout for the query that explains a refusal.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Reason for a refusal, as far as the state of the arm shows it.

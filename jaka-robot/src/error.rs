@@ -68,7 +68,7 @@ impl Error {
         self.kind().cause()
     }
 
-    /// Remedy: what somebody can do about it; [`Remedy::None`] where nothing is known to help.
+    /// Remedy for the error; [`Remedy::None`] where none is known.
     pub fn remedy(&self) -> Remedy {
         self.kind().remedy()
     }
@@ -169,7 +169,7 @@ impl Error {
     }
 }
 
-/// The kind, and how many messages there are: they are long.
+/// The kind, and the number of messages: they are long.
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Error").field("kind", self.kind()).field("exchanges", &self.exchanges().len()).finish()

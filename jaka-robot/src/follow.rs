@@ -38,8 +38,8 @@ use crate::{End, Error};
 ///   joint space, and half a second more, because the trajectory leaves no acceleration for it, or longer than a
 ///   [`RobotStop`](crate::RobotStop) waits, it is braked straight on:
 ///   [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
-/// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. What an arm does then that
-///   is at speed is not known from any source.
+/// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. No source says how an arm
+///   behaves that is at speed then.
 ///
 /// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow
 /// goes on from standstill; one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late

@@ -1,4 +1,4 @@
-//! Guards: what ends a motion before its end.
+//! Guards: conditions that end a motion before its end.
 
 mod armed;
 mod condition;
@@ -24,8 +24,8 @@ use crate::Error;
 use crate::GuardTrip;
 use crate::inputs::{AnalogCondition, InputCondition};
 
-/// What ends a motion before its end: conditions, each of which is judged once for each status packet. The first that
-/// holds trips the guard.
+/// Conditions that end a motion before its end. Each is judged once for each status packet, and the first that holds
+/// trips the guard.
 ///
 /// An [`InputCondition`], an [`AnalogCondition`], a [`ForceLimit`] or a [`TcpBox`] is a guard by itself;
 /// [`when`](Self::when) makes one of any question about a packet, and [`or`](Self::or) joins two.
@@ -43,16 +43,16 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// assert_eq!(guard.to_string().split(" or ").count(), 3);
 /// ```
 ///
-/// # What it can do, and what not
+/// # Reach and limits
 /// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware
-/// 1.5.14) to 100 ms, and which do not tell how old they are. From what happens until the arm rests it takes
+/// 1.5.14) to 100 ms, and which do not tell how old they are. From an event until the arm rests it takes
 /// - up to a period of the packets, until one shows it, and however long the network holds that packet;
 /// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms
 ///   ([`GuardTrip::reaction`] has it), then the network, and the controller until it acts on `stop_program`;
 /// - the braking, of which no source says how the controller does it.
 ///
-/// What a packet shows for less than a period can be missed. A packet that does not show what the guard needs trips it,
-/// too, and so does a question that panics: unknown is not good. If packets stay away for
+/// A state that packets show for less than a period can be missed. A packet that does not show a fact that the guard
+/// needs trips it, too, and so does a question that panics: unknown is not good. If packets stay away for
 /// [`Config::stale_after`](crate::Config::stale_after), the arm is stopped.
 ///
 /// Newer firmware is said to have a condition of its own that ends a `movc` at a digital input (one client's remark,
@@ -129,7 +129,7 @@ impl From<ForceLimit> for Guard {
     }
 }
 
-/// When one of the conditions holds, in words.
+/// Conditions in words, joined by "or".
 impl fmt::Display for Guard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, condition) in self.conditions.iter().enumerate() {
@@ -150,7 +150,7 @@ pub(crate) struct Question {
 impl Question {
     /// The answer; none if the question panics.
     fn holds(&self, status: &RobotStatus) -> Option<bool> {
-        // What a panic leaves half done is the question's own.
+        // State that a panic leaves half done is the question's own.
         catch_unwind(AssertUnwindSafe(|| (self.holds)(status))).ok()
     }
 }

@@ -15,7 +15,7 @@ struct WaitEvents {
     shown: Option<Cause>,
     code: Option<String>,
     stops: u64,
-    /// What has happened, once something has.
+    /// Occurrence that ends the wait, once there is one.
     found: Option<Occurrence>,
 }
 

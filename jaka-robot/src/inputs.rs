@@ -1,4 +1,4 @@
-//! Inputs of the controller as status packets show them, and how a program numbers them.
+//! Inputs of the controller as status packets show them, and their numbering by a program.
 
 use std::fmt;
 
@@ -9,13 +9,14 @@ use crate::cause::Field;
 use crate::error::OptionName;
 use crate::{Error, NotShown, Snapshot};
 
-/// Whether a program counts inputs from 0 or from 1: said once, so that no call has to guess.
+/// Number from which a program counts inputs, 0 or 1: said once, so that no call has to guess.
 ///
-/// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted as is said:
-/// with [`FromOne`](Self::FromOne), 3 is the third input of the list. Whether a pendant or the print on a cabinet
-/// counts in the same way, and whether the indices of commands (4.25) do, differs between controllers: switch the input
-/// by hand and look at a packet (`jaka status`) before anything relies on it. The first eight inputs of the cabinet's
-/// list are its own, of which the controller occupies the first; the document calls the others Modbus inputs (4.26).
+/// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted from the
+/// number of the variant: with [`FromOne`](Self::FromOne), 3 is the third input of the list. A pendant, the print on a
+/// cabinet and the indices of commands (4.25) may count in another way, which differs between controllers: switch the
+/// input by hand and look at a packet (`jaka status`) before anything relies on it. The first eight inputs of the
+/// cabinet's list are its own, of which the controller occupies the first; the document calls the others Modbus inputs
+/// (4.26).
 ///
 /// ```
 /// use jaka_robot::Numbering;
@@ -54,7 +55,7 @@ impl Numbering {
     }
 }
 
-/// Where an input is.
+/// Place of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct InputPlace {
     side: Side,
@@ -78,7 +79,7 @@ pub struct Input(InputPlace);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct AnalogInput(InputPlace);
 
-/// Whether something is so, or becomes so from one packet to the next.
+/// Kind of a condition: something is so, or becomes so from one packet to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum When {
     Level,
@@ -96,7 +97,7 @@ pub struct InputCondition(pub(crate) InputTest);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AnalogCondition(pub(crate) InputTest);
 
-/// What is asked of an input.
+/// Test of an input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct InputTest {
     place: InputPlace,
@@ -104,7 +105,7 @@ pub(crate) struct InputTest {
     pub(crate) when: When,
 }
 
-/// What an input is to be: a digital one, or the value of an analog one.
+/// Wanted state of an input: the level of a digital one, or the range of an analog one's value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Wanted {
     High,
@@ -114,51 +115,51 @@ enum Wanted {
 }
 
 impl Input {
-    /// While it is high.
+    /// Condition that the input is high.
     pub const fn is_high(self) -> InputCondition {
         InputCondition(self.0.test(Wanted::High, When::Level))
     }
 
-    /// While it is low.
+    /// Condition that the input is low.
     pub const fn is_low(self) -> InputCondition {
         InputCondition(self.0.test(Wanted::Low, When::Level))
     }
 
-    /// When it goes from low to high.
+    /// Condition that the input goes from low to high.
     pub const fn rises(self) -> InputCondition {
         InputCondition(self.0.test(Wanted::High, When::Edge))
     }
 
-    /// When it goes from high to low.
+    /// Condition that the input goes from high to low.
     pub const fn falls(self) -> InputCondition {
         InputCondition(self.0.test(Wanted::Low, When::Edge))
     }
 }
 
 impl AnalogInput {
-    /// While its value is above a threshold.
+    /// Condition that the input's value is above a threshold.
     pub const fn is_above(self, threshold: f64) -> AnalogCondition {
         AnalogCondition(self.0.test(Wanted::Above(threshold), When::Level))
     }
 
-    /// While its value is below a threshold.
+    /// Condition that the input's value is below a threshold.
     pub const fn is_below(self, threshold: f64) -> AnalogCondition {
         AnalogCondition(self.0.test(Wanted::Below(threshold), When::Level))
     }
 
-    /// When its value goes above a threshold.
+    /// Condition that the input's value goes above a threshold.
     pub const fn rises_above(self, threshold: f64) -> AnalogCondition {
         AnalogCondition(self.0.test(Wanted::Above(threshold), When::Edge))
     }
 
-    /// When its value goes below a threshold.
+    /// Condition that the input's value goes below a threshold.
     pub const fn falls_below(self, threshold: f64) -> AnalogCondition {
         AnalogCondition(self.0.test(Wanted::Below(threshold), When::Edge))
     }
 }
 
 impl InputTest {
-    /// Whether the input is what is asked for.
+    /// True if the input has the wanted state.
     pub(crate) fn holds(&self, packet: &Snapshot) -> Result<bool, NotShown> {
         Ok(match self.wanted {
             Wanted::High => self.place.level(packet)?,
@@ -178,7 +179,7 @@ impl InputTest {
         }
     }
 
-    /// What a packet says of the input.
+    /// Text for the input in a packet.
     pub(crate) fn says(&self, packet: &Snapshot) -> Option<String> {
         if let Wanted::Above(_) | Wanted::Below(_) = self.wanted {
             return Some(format!("{} is at {}", AnalogInput(self.place), self.place.value(packet).ok()?));

@@ -1,4 +1,4 @@
-//! Limits: what is checked before a motion or a set-point is sent.
+//! Limits: checks before a motion or a set-point is sent.
 
 mod motion;
 mod waived;
@@ -28,7 +28,7 @@ pub enum LimitPolicy {
     Warn,
 }
 
-/// The limits of a robot, if it has any, and what is known for checking them.
+/// The limits of a robot, if it has any, and the facts for checking them.
 #[derive(Debug, Default)]
 pub(crate) struct LimitChecks(Option<Box<Limited>>);
 
@@ -37,19 +37,19 @@ struct Limited {
     checker: Checker,
     policy: LimitPolicy,
     warning: Option<Error>,
-    /// Where the last motion that was accepted ends, by its check.
+    /// End of the last motion that was accepted, by its check.
     planned: Option<JointPosition>,
-    /// How many stops had gone out by then, and how many commands of other handles that may have changed something:
+    /// Number of stops that had gone out by then, and of commands of other handles that may have changed something:
     /// after another one the arm ends elsewhere.
     stops: u64,
     changes_by_others: u64,
     /// Motions were given up that the arm may not have begun yet.
     is_unsettled: bool,
-    /// How often this program had changed frames when the frames of the checker were compared with the controller's.
+    /// Number of this program's frame changes when the frames of the checker were compared with the controller's.
     frame_changes: u64,
 }
 
-/// How far the controller's pose may be from the model's at the same joint positions. The poses of a real arm are
+/// Tolerance between the controller's pose and the model's at the same joint positions. The poses of a real arm are
 /// within 0.42 mm and 0.00001 deg; beyond that, a frame was changed.
 const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
 
@@ -71,7 +71,7 @@ impl LimitChecks {
         }))))
     }
 
-    /// The same for another thread.
+    /// Returns checks of the same limits for another thread.
     pub(crate) fn lent(&self) -> Self {
         let lent = |limited: &Limited| {
             let checker = limited.checker.clone();
@@ -81,7 +81,7 @@ impl LimitChecks {
         Self(self.0.as_deref().map(lent))
     }
 
-    /// Where the arm is when it has done the last motion is no longer known.
+    /// Forgets the end of the last motion: it is no longer known.
     pub(crate) fn forget_plan(&mut self) {
         if let Some(limited) = &mut self.0 {
             limited.planned = None;
@@ -100,8 +100,8 @@ impl LimitChecks {
         self.0.as_ref().map(|limited| &limited.checker)
     }
 
-    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was
-    /// sent all the same.
+    /// Reason why the last motion, or the first such set-point of the last session, should not have been sent, where it
+    /// was sent all the same.
     pub(crate) fn warning(&self) -> Option<String> {
         self.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
     }
@@ -189,8 +189,7 @@ impl LimitChecks {
         self.judged(error).map(|()| joints)
     }
 
-    /// The same error. A refusal without an explanation of a motion that was sent although it is beyond a limit has
-    /// that one.
+    /// Explains a refusal that has no explanation, if the motion was sent although it is beyond a limit: by that limit.
     pub(crate) fn explained(&self, mut error: Error) -> Error {
         if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
             *explanation = explanation.take().or_else(|| self.explanation());
@@ -235,7 +234,7 @@ impl Limited {
         self.agrees(joints, pose) && self.frame_changes == arm.link().frame_changes()
     }
 
-    /// What to do about a check that failed: no error where it is sent all the same.
+    /// Decides on a check that failed: no error where the command is sent all the same.
     fn judged(&mut self, error: Error) -> Result<(), Error> {
         let is_limit = matches!(error.kind(), ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. });
         if !is_limit || self.policy != LimitPolicy::Warn {
@@ -248,14 +247,14 @@ impl Limited {
         Ok(())
     }
 
-    /// Whether the controller's pose is the model's, in the frames that are known.
+    /// True if the controller's pose is the model's, in the frames that are known.
     fn agrees(&self, joints: JointPosition, pose: Pose) -> bool {
         let ours = self.checker.frames().pose(self.checker.limits().model().forward(joints));
         ours.distance_mm(&pose) <= AGREES.position_mm && ours.angle_deg(&pose) <= AGREES.angle_deg
     }
 }
 
-/// What was sent all the same, and why it should not have been.
+/// Text of a warning: the command that was sent all the same, and the reason against it.
 fn warning(error: &Error) -> String {
     match error.kind() {
         ErrorKind::BeyondLimit { command, beyond } => {
@@ -268,7 +267,7 @@ fn warning(error: &Error) -> String {
     }
 }
 
-/// The controller's frames, and how often this program had changed any before they were asked for.
+/// The controller's frames, and the number of this program's frame changes before they were asked for.
 fn fitted_frames(arm: &mut Arm, model: &Model, timeout: Option<Duration>) -> Result<(Frames, u64), Error> {
     let since = arm.clock().stopwatch();
     let frame_changes = arm.link().frame_changes();

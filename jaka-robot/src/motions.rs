@@ -9,9 +9,9 @@ use crate::Guard;
 
 /// Methods of each [`Motion`].
 pub trait MotionExt: Motion {
-    /// The same motion under a guard, for [`Robot::run`](crate::Robot::run), which waits until it has ended or the
-    /// guard has tripped, upon which the arm is stopped. [`Guard`] tells what can be expected of that, and what not: it
-    /// is **not a safety function**.
+    /// Puts the motion under a guard, for [`Robot::run`](crate::Robot::run). The run waits until the motion has ended
+    /// or the guard has tripped; a guard that trips stops the arm. [`Guard`] describes its reach and its limits: it is
+    /// **not a safety function**.
     ///
     /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends
     /// nothing ([`GuardTrip::is_before_start`](crate::GuardTrip::is_before_start)). The stop is written by the thread

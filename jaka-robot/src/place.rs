@@ -1,19 +1,19 @@
-//! Places of an arm, and how near two of them are.
+//! Places of an arm, and the distance between two of them.
 
 use jaka_proto::Target;
 use jaka_proto::messages::types::{JointPosition, Pose};
 
-/// How close a joint is to its target when it is there, in degrees.
+/// Tolerance of a joint that is at its target, in degrees.
 const CLOSE_DEG: f64 = 0.1;
 
-/// How close the tool centre point is to its target when it is there, in millimetres.
+/// Tolerance of the tool centre point that is at its target, in millimetres.
 const CLOSE_MM: f64 = 0.5;
 
-/// How little may change between two replies of an arm at rest: noise of the encoders, as far as it is known.
+/// Greatest change between two replies of an arm at rest: noise of the encoders, as far as it is known.
 const STILL_DEG: f64 = 0.002;
 const STILL_MM: f64 = 0.02;
 
-/// What rounding may add to a position: replies have six decimals.
+/// Rounding error of a position: replies have six decimals.
 const ROUNDING_DEG: f64 = 1e-5;
 const ROUNDING_MM: f64 = 2e-6;
 
@@ -24,7 +24,7 @@ pub(crate) enum Place {
     Pose(Pose),
 }
 
-/// Which query gives a place.
+/// Quantity in which a place is given: each has a query of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Joints,

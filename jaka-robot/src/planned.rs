@@ -28,16 +28,16 @@ use crate::motions::PlannedMotion;
 use crate::place::Quantity;
 use crate::{Cause, End, Error, Report, Rest, Run};
 
-/// How long an arm that was stopped is waited for until it rests.
+/// Longest wait for the rest of an arm that was stopped.
 const REST: Duration = Duration::from_secs(2);
 
-/// Motions that have been started, and how their end is waited for.
+/// Motions that have been started, and the options of the wait for their end.
 #[derive(Debug)]
 pub(crate) struct Planned {
     /// Motions that were accepted and have not been waited for.
     batch: Option<Batch>,
     pub(crate) grace: Grace,
-    /// How long no status packet may come during a wait.
+    /// Longest time without a status packet during a wait.
     pub(crate) silence: Duration,
 }
 
@@ -131,7 +131,7 @@ impl Moving<'_> {
         motion.depends_on_frames() || self.limits.depend_on_frames()
     }
 
-    /// What is known of the arm before a motion.
+    /// State of the arm before a motion, as far as it is known.
     fn begin(&mut self, motion: PlannedMotion<'_>, timeout: Duration) -> Result<Begin, Error> {
         let since = self.arm.clock().stopwatch();
         let Some(newest) = self.arm.known_status(timeout)? else {
@@ -164,7 +164,8 @@ impl Moving<'_> {
         end
     }
 
-    /// The same, and gives up waiting once it is to, with [`Cause::Deadline`]. Its end is yet to be reported.
+    /// Waits as [`wait`](Self::wait), and gives up, with [`Cause::Deadline`], once `gives_up` says so. The end is yet
+    /// to be reported.
     fn wait_unless(&mut self, timeout: Duration, gives_up: &dyn Fn() -> bool) -> End {
         let since = self.arm.clock().stopwatch();
         let Some(mut batch) = self.planned.batch.take() else {

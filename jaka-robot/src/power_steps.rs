@@ -11,10 +11,10 @@ use jaka_sync::layer::{ClientParts as _, describe};
 use crate::arm::{Arm, ArmState, unknown};
 use crate::{Error, ErrorKind, Explanation, StatusProblem};
 
-/// How often the state is asked for.
+/// Period of the queries for the state.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
 
-/// How the time until the next query passes: it may end with an error.
+/// Wait until the next query: it may end with an error.
 type Pause = fn(&Arm, Duration) -> Result<(), Error>;
 
 /// Step of [`Robot::power_up_with`](crate::Robot::power_up_with) or
@@ -40,7 +40,7 @@ struct Steps<'o> {
     /// The number of the latest stop of the program's own that does not count.
     stop: u64,
     accepted: Vec<String>,
-    /// Those that are yet to be sent.
+    /// Steps that are yet to be sent.
     rest: Vec<&'static str>,
 }
 

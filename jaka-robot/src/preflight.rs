@@ -1,4 +1,5 @@
-//! What keeps a robot from being used, and what somebody should look at first: read, and never changed.
+//! Check of a robot before its use: finds obstacles, and settings for somebody to look at. It reads, and never changes
+//! anything.
 
 mod arm;
 mod commands;
@@ -21,10 +22,11 @@ pub use self::finding::{CheckItem, Finding, Verdict};
 use self::packets::Count;
 use crate::arm::{ArmState, StatusPort};
 
-/// What was found on a robot before it is used: see [`Robot::preflight`](crate::Robot::preflight) and
+/// Findings on a robot before its use: see [`Robot::preflight`](crate::Robot::preflight) and
 /// [`read_at`](Self::read_at).
 ///
-/// Displayed as a table, with what to look at [at the pendant](Self::AT_THE_PENDANT) and what the verdicts do not mean.
+/// Displayed as a table, with the points to look at [at the pendant](Self::AT_THE_PENDANT) and the limits of the
+/// verdicts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use = "a check changes nothing: what it found is all that it does"]
 pub struct Preflight {
@@ -32,7 +34,7 @@ pub struct Preflight {
 }
 
 impl Preflight {
-    /// What no query tells, and what it decides. Look at it at the pendant.
+    /// Settings that no query tells, each with its effect. Look at them at the pendant.
     pub const AT_THE_PENDANT: &[(&str, &str)] = &[
         ("remote control", "whether the controller takes motions from this program"),
         ("mounting", "how the arm is mounted: poses and kinematics follow it"),
@@ -40,7 +42,7 @@ impl Preflight {
         ("soft limits", "the joint ranges, speeds and zones that the controller itself keeps"),
     ];
 
-    /// What the verdicts do not mean.
+    /// Note on the limits of the verdicts.
     pub const NOTE: &str = "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the \
                             cell, the people in it, the tool, and where the arm will move.";
 
@@ -52,7 +54,7 @@ impl Preflight {
         Self::read_as::<RobotStatus>(config, commands_address, status_address, None)
     }
 
-    /// The same for an arm that should be the model of these limits, and within them.
+    /// Reads as [`read_at`](Self::read_at), for an arm that should be the model of these limits, and within them.
     pub fn read_with_limits(
         config: &Config,
         commands_address: impl Display,
@@ -115,7 +117,8 @@ impl Preflight {
     }
 }
 
-/// A table of the findings, and below it what no query tells, how many findings there are, and what they do not mean.
+/// A table of the findings, and below it the settings that no query tells, the number of findings, and the note on the
+/// verdicts.
 impl Display for Preflight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for finding in &self.findings {

@@ -109,7 +109,7 @@ impl Report {
         (self.frames, self.rapid_rate) = (under_way.frames(), under_way.rapid_rate());
     }
 
-    /// The same report, of a trajectory.
+    /// Adds the report of a trajectory.
     pub(crate) fn of_trajectory(self, trajectory: TrajectoryReport) -> Self {
         Self { trajectory: Some(trajectory), ..self }
     }

@@ -146,8 +146,8 @@ impl Robot<RobotStatus> {
 }
 
 impl<S: MotionStatus> Robot<S> {
-    /// The same with a monitor of another type of status packets, such as the one of a [pack](crate::pack!):
-    /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
+    /// A robot of two connections, with a monitor of another type of status packets, such as the one of a
+    /// [pack](crate::pack!): `Robot::<newer::RobotStatus>::with_monitor(…)`.
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
         let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
@@ -281,7 +281,7 @@ impl<S: MotionStatus> Robot<S> {
         self.moving().wait(timeout)
     }
 
-    /// What must be acknowledged before the arm moves again, if something must.
+    /// Occurrence that must be acknowledged before the arm moves again, if there is one.
     ///
     /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has
     /// reported.
@@ -339,8 +339,8 @@ impl<S: MotionStatus> Robot<S> {
         self.limits.checker()
     }
 
-    /// Why the last motion, or the first such set-point of the last session, should not have been sent, where it was
-    /// sent all the same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
+    /// Reason why the last motion, or the first such set-point of the last session, should not have been sent, where it
+    /// was sent all the same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
     pub fn limit_warning(&self) -> Option<String> {
         self.limits.warning()
     }
@@ -371,7 +371,8 @@ impl<S: MotionStatus> Robot<S> {
         wait_for(&self.arm, &condition.into(), timeout)
     }
 
-    /// The same for an analog input: `IO.tool_analog(1).is_above(2.5)`.
+    /// Waits for a level or an edge of an analog input, as [`wait_for_input`](Self::wait_for_input):
+    /// `IO.tool_analog(1).is_above(2.5)`.
     ///
     /// # Errors
     /// As [`wait_for_input`](Self::wait_for_input); also [`ErrorKind::InvalidOption`] for a threshold that is not a
@@ -380,15 +381,15 @@ impl<S: MotionStatus> Robot<S> {
         wait_for(&self.arm, &condition.into(), timeout)
     }
 
-    /// Reads what could keep the robot from being used, or should be looked at before: ports, firmware, power, stops,
-    /// events, frames, payload, rates, and how fast packets and replies come. Takes some two seconds; nothing is
-    /// changed on the controller.
+    /// Reads states and settings that could keep the robot from being used, or should be looked at before: ports,
+    /// firmware, power, stops, events, frames, payload, rates, and the speed of packets and replies. Takes some two
+    /// seconds; nothing is changed on the controller.
     ///
-    /// Also compares the arm's model, which is that of its limits or else any published one, with what
-    /// the controller computes (`kine_forward`, which moves nothing), and where the arm is with the limits.
+    /// Also compares the arm's model, which is that of its limits or else any published one, with the controller's
+    /// computations (`kine_forward`, which moves nothing), and the place of the arm with the limits.
     ///
-    /// What cannot be read is a finding, too. If the command port is lost on the way, or does not answer two queries
-    /// one after the other, the rest of what it tells is [not checked](crate::preflight::Verdict::NotChecked).
+    /// An item that cannot be read is a finding, too. If the command port is lost on the way, or does not answer two
+    /// queries one after the other, its other items are [not checked](crate::preflight::Verdict::NotChecked).
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -411,8 +412,8 @@ impl<S: MotionStatus> Robot<S> {
         Preflight::of(client, status, limits)
     }
 
-    /// Why the controller refused a command of the [`client`](Self::client), as far as its state shows it, and what
-    /// helps.
+    /// Explains why the controller refused a command of the [`client`](Self::client), as far as its state shows it,
+    /// with a remedy.
     ///
     /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than
     /// the refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of

@@ -32,7 +32,7 @@ use crate::arm::Arm;
 use crate::error::OptionName;
 use crate::limits::LimitChecks;
 
-/// How set-points go out: those of a [`ServoSession`], a stream or a trajectory.
+/// Options for the set-points of a [`ServoSession`], a stream or a trajectory.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "a configuration does nothing until servo mode is entered with it"]
 pub struct ServoConfig {
@@ -54,7 +54,7 @@ pub(crate) struct LedArm<'r> {
     pub(crate) has_motions: bool,
 }
 
-/// The same for a thread of its own.
+/// Arm that a session leads, for a thread of its own.
 #[derive(Debug)]
 pub(crate) struct LentArm {
     pub(crate) arm: Arm,
@@ -63,7 +63,7 @@ pub(crate) struct LentArm {
 }
 
 impl LedArm<'_> {
-    /// The same arm for another thread, which this one outlives.
+    /// Returns the arm for another thread, which ends before the borrowed arm is dropped.
     pub(crate) fn lent(self) -> LentArm {
         LentArm { arm: self.arm.lent(), limits: self.limits.lent(), has_motions: self.has_motions }
     }
@@ -169,7 +169,7 @@ impl ServoConfig {
         self.period() * 3
     }
 
-    /// How many set-points may be unanswered.
+    /// Greatest number of set-points that may be unanswered.
     pub(crate) fn most_unanswered(&self) -> usize {
         let count = self.max_unanswered.as_nanos() / self.period().as_nanos();
         usize::try_from(count).unwrap_or(usize::MAX).max(FEWEST_UNANSWERED)

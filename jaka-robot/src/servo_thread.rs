@@ -11,11 +11,11 @@ use crate::error::SessionEnd;
 use crate::servo_session::LentArm;
 use crate::{Cause, Error, ErrorKind};
 
-/// A thread that has a lent arm. Who waits for it waits in the clock's time.
+/// A thread that has a lent arm. The wait for its end runs in the clock's time.
 #[derive(Debug)]
 pub(crate) struct ServoThread<T> {
     end: Arc<OneShot<T>>,
-    /// Whether its end has been waited for.
+    /// True if its end has been waited for.
     pub(crate) was_awaited: bool,
 }
 
@@ -33,7 +33,7 @@ impl<T: Send + 'static> ServoThread<T> {
         let ((begun, given), (end, ended)) = (one_shot(&clock), one_shot(&clock));
         let act = move || {
             let done = work(&mut lent, &given);
-            // Who waits has the connection for itself.
+            // A caller that waits has the connection for itself.
             drop(lent);
             if let Some(done) = done {
                 ended.send(done);

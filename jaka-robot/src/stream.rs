@@ -20,7 +20,7 @@ use crate::servo_session::{LedArm, LentArm};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error, Guard, ServoConfig};
 
-/// How a [`Stream`] runs.
+/// Options of a [`Stream`].
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a stream is begun with it"]
 pub struct StreamConfig {
@@ -80,8 +80,8 @@ impl StreamConfig {
     }
 
     /// Puts the stream under a guard: when it trips, the stream lands, and ends with [`ErrorKind::GuardTripped`]. The
-    /// first set-point that brakes goes out in the next servo period after the packet. [`Guard`] tells what can be
-    /// expected of that, and what not: it is **not a safety function**.
+    /// first set-point that brakes goes out in the next servo period after the packet. [`Guard`] describes its reach
+    /// and its limits: it is **not a safety function**.
     ///
     /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet
     /// already), [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and
@@ -114,11 +114,11 @@ impl StreamConfig {
 ///
 /// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of
 /// [`StreamConfig::dynamics`] and the robot's limits, whatever the targets are and however often they change, and sends
-/// it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) tells what is promised of them.
+/// it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) states its guarantees for the set-points.
 ///
 /// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a
 /// status that is no longer known, joints that do not follow their set-points. After a set-point that is three periods
-/// late at speed nothing brakes. What a [`ServoSession`](crate::ServoSession) says at "Landing" holds here, but the arm
+/// late at speed nothing brakes. The section "Landing" of [`ServoSession`](crate::ServoSession) holds here, but the arm
 /// is braked by a stop, within its jerks, too. If this thread is held up, the stream goes on: a velocity ends after the
 /// time for which it was given.
 ///

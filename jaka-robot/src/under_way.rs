@@ -1,4 +1,4 @@
-//! What packets show to change while the arm moves, and is not its motion: the selected frames and the rapid rate.
+//! Changes that packets show while the arm moves, and that are not its motion: the selected frames and the rapid rate.
 
 use std::fmt;
 use std::time::Instant;
@@ -78,7 +78,7 @@ enum Start {
     /// None is compared.
     #[default]
     Unknown,
-    /// Those of the first packet that comes after this: this program has changed frames shortly before.
+    /// Frames of the first packet that comes after this time: this program has changed frames shortly before.
     After(Instant),
     Shown(SelectedFrames),
 }

@@ -1,5 +1,5 @@
-//! How many controllers one process can serve: starts some, has a reader take the packets of each, and prints what it
-//! took.
+//! Measures the number of controllers that one process can serve: starts some, has a reader take the packets of each,
+//! and prints the packets received, the time between them and the CPU time.
 //!
 //! `cargo run --release -p jaka-sim --example many [CONTROLLERS] [HERTZ] [SECONDS]`, by default 100 at 50 Hz for 10 s.
 

@@ -1,7 +1,7 @@
-//! What the controller answers to a request.
+//! Answers of the controller to requests.
 //!
-//! `topics` has what each command changes and answers. Commands without a handler get the spec's example, so a new
-//! command in the spec is answered without code.
+//! `topics` has the changes and the reply of each command. A command without a handler gets the spec's example, so a
+//! new command in the spec is answered without code.
 
 mod motion;
 mod pack;
@@ -20,7 +20,7 @@ pub(crate) use self::pack::put;
 use crate::spec_index::{CommandEntry, SpecIndex, own_payload, usual_refusal};
 use crate::world::{Change, Wait, World};
 
-/// How a topic dealt with a request.
+/// Outcome of a request in a topic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     /// The reply is written.
@@ -33,7 +33,7 @@ enum Outcome {
     Unhandled,
 }
 
-/// What follows a request, other than its immediate reply.
+/// Sequel of a request, other than its immediate reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sequel {
     Nothing,

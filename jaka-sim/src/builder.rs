@@ -299,7 +299,7 @@ impl Builder {
         scaled(self.period(), self.time_scale.recip())
     }
 
-    /// What keeps a controller from starting.
+    /// Checks that a controller can start with these options.
     pub(crate) fn check(&self) -> io::Result<()> {
         self.contact.as_ref().map_or(Ok(()), Contact::check)?;
         if (0.001..=1000.0).contains(&self.time_scale) {
@@ -309,7 +309,7 @@ impl Builder {
         Err(io::Error::new(ErrorKind::InvalidInput, text))
     }
 
-    /// What the controller does that no document describes.
+    /// Habits of the controller that no document describes: those that are set, or else those of its firmware.
     pub(crate) fn usual_habits(&self) -> Habits {
         self.habits.unwrap_or_else(|| self.firmware.habits())
     }

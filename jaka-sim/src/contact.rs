@@ -46,14 +46,14 @@ impl Contact {
         Err(io::Error::new(io::ErrorKind::InvalidInput, text))
     }
 
-    /// How deep the tool centre point is below the plane, in mm.
+    /// Depth of the tool centre point below the plane, in mm.
     pub(crate) fn depth(&self, tool: &Transform) -> f64 {
         let at = tool.position_mm();
         let above = dot([0, 1, 2].map(|i| at[i] - self.point[i]), self.normal);
         (-above).max(0.0)
     }
 
-    /// What the sensor reads, along the axes of the tool: N and Nm.
+    /// Reading of the sensor, along the axes of the tool, in N and Nm.
     pub(crate) fn force(&self, tool: &Transform) -> [f64; 6] {
         let force = self.stiffness * self.depth(tool);
         if force == 0.0 {

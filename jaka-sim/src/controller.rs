@@ -54,12 +54,12 @@ impl Controller {
         thread::Builder::new().name("jaka-sim".to_owned()).spawn(move || run(&shared))
     }
 
-    /// Where commands are taken: what is port 10001 of a real controller.
+    /// Address at which the controller takes commands: port 10001 of a real controller.
     pub fn command_addr(&self) -> SocketAddr {
         self.shared.command_listener.address()
     }
 
-    /// Where status packets are sent: what is port 10000 of a real controller.
+    /// Address at which the controller sends status packets: port 10000 of a real controller.
     pub fn status_addr(&self) -> SocketAddr {
         self.shared.status_listener.address()
     }
@@ -126,7 +126,7 @@ impl Controller {
         Ok(())
     }
 
-    /// How deep the tool centre point has been below the plane of [`Builder::contact`] or
+    /// Greatest depth of the tool centre point below the plane of [`Builder::contact`] or
     /// [`set_contact`](Self::set_contact), in mm; 0 without one.
     ///
     /// It is computed in each controller cycle, and counts until the plane is set again.
@@ -196,7 +196,7 @@ impl Controller {
         self.shared.request_log.wait_for(count, timeout)
     }
 
-    /// Where clients deviated from the recording, in a [replay](Builder::replay); empty if there was nothing.
+    /// Deviations of clients from the recording, in a [replay](Builder::replay); empty if there were none.
     ///
     /// The connection of a client that has left may not have ended yet:
     /// [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.

@@ -1,8 +1,8 @@
-//! How long the controller takes for what is not motion.
+//! Delays of the controller, other than for motion.
 
 use std::time::Duration;
 
-/// How long changes of state take, other than motion.
+/// Durations of changes of state, other than motion.
 ///
 /// A command that starts such a change is answered at once, and the state follows;
 /// [`Habit::LatePower`](crate::Habit::LatePower) has `power_on` and `enable_robot` answered when it is there.

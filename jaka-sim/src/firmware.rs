@@ -125,7 +125,7 @@ firmwares! {
         extio_module_id: Some("ext_0f5118ef9a5cb05b"),
     };
 
-    /// What the document prints, version 2.0.4, without blanks. No controller is known that writes so.
+    /// Messages as the document prints them, version 2.0.4, without blanks. No controller is known that writes so.
     Document => Shape {
         name: "document",
         version: "1.6.5_01_X86",
@@ -198,7 +198,7 @@ impl Firmware {
         self.shape().status_period
     }
 
-    /// What it does that no document describes.
+    /// Habits of the firmware that no document describes.
     pub fn habits(self) -> Habits {
         self.shape().habits.iter().copied().collect()
     }

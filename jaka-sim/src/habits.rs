@@ -1,4 +1,4 @@
-//! What real controllers do and no document describes.
+//! Habits of real controllers that no document describes.
 
 use std::fmt;
 use std::str::FromStr;
@@ -78,7 +78,7 @@ fn unknown(_word: &str) -> String {
     format!("unknown habit; the habits are {}, and `all`", quoted(&Habit::one_of_each()))
 }
 
-/// What a controller does as real ones do: some [`Habit`]s, or none.
+/// Habits of a controller: some [`Habit`]s of real controllers, or none.
 ///
 /// ```
 /// use std::time::Duration;

@@ -2,7 +2,7 @@
 
 use jaka_proto::wire::Reader;
 
-/// What stands between the parts of a JSON text.
+/// Separators between the parts of a JSON text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separators {
     /// No blanks.
@@ -35,7 +35,7 @@ pub(crate) fn elements(json: &str) -> Option<Vec<&str>> {
     Some(elements)
 }
 
-/// The same text with other blanks between its parts. Strings stay as they are.
+/// Replaces the blanks between the parts of a JSON text. Strings stay as they are.
 pub(crate) fn respace(json: &str, separators: Separators) -> String {
     let blank = if separators == Separators::Spaced { " " } else { "" };
     let mut out = String::with_capacity(json.len() * 3 / 2);

@@ -23,7 +23,7 @@ pub(crate) use self::wire::Wire;
 use crate::fault::LinkFault;
 use crate::link_selector::LinkSelector;
 
-/// How many connections may wait to end because of a fault. If there are more, the oldest ends at once.
+/// Greatest number of connections that may wait to end because of a fault. If there are more, the oldest ends at once.
 const MOST_SENDERS: usize = 512;
 
 /// The links of a controller.
@@ -31,7 +31,7 @@ const MOST_SENDERS: usize = 512;
 /// Locks are taken in this order: `state`, a wire's queue.
 #[derive(Debug)]
 pub(crate) struct Links {
-    /// Whether any link has ever had a fault.
+    /// True once any link has had a fault.
     used: AtomicBool,
     state: Mutex<LinkStates>,
     changed: Signal,

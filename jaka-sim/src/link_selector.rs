@@ -1,4 +1,4 @@
-//! Which links are meant: those of one port or both, in one direction or both.
+//! Selection of links: those of one port or both, in one direction or both.
 
 use crate::Port;
 
@@ -8,10 +8,10 @@ jaka_proto::worded! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
     pub enum Direction {
-        /// What clients send: requests. Clients of the status port have nothing to send but the end of their
-        /// connection.
+        /// Direction from clients to the controller, for requests. Clients of the status port have nothing to send but
+        /// the end of their connection.
         ToController => "to-controller",
-        /// What clients receive: replies and status packets.
+        /// Direction from the controller to clients, for replies and status packets.
         ToClient => "to-client",
     }
 }

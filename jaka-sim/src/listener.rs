@@ -10,7 +10,7 @@ use jaka_clock::{Clock, Signal, Socket, lock};
 /// Limit for a connection on loopback, which takes a second and more where many wait to be accepted.
 pub(crate) const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
 
-/// How long to wait after an `accept` that failed, perhaps because no file descriptor is left.
+/// Delay after an `accept` that failed, perhaps because no file descriptor is left.
 const RETRY_DELAY: Duration = Duration::from_millis(20);
 
 /// A TCP listener on which one thread accepts.

@@ -28,7 +28,7 @@ pub(crate) use self::servo::{Servo, ServoOptions, SetPoint, Space, can_follow};
 use self::vector::plus;
 use crate::clock::CYCLE;
 
-/// How many cycles ahead of the arm its commanded position can be.
+/// Greatest number of cycles by which the commanded position can be ahead of the arm.
 const MOST_AHEAD: u128 = 100;
 
 /// Everything that moves the arm.
@@ -45,7 +45,7 @@ pub(crate) struct Engine {
     pub(crate) jog: Option<Jogging>,
     /// Servo mode, where it is on.
     pub(crate) servo: Option<Servo>,
-    /// Where the last motion of the queue ends; none if no motion waits or runs.
+    /// Joint position at the end of the last motion of the queue; none if no motion waits or runs.
     tail: Option<Joints>,
 }
 
@@ -55,12 +55,12 @@ impl Engine {
         Self { pause, ..Self::default() }
     }
 
-    /// Where the arm will be when all that has been accepted has ended.
+    /// Joint position at the end of all accepted motions; `now` if there are none.
     pub(crate) fn tail(&self, now: Joints) -> Joints {
         self.tail.unwrap_or(now)
     }
 
-    /// How many motions wait or run.
+    /// Number of motions that wait or run.
     pub(crate) fn pending(&self) -> usize {
         self.queue.len() + usize::from(self.running.is_some())
     }
@@ -104,7 +104,7 @@ impl Engine {
         !self.resting.is_zero()
     }
 
-    /// Where the arm will be this much later, in whole cycles, if nothing is commanded meanwhile.
+    /// Joint position this much later, in whole cycles, if nothing is commanded meanwhile.
     pub(crate) fn ahead(&self, joints: Joints, time: Duration, rate: f64, model: &Model) -> Joints {
         if time < CYCLE {
             return joints;
@@ -156,7 +156,7 @@ impl Engine {
         plus(next, offset)
     }
 
-    /// What the motion before still has to do.
+    /// Advances the motion before, and returns the offset of the joints that it still adds in this cycle, in degrees.
     fn leave(&mut self, rate: f64, model: &Model) -> Joints {
         let Some(leaving) = &mut self.leaving else { return [0.0; 6] };
         let offset = leaving.cycle(rate, model);

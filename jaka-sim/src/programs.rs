@@ -12,7 +12,7 @@ use crate::motion::Joints;
 /// The commands of a program, in order.
 pub(crate) type Program = Vec<Request>;
 
-/// What is left of the program that runs.
+/// Remaining commands of the program that runs.
 pub(crate) type Runner = vec::IntoIter<Request>;
 
 /// The programs that every controller has: the document's example, which moves joint 1 there and back.

@@ -19,7 +19,7 @@ use crate::StatusFault;
 use crate::clock;
 use crate::link::Links;
 
-/// How many readers there can be, so that no number of connections uses up threads and memory.
+/// Greatest number of readers, so that no number of connections uses up threads and memory.
 const MAX_READERS: usize = 256;
 
 /// The readers, each with a thread of its own so that none waits for another.
@@ -31,7 +31,7 @@ pub(crate) struct Readers {
 #[derive(Debug)]
 struct ReaderList {
     readers: VecDeque<(Arc<Reader>, JoinHandle<()>)>,
-    /// What is wrong with the packets that go out.
+    /// Fault of the packets that go out.
     fault: StatusFault,
 }
 

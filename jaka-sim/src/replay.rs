@@ -19,7 +19,7 @@ use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, ScriptStep};
 
-/// How a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
+/// Mode in which a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replay {
     /// The n-th connection to a port is the n-th of the recording, message by message: requests must come in the
@@ -39,7 +39,7 @@ pub enum Replay {
     Matching,
 }
 
-/// When a replay sends what it sends.
+/// Timing of the messages of a replay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ReplayTiming {
     /// As long after the request, or the beginning of the connection, as then.
@@ -62,7 +62,7 @@ pub(crate) struct ReplaySession {
     timing: ReplayTiming,
     commands: Vec<Arc<Script>>,
     readers: Vec<Arc<Script>>,
-    /// What status packets of a strict replay wait for.
+    /// Requests for which the status packets of a strict replay wait.
     dependencies: Option<Dependencies>,
     progress: Mutex<ReplayProgress>,
     /// Signalled at each deviation.
@@ -135,7 +135,7 @@ impl ReplaySession {
         answer
     }
 
-    /// How long after what came before it something is sent.
+    /// Delay of a message after its predecessor: the recorded one, or none with immediate timing.
     pub(crate) fn delay(&self, recorded: Duration) -> Duration {
         match self.timing {
             ReplayTiming::Recorded => recorded,
@@ -150,8 +150,8 @@ impl ReplaySession {
         }
     }
 
-    /// When a packet of a connection that began then is due: as long after the last request before it as in the
-    /// recording, or at `next`; `None` while a request is awaited.
+    /// Time at which a packet of a connection that began at `began` is due: as long after the last request before it as
+    /// in the recording, or at `next`; `None` while a request is awaited.
     pub(crate) fn packet_due(&self, script: &Script, at: Duration, began: Instant, next: Instant) -> Option<Instant> {
         let recorded = script.start.saturating_add(at);
         let (since, delay) =

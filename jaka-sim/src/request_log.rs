@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Signal, lock};
 
-/// How many texts are kept, and how many bytes of them.
+/// Greatest number of texts that are kept, and of their bytes.
 const KEPT: usize = 10_000;
 const KEPT_BYTES: usize = 16 << 20;
 

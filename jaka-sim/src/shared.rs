@@ -1,4 +1,4 @@
-//! What the threads of one controller share.
+//! State that the threads of one controller share.
 
 use std::collections::HashMap;
 use std::io;
@@ -22,8 +22,8 @@ use crate::trigger::Triggers;
 use crate::world::World;
 use crate::{Builder, FaultPlan, State, status_packet};
 
-/// What the threads of one controller share. No lock is held while waiting for another of these, except `world`,
-/// which is taken last but for what has become of a trigger.
+/// State that the threads of one controller share. No lock is held while waiting for another of these. The exception is
+/// `world`: it is taken last, except for the progress of a trigger.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,
@@ -48,7 +48,7 @@ pub(crate) struct Shared {
     packet_parts: Mutex<Vec<Part>>,
 }
 
-/// How far a stepped clock is, and when the last packet went out.
+/// Time of a stepped clock, and time of the last packet.
 #[derive(Debug, Default)]
 struct Steps {
     now: Duration,
@@ -166,17 +166,17 @@ impl Shared {
         }
     }
 
-    /// How long the next of what is scheduled is away, in the time that passes; none if nothing is.
+    /// Time until the next scheduled change, in the time that passes; none if nothing is scheduled.
     pub(crate) fn until_next_due(&self) -> Option<Duration> {
         self.world().next_due().map(|due| self.clock.until(due))
     }
 
-    /// How long the next controller cycle is away.
+    /// Time until the next controller cycle.
     pub(crate) fn until_next_cycle(&self) -> Duration {
         self.clock.until_next_cycle()
     }
 
-    /// What is wrong with the replies to come.
+    /// Faults of the replies to come.
     pub(crate) fn faults(&self) -> MutexGuard<'_, FaultPlan> {
         lock(&self.faults)
     }

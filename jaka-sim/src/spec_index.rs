@@ -1,4 +1,4 @@
-//! What the spec says about each command, by the command's name.
+//! Index of the spec's commands, by name.
 
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -27,7 +27,7 @@ pub(crate) struct SpecIndex {
     pub(crate) unknown: String,
 }
 
-/// What the spec says about one command.
+/// Entry of one command of the spec.
 #[derive(Debug)]
 pub(crate) struct CommandEntry {
     /// All of it.
@@ -45,7 +45,7 @@ pub(crate) struct CommandEntry {
     /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes
     /// it.
     pub(crate) sample: String,
-    /// The same by the built-in spec, if it has the command.
+    /// Sample reply by the built-in spec, if that has the command.
     pub(crate) typed_sample: String,
 }
 
@@ -253,7 +253,7 @@ pub(crate) fn accepted(command: &str, members: &str) -> String {
     }
 }
 
-/// How controllers refuse a command that they know.
+/// Usual refusal of a command that the controller knows.
 pub(crate) fn usual_refusal(command: &str) -> (ErrorCode, String) {
     (ErrorCode::CALL_FAILED, format!("call {command} failed"))
 }

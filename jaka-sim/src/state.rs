@@ -1,4 +1,4 @@
-//! What the simulated controller knows and remembers.
+//! State of the simulated controller.
 
 mod initial;
 mod parts;
@@ -18,7 +18,7 @@ use serde_json::{Map, Value};
 
 pub use parts::{AdmittanceControl, Frame, NetworkException, TorqueSensor, Trajectory};
 
-/// How many frames of a kind a controller holds: the fixed one and ten that can be set.
+/// Number of frames of a kind in a controller: the fixed one and ten that can be set.
 pub(crate) const FRAMES: usize = 11;
 
 /// The error code that says that there is none.
@@ -44,7 +44,7 @@ pub struct State {
     pub protective_stop: bool,
     /// Whether the robot is in an emergency stop. The arm is not enabled in one.
     pub emergency_stop: bool,
-    /// Whether a soft limit is reached: 1 if it is. Shown in status packets alone, and set by nothing here.
+    /// State of the soft limits: 1 if one is reached. Status packets alone show it, and nothing here sets it.
     pub on_soft_limit: i64,
     /// Error code of the controller, a hexadecimal number such as `0x0`.
     pub error_code: String,
@@ -114,11 +114,11 @@ pub struct State {
 
     /// User-defined system variables.
     pub variables: Vec<UserVariable>,
-    /// What the arm carries.
+    /// Payload of the arm.
     pub payload: GetPayloadReply,
     /// Collision level, from 0 to 5; 0 is off.
     pub collision_level: i64,
-    /// What the arm does when the network fails, as last set.
+    /// Reaction of the arm to a failure of the network, as last set.
     pub network_exception: NetworkException,
     /// Trajectory recording.
     pub trajectory: Trajectory,

@@ -24,12 +24,12 @@ pub(crate) struct Part {
     text: String,
 }
 
-/// What a packet shows at a key.
+/// Value that a packet shows at a key.
 #[derive(Debug, PartialEq)]
 enum Shown {
-    /// What a user has set, as it is.
+    /// Value that a user has set, as it is.
     Set(Value),
-    /// What the state has, in JSON.
+    /// Value of the state, in JSON.
     State(String),
 }
 
@@ -101,7 +101,7 @@ fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)
     Some((key, value.to_string()))
 }
 
-/// What a packet shows of the state at a key, in JSON; `own` is all of it by the built-in spec.
+/// Value of the state that a packet shows at a key, in JSON; `own` has the values of all keys by the built-in spec.
 fn shown(field: &Field, own: &BTreeMap<String, &str>, spec_index: &SpecIndex) -> String {
     let value = spec_index.status_value(field, |wire| own.get(wire).copied());
     value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field).to_string())

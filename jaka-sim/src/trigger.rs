@@ -1,4 +1,4 @@
-//! What follows once the state is as a condition says.
+//! Conditions on the state, and the actions that follow once they hold.
 
 use std::any::Any;
 use std::fmt;
@@ -11,7 +11,8 @@ use jaka_clock::{Clock, Signal, lock};
 
 use crate::State;
 
-/// What has become of a condition of [`Controller::when`](crate::Controller::when). Dropping it changes nothing.
+/// Handle of a condition of [`Controller::when`](crate::Controller::when), which tells its progress. Dropping it
+/// changes nothing.
 #[derive(Debug, Clone)]
 pub struct Trigger(Arc<Inner>);
 
@@ -34,7 +35,7 @@ impl Trigger {
         Self(Arc::new(Inner { progress: Mutex::default(), changed: Signal::new(time) }))
     }
 
-    /// When the condition held first, in the controller's time since its start; `None` if it has not held yet.
+    /// Time at which the condition first held, in the controller's time since its start; `None` if it has not held yet.
     pub fn fired_at(&self) -> Option<Duration> {
         lock(&self.0.progress).fired_at
     }

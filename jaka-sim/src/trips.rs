@@ -1,4 +1,4 @@
-//! What makes the drives stop the arm.
+//! Thresholds at which the drives stop the arm.
 
 use crate::fault::{kinds, quoted};
 
@@ -56,8 +56,8 @@ fn unknown(_word: &str) -> String {
     format!("unknown trip; the trips, each with a threshold, are {}", quoted(&Trip::one_of_each()))
 }
 
-/// What the drives know of the arm's motion, or of a set-point, in a cycle, of each joint: in degrees, deg/s and
-/// deg/s².
+/// Observations of the drives in a cycle, of the arm's motion or of a set-point: values of each joint, in degrees,
+/// deg/s and deg/s².
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Observed {
     pub(crate) deviation: [f64; 6],

@@ -1,4 +1,4 @@
-//! What the arm does when set-points stop.
+//! Reaction of the arm when set-points stop.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,10 +7,10 @@ use std::time::Duration;
 use crate::ScriptError;
 use crate::fault::read_time;
 
-/// What the arm does in servo mode when no set-point is there in its cycle, and the last one had speed.
+/// Reaction of the arm in servo mode when no set-point is there in its cycle, and the last one had speed.
 ///
-/// What real controllers do, no source says: each of these is a guess, and a program has to be safe with each. After a
-/// set-point that repeats the one before there is no speed, and nothing happens.
+/// No source documents the reaction of real controllers: each of these is a guess, and a program has to be safe with
+/// each. A set-point that repeats the one before leaves no speed, and nothing happens after it.
 ///
 /// It has a text form, as `jaka sim --underrun` takes it: `hold`, `fault 40ms`, `run-out 300`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

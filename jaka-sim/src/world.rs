@@ -66,7 +66,7 @@ pub(crate) enum Change {
     ServoMode(bool),
 }
 
-/// What a reply waits for.
+/// Event for which a reply waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wait {
     /// The arm is at rest, or the controller's time is this, if it is given.
@@ -143,7 +143,8 @@ impl World {
         true
     }
 
-    /// How many of these cycles can be passed at once where nothing goes on: up to the next of what is scheduled.
+    /// Number of cycles that can be passed at once while nothing goes on, up to the next scheduled change; at most
+    /// `left`.
     fn idle_cycles(&self, left: u128) -> u32 {
         let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
         let next_due = self.next_due().into_iter().chain(self.event_ends).min();
@@ -257,7 +258,8 @@ impl World {
         self.ask_conditions();
     }
 
-    /// What follows from a change and from the motion: events, the pose, and whether the robot is in position.
+    /// Updates the values that follow from a change and from the motion: events, the pose, and whether the robot is in
+    /// position.
     fn update(&mut self) {
         self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
@@ -272,7 +274,8 @@ impl World {
         }
     }
 
-    /// Where the arm is commanded to be: where it will be, where it is a habit to say so.
+    /// Updates the commanded positions. With the habit [`Lead`](crate::Habit::Lead), they are the positions that the
+    /// arm will have later.
     fn update_commanded(&mut self) {
         let joints = self.drives.commanded;
         let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
@@ -365,7 +368,7 @@ impl World {
         Servo::new(self.drives.commanded, options, &self.model)
     }
 
-    /// What has gone wrong with the motion in this cycle.
+    /// Takes the error of the motion in this cycle, as a code of the vendor's table.
     pub(super) fn error(&mut self) -> Option<u32> {
         let drives = &self.drives;
         let observed = Observed {
@@ -393,7 +396,7 @@ impl World {
         self.feel();
     }
 
-    /// How deep the tool has been, in mm.
+    /// Greatest depth of the tool below the plane, in mm.
     pub(crate) fn deepest_penetration(&self) -> f64 {
         self.touch.deepest
     }
@@ -459,7 +462,7 @@ impl World {
         planned.map(|planned| self.engine.enqueue(planned)).is_some()
     }
 
-    /// Where the next motion starts.
+    /// Joint position at which the next motion starts, in degrees.
     pub(crate) fn tail(&self) -> Joints {
         self.engine.tail(self.drives.commanded)
     }
@@ -523,7 +526,7 @@ const PROGRAM_STARTS: u32 = 0x10f_001b;
 /// Time for which information stays in the error code: a capture has one entry of a log for 257 ms.
 const INFORMATION: Duration = Duration::from_millis(256);
 
-/// What was so when events were last reported.
+/// Facts at the last report of events.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub(super) struct Reported {
@@ -557,7 +560,7 @@ fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
     world.plan_joints(to.into(), command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
 }
 
-/// Where the tool is at a pose that a command gives.
+/// Pose of the tool at a pose that a command gives.
 fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
     let tool = world.tool();
     match mode {

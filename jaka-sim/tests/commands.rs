@@ -1,4 +1,4 @@
-//! What the controller answers.
+//! Answers of the controller.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Which replies have faults.
+//! Plans of the faults of replies.
 
 use crate::common::{Peer, assert_accepted, fresh, json, request};
 use jaka_sim::{Controller, Fault, FaultPlan};
@@ -77,7 +77,7 @@ fn a_script_may_be_a_text() {
     assert_eq!(peer.receive().len(), 5000);
 }
 
-/// What comes of a hundred requests.
+/// Results of a hundred requests: true where the reply has a name.
 fn hundred(plan: &FaultPlan) -> Vec<bool> {
     let (_controller, mut peer) = with(plan.clone());
     (0..100).map(|_| is_named(&mut peer, "get_version")).collect()

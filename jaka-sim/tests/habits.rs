@@ -1,4 +1,4 @@
-//! What real controllers do that no document says, one by one, on a clock that the test moves on.
+//! Habits of real controllers that no document describes, one by one, on a clock that the test moves on.
 
 use std::time::Duration;
 

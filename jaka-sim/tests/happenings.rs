@@ -1,4 +1,4 @@
-//! What happens to the arm, to inputs and to links at given times.
+//! Happenings to the arm, to inputs and to links at given times.
 
 use std::io::ErrorKind;
 use std::time::Duration;

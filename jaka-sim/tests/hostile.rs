@@ -34,7 +34,7 @@ fn memory() -> usize {
     )
 }
 
-/// How many connections a test may hold at once: each takes a descriptor at either end.
+/// Greatest number of connections that a test may hold at once: each takes a descriptor at either end.
 fn most_connections() -> usize {
     let limits = std::fs::read_to_string("/proc/self/limits").unwrap_or_default();
     let line = limits.lines().find_map(|line| line.strip_prefix("Max open files"));

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crate::common::{LIMIT, Peer, assert_accepted, document, fresh, json, request, simulated};
 use jaka_sim::{Controller, Direction, Fault, Happening, LinkFault, Port, Scheduled, SimulatedClock, Takeover};
 
-/// How long nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.
+/// Time for which nothing comes where nothing must come. A test that waits too short passes, and never fails by chance.
 const QUIET: Duration = Duration::from_millis(40);
 const DELAY: Duration = Duration::from_millis(150);
 

@@ -1,4 +1,4 @@
-//! What is logged. Alone in its process, since a process has one logger.
+//! Log messages. Alone in its process, since a process has one logger.
 
 mod common;
 

@@ -47,7 +47,7 @@ const V1_5_14: &str = "
     netState int
 ";
 
-/// The same of the newer controller, whose module has 10, 10, 8 and 8 pins.
+/// Keys and shapes of the newer controller's packets; its module has 10, 10, 8 and 8 pins.
 const NEWER: &str = "
     len int
     drag_status bool
@@ -107,7 +107,7 @@ const NEWER: &str = "
     netState int
 ";
 
-/// What is left of a message whose parts are separated as controllers separate them.
+/// Rest of a message whose parts are separated as controllers separate them.
 struct Spaced<'m>(&'m str);
 
 impl<'m> Spaced<'m> {

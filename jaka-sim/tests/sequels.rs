@@ -1,4 +1,4 @@
-//! What follows a reply: the end of a connection; and the reply that follows the end of a motion.
+//! Sequels of a reply: the end of a connection; and the reply that follows the end of a motion.
 
 use std::time::Duration;
 

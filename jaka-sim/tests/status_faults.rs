@@ -1,4 +1,4 @@
-//! What a monitor must survive.
+//! Faults of the status port that a monitor must survive.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What comes after a stop.
+//! Behaviour of the controller after a stop.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What happens once the state is as a condition says, and programs that run meanwhile.
+//! Actions once the state is as a condition says, and programs that run meanwhile.
 
 use std::io::ErrorKind;
 use std::panic::{self, AssertUnwindSafe};

@@ -91,7 +91,7 @@ impl Client {
         Ok(self.lent_as(self.link.new_handle()))
     }
 
-    /// The same for a thread that this one outlives, and that takes its place.
+    /// Clones the client with its own handle, for a thread that takes the place of this one and ends before it.
     pub(crate) fn lent(&self) -> Self {
         self.lent_as(self.handle)
     }
@@ -130,7 +130,7 @@ impl Client {
         Ok(self.call_through(OPEN, command, timeout)?)
     }
 
-    /// The same, unless the gate keeps the command back.
+    /// Sends a command and waits for its reply as [`call_within`](Self::call_within), unless the gate keeps it back.
     pub(crate) fn call_through<C: Command, R>(
         &mut self,
         gate: Gate<'_, R>,
@@ -194,12 +194,12 @@ impl Client {
         Ok(())
     }
 
-    /// How long the reply to a command may take.
+    /// Timeout for the reply to a command.
     pub(crate) fn timeout_of(&self, info: &CommandInfo) -> Duration {
         info.deadline.unwrap_or_default().max(self.config.reply_timeout)
     }
 
-    /// What commands are checked against, apart from the spec.
+    /// Rules for the check of commands, apart from the spec.
     fn rules(&self) -> Rules {
         Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
     }
@@ -326,14 +326,14 @@ impl Client {
         (!self.reply.is_empty()).then_some(&*self.reply)
     }
 
-    /// How long a reply may take, unless the spec gives the command a longer time: see
+    /// Timeout for a reply, unless the spec gives the command a longer time: see
     /// [`Config::reply_timeout`](Config::reply_timeout).
     pub fn reply_timeout(&self) -> Duration {
         self.config.reply_timeout
     }
 
-    /// What broke the connection, if something did: also if the controller has ended it by now, and no call has
-    /// noticed.
+    /// Returns the cause that broke the connection, if one did, even if the controller has ended it by now and no call
+    /// has noticed.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.link.lost()
     }

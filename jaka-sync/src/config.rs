@@ -210,7 +210,7 @@ impl Config {
     }
 }
 
-/// When a [`Monitor`](crate::Monitor) reconnects after its connection has ended.
+/// Policy by which a [`Monitor`](crate::Monitor) reconnects after its connection has ended.
 ///
 /// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections
 /// to the command port never are.
@@ -223,11 +223,11 @@ pub enum Reconnect {
     /// It tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long each
     /// time, up to `longest`.
     Attempts {
-        /// How many attempts in a row may fail.
+        /// Number of attempts in a row that may fail.
         limit: u32,
-        /// How long it waits before the first.
+        /// Wait before the first attempt.
         delay: Duration,
-        /// The longest it waits.
+        /// Longest wait before an attempt.
         longest: Duration,
     },
 }
@@ -238,7 +238,7 @@ impl Reconnect {
         Self::Attempts { limit, delay: Duration::from_millis(100), longest: Duration::from_secs(5) }
     }
 
-    /// How long to wait before an attempt, counted from 0; `None` if there are no more attempts.
+    /// Returns the wait before an attempt, counted from 0; `None` if there are no more attempts.
     pub(crate) fn delay(self, attempt: u32) -> Option<Duration> {
         match self {
             Self::Attempts { limit, delay, longest } if attempt < limit => {

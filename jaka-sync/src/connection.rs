@@ -11,7 +11,7 @@ use socket2::{SockRef, TcpKeepalive};
 use crate::recorder::Tap;
 use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 
-/// What systems take as the times of a keepalive.
+/// Range of the times of a keepalive that systems take, in seconds.
 const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
 /// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address
@@ -56,7 +56,7 @@ fn first_that_answers(candidates: &[SocketAddr], timeout: Duration) -> io::Resul
     Err(none_answers(failed))
 }
 
-/// Why none of the addresses of a name could be connected to.
+/// Error for a name of which no address could be connected to.
 fn none_answers(mut failed: Vec<(SocketAddr, io::Error)>) -> io::Error {
     if failed.len() == 1 {
         return failed.remove(0).1;

@@ -1,4 +1,4 @@
-//! What broke a connection.
+//! Causes of a broken connection.
 
 use std::error::Error as StdError;
 use std::io;
@@ -8,13 +8,13 @@ use jaka_proto::framing::FrameError;
 use jaka_proto::wire::DecodeError;
 
 jaka_proto::worded! {
-    /// What broke a connection.
+    /// Cause of a broken connection.
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum Disconnect {
         /// The controller closed the connection.
         Closed {
-            /// How many bytes of an unfinished message had come.
+            /// Number of bytes of an unfinished message that had come.
             partial: usize,
         } => (closed(*partial)),
         /// The system reported an error while sending.
@@ -30,7 +30,7 @@ jaka_proto::worded! {
         /// This side reset the connection, because set-points of a servo session and the command that ends servo mode
         /// had no reply. The system discards what it had queued.
         Reset {
-            /// How many set-points had no reply.
+            /// Number of set-points without a reply.
             unanswered: u64,
         } =>
             "this side reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
@@ -66,7 +66,8 @@ fn not_a_frame(error: &FrameError) -> String {
 }
 
 impl Disconnect {
-    /// What may be behind the end of a command connection, for the text of an error, if the controller has ended it.
+    /// Hint at a possible reason for the end of a command connection, for the text of an error; empty unless the
+    /// controller has ended it.
     pub(crate) fn seat_hint(&self) -> &'static str {
         if self.is_by_controller() {
             "; the controller may have shut down, or another client, such as the vendor's app, may hold its one seat"

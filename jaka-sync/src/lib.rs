@@ -67,7 +67,7 @@ pub const STATUS_PORT: u16 = 10000;
 #[doc = include_str!("../docs/newer-firmware.md")]
 pub mod newer_firmware {}
 
-/// What macros of this crate name; no part of the interface.
+/// Items that macros of this crate name; no part of the interface.
 #[doc(hidden)]
 pub mod __private {
     pub use jaka_proto_derive::{pack, status_subset};

@@ -55,12 +55,12 @@ pub struct Link {
     tap: Tap,
     /// Clock of the connection.
     pub clock: Clock,
-    /// How long a command may take to go out if no time for its reply is given.
+    /// Timeout for sending a command whose reply has no timeout of its own.
     reply_timeout: Duration,
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection
     /// broke.
     state: Watched<LinkState>,
-    /// How many stops are on their way out. While there are some, no other command begins to go out.
+    /// Number of stops that are being sent or wait for it. While there are any, no other command begins to go out.
     stops: AtomicUsize,
     /// Firmware of the controller, if it is known.
     firmware: Mutex<Option<FirmwareVersion>>,
@@ -82,7 +82,7 @@ pub struct Sent<'c> {
 }
 
 impl Sent<'_> {
-    /// The same, with another time for its reply, which counts from when it was to go out.
+    /// Sets another timeout for the reply, which counts from the time at which the command was to go out.
     pub(crate) fn within(self, timeout: Duration) -> Self {
         Self { timeout, ..self }
     }
@@ -110,7 +110,7 @@ impl Link {
         *lock(&self.firmware) = firmware;
     }
 
-    /// Where the connection leads, with the port.
+    /// Address of the connection, with the port.
     pub fn address(&self) -> String {
         self.tap.address()
     }
@@ -123,13 +123,13 @@ impl Link {
             .map_or_else(|| Err(io::ErrorKind::NotConnected.into()), |stream| stream.system().peer_addr())
     }
 
-    /// What broke the connection, if something did.
+    /// Returns the cause that broke the connection, if one did.
     pub fn broken(&self) -> Option<Arc<Disconnect>> {
         self.state.lock().broken.clone()
     }
 
-    /// The same, also if the controller has ended the connection and nothing has read that yet: one system call, for
-    /// who waits for packets while nothing is outstanding.
+    /// Returns the cause that broke the connection, even if the controller has ended it and no thread has read that
+    /// yet. Takes one system call; for a thread that waits for packets while no request is outstanding.
     pub fn lost(&self) -> Option<Arc<Disconnect>> {
         let mut state = self.state.lock();
         if let Err(cause) = self.notice_end(&mut state) {
@@ -138,7 +138,7 @@ impl Link {
         state.broken.clone()
     }
 
-    /// The same, once it is lost within this time: what has not been read yet is read meanwhile.
+    /// Waits for the loss of the connection for at most `time`, reads meanwhile what has come, and returns the cause.
     pub fn lost_within(&self, time: Duration) -> Option<Arc<Disconnect>> {
         let since = self.clock.stopwatch();
         let mut state = self.state.lock();
@@ -165,12 +165,12 @@ impl Link {
         broken.map_or(Ok(()), |cause| Err(self.attach(self.disconnected(command, progress, cause))))
     }
 
-    /// How often commands have gone out that change what poses refer to.
+    /// Number of sent commands that change the frames or the tool to which poses refer.
     pub fn frame_changes(&self) -> u64 {
         self.state.lock().frame_changes
     }
 
-    /// How many stops have gone out.
+    /// Number of sent stops.
     pub fn stop_count(&self) -> u64 {
         self.state.lock().stops
     }
@@ -186,7 +186,7 @@ impl Link {
         self.tap.note(error, is_shown)
     }
 
-    /// The same error, with the last messages where they are recorded.
+    /// Adds the last messages to an error, where they are recorded.
     pub(crate) fn attach(&self, error: Error) -> Error {
         self.tap.attach(error)
     }
@@ -289,7 +289,7 @@ impl Link {
     ///
     /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a
     /// `shutdown` delivers it, and so does a close while another thread blocks in a read. So each thread that reads or
-    /// writes is woken, the last to leave closes the socket, and this waits for that. What the network or the
+    /// writes is woken, the last to leave closes the socket, and this waits for that. Bytes that the network or the
     /// controller holds cannot be recalled.
     pub fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.state.lock();

@@ -61,7 +61,7 @@ pub struct Monitor<S = RobotStatus> {
     pub(crate) stale_after: Duration,
 }
 
-/// What the thread and the monitor share.
+/// State that the thread and the monitor share.
 ///
 /// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
 type Board<S> = Watched<BoardState<S>>;
@@ -72,9 +72,9 @@ struct BoardState<S> {
     counters: Counters,
     queues: Vec<Arc<Queue<S>>>,
     observers: Observers<S>,
-    /// Why no packet will come any more.
+    /// Cause for which no packet will come any more.
     ended: Option<Arc<Disconnect>>,
-    /// Why the newest packet could not be decoded, until one can.
+    /// Error of the newest packet, until a packet can be decoded.
     unfit: Option<DecodeError>,
     /// The connection, for the monitor to end it.
     stream: Option<Arc<Socket>>,
@@ -82,7 +82,7 @@ struct BoardState<S> {
     closing: bool,
     /// True while the connection is lost and is being made again.
     reconnecting: bool,
-    /// How often waiting threads were told to check again.
+    /// Number of times that waiting threads were told to check again.
     wakes: u64,
     /// Firmware by which packets are read.
     firmware: Option<FirmwareVersion>,
@@ -315,18 +315,18 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().tap.address()
     }
 
-    /// How regularly packets have come.
+    /// Statistics on the number and the regularity of packets.
     pub fn statistics(&self) -> MonitorStatistics {
         self.board.lock().counters.statistics()
     }
 
-    /// What ended the connection, if something did.
+    /// Cause of the end of the connection, if it has ended.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.board.lock().ended.clone()
     }
 }
 
-/// What a status packet says about the arm; `None` for a choice of fields of the user's own.
+/// Describes the arm by a status packet; `None` for a choice of fields of the user's own.
 pub fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
     let named = |error: &DecodeError| match error.field() {

@@ -1,4 +1,4 @@
-//! What a robot reads of status packets, whatever type its monitor keeps.
+//! Fields that a robot reads from status packets, whatever type its monitor keeps.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -178,7 +178,7 @@ pub fn told<S: MotionStatus>(status: &S) -> Result<RobotStatus, DecodeError> {
 
 /// Calls a packet's own type, which may panic. Nothing else calls the methods of [`MotionStatus`].
 fn caught<T>(tell: impl FnOnce() -> T) -> Result<T, DecodeError> {
-    // What a panic leaves half done is the type's own.
+    // Only the type's own state can be left half done by a panic.
     catch_unwind(AssertUnwindSafe(tell))
         .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
 }

@@ -68,7 +68,7 @@ macro_rules! pack {
     };
 }
 
-/// What can send commands: a [`Client`], a `jaka_robot::Robot`, or a type of your own that forwards them.
+/// Sender of commands: a [`Client`], a `jaka_robot::Robot`, or a type of your own that forwards them.
 ///
 /// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
 ///

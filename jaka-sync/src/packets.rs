@@ -26,12 +26,12 @@ pub(crate) struct Packets {
     pub(crate) between: Between,
 }
 
-/// What came between packets, since this was taken last.
+/// Counts of what came between packets, since they were last taken.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Between {
     /// Bytes that did not belong to a packet, or belonged to an incomplete one.
     pub(crate) bytes: usize,
-    /// How often the beginning of a packet had to be searched for.
+    /// Number of searches for the beginning of a packet.
     pub(crate) resyncs: u64,
 }
 

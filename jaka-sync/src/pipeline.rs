@@ -46,7 +46,7 @@ pub struct Pipeline<'c> {
     outstanding: usize,
     sent: u64,
     accepted: u64,
-    /// What has not been reported yet.
+    /// Failures that have not been reported yet.
     failed: VecDeque<Error>,
 }
 
@@ -132,17 +132,17 @@ impl<'c> Pipeline<'c> {
         Ok(())
     }
 
-    /// How many commands have been sent.
+    /// Number of commands sent.
     pub fn sent(&self) -> u64 {
         self.sent
     }
 
-    /// How many commands have been sent whose replies have not been processed.
+    /// Number of commands sent whose replies have not been processed.
     pub fn outstanding(&self) -> usize {
         self.outstanding
     }
 
-    /// How many commands have been accepted so far, by the replies that have been processed.
+    /// Number of commands accepted so far, by the replies that have been processed.
     pub fn accepted(&self) -> u64 {
         self.accepted
     }

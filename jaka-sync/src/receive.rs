@@ -12,7 +12,7 @@ use jaka_proto::wire::{Decode, Reader};
 use crate::Disconnect;
 use crate::recorder::Tap;
 
-/// What a read brought.
+/// Result of a read.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Chunk {
     /// All that had come by then.
@@ -31,15 +31,15 @@ pub(crate) struct ReadTimeout(Duration);
 /// The shortest timeout: a read ends late by no more than this.
 const SHORTEST: Duration = Duration::from_millis(1);
 
-/// The longest: systems do not take all that a `Duration` can hold. Who waits longer reads again.
+/// The longest: systems do not take all that a `Duration` can hold. A thread that waits longer reads again.
 const LONGEST: Duration = Duration::from_secs(3600);
 
 impl ReadTimeout {
     /// Sets a timeout that is no longer than the time left, and at least half of it.
     ///
     /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it
-    /// reads: a call that is answered takes no system call for its deadline. Who waits to the end reads a few times
-    /// more.
+    /// reads: a call that is answered takes no system call for its deadline. A thread that waits to the end reads a few
+    /// times more.
     fn set(&mut self, stream: &Socket, left: Duration) -> std::io::Result<()> {
         let left = left.clamp(SHORTEST, LONGEST);
         if (left / 2..=left).contains(&self.0) {

@@ -22,10 +22,10 @@ use self::sampling::Sampler;
 pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
 
-/// How many bytes of entries wait for the writer at most: those of some seconds, also with status packets.
+/// Greatest number of bytes of entries that wait for the writer: some seconds of entries, also with status packets.
 const LIMIT: usize = 8 << 20;
 
-/// How many bytes are written at once.
+/// Number of bytes of entries that are written at once.
 const BLOCK: usize = 64 << 10;
 
 /// Records all that goes over connections: requests, replies, status packets, and how connections began and ended.
@@ -75,7 +75,7 @@ const BLOCK: usize = 64 << 10;
 #[must_use = "a recorder records the connections of the configurations that it is given to"]
 pub struct Recorder(Arc<Shared>);
 
-/// What the clones of a recorder share. Dropping it ends the thread.
+/// State that the clones of a recorder share. Dropping it ends the thread.
 struct Shared {
     queue: Arc<EntryQueue>,
     started: Instant,
@@ -116,7 +116,7 @@ impl Recorder {
         Ok(Self(Arc::new(Shared { queue, started, connections: AtomicU32::new(0), thread })))
     }
 
-    /// Ends the recording, also of the clones, and waits until all is written. What happens later is not recorded.
+    /// Ends the recording, also of the clones, and waits until all is written. Later events are not recorded.
     ///
     /// Without this call, the recording ends when the last clone is dropped, and with it the connections that it
     /// records.
@@ -134,7 +134,7 @@ impl Recorder {
         self.track_by(&Clock::default(), port, sampling)
     }
 
-    /// The same by a clock.
+    /// Adds a connection as [`track`](Self::track) does, with times by this clock.
     pub(super) fn track_by(&self, clock: &Clock, port: Port, sampling: StatusSampling) -> Track {
         let (recorder, number) = (self.clone(), self.0.connections.fetch_add(1, Ordering::Relaxed) + 1);
         Track { recorder, port, number, clock: clock.clone(), sampling, sampler: Mutex::default() }

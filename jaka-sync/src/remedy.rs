@@ -1,10 +1,10 @@
-//! What helps against errors of connections.
+//! Remedies for errors of connections.
 
 use std::fmt;
 
 jaka_proto::worded! {
-    /// What somebody can do about an [`Error`](crate::Error) of a connection or a
-    /// [`StatusProblem`](crate::StatusProblem). A program that shows other words matches on it.
+    /// Remedy for an [`Error`](crate::Error) of a connection or a [`StatusProblem`](crate::StatusProblem). A program
+    /// that shows other words matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Remedy {
         /// Nothing is known to help.

@@ -14,9 +14,9 @@ use jaka_proto::wire::DecodeError;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Snapshot<S = RobotStatus> {
-    /// What the packet says.
+    /// Content of the packet.
     pub status: S,
-    /// When it came.
+    /// Time at which it came.
     pub received: Instant,
     /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
     pub number: u64,
@@ -39,7 +39,7 @@ pub struct Snapshot<S = RobotStatus> {
 const NEEDED: [&str; 6] = ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
 
 impl Snapshot {
-    /// Why the packet tells nothing at all: its own type has panicked.
+    /// Error of a packet that shows nothing at all, because its own type has panicked.
     pub fn panicked(&self) -> Option<&DecodeError> {
         self.unfit.iter().find(|error| error.field().is_empty())
     }

@@ -9,26 +9,26 @@ use jaka_proto::wire::DecodeError;
 use crate::{Disconnect, Remedy};
 
 jaka_proto::worded! {
-    /// Why the state of a robot is not known.
+    /// Reason for which the state of a robot is not known.
     #[derive(Debug, Clone)]
     #[non_exhaustive]
     pub enum StatusProblem {
         /// No status packet has come since the monitor connected.
         Missing {
-            /// Where it is connected to, with the port.
+            /// Address of the connection, with the port.
             address: String,
         } =>
             "no status packet has come from {address}",
         /// No status packet has come for longer than [`Config::stale_after`](crate::Config::stale_after).
         Stale {
-            /// How long ago the last one came.
+            /// Time since the last one came.
             age: Duration,
         } => "the last status packet came {age:.1?} ago",
         /// Packets have just resumed after a silence; the first may be old ones that the network had held back.
         Resuming => "status packets have just resumed after a silence, and may be old",
         /// The status connection has ended for good.
         Ended {
-            /// Why.
+            /// Cause of the end.
             cause: Arc<Disconnect>,
         } => "the status connection has ended ({cause})",
         /// The status connection was lost, and the monitor is connecting again.
@@ -36,7 +36,7 @@ jaka_proto::worded! {
             "the status connection was lost, and the monitor is reconnecting",
         /// The newest packet cannot be read, or does not show whether the arm is stopped.
         Unreadable {
-            /// Which field, and why.
+            /// Error, with the field that it concerns.
             source: DecodeError,
         } => "the newest status packet does not show whether the arm is stopped: {source}",
     }

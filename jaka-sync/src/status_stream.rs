@@ -82,8 +82,8 @@ impl StatusStream {
         self.next_packet_as()
     }
 
-    /// The same, read as another type: a [pack](crate::pack!)'s status packet with keys of newer firmware, or a choice
-    /// of keys of your own.
+    /// Reads the packet of [`next_packet`](Self::next_packet) as another type: a [pack](crate::pack!)'s status packet
+    /// with keys of newer firmware, or a choice of keys of your own.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -92,8 +92,8 @@ impl StatusStream {
         self.read_packet(S::decode)
     }
 
-    /// The same, read into the value of an earlier packet, whose memory is reused: packets of the same shape allocate
-    /// nothing.
+    /// Reads the packet of [`next_packet`](Self::next_packet) into the value of an earlier packet, whose memory is
+    /// reused: packets of the same shape allocate nothing.
     ///
     /// After an error, the value is meaningless.
     ///
@@ -112,7 +112,8 @@ impl StatusStream {
         self.newest_packet_as()
     }
 
-    /// The same, read as another type: see [`next_packet_as`](Self::next_packet_as).
+    /// Reads the packet of [`newest_packet`](Self::newest_packet) as another type: see
+    /// [`next_packet_as`](Self::next_packet_as).
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -121,7 +122,8 @@ impl StatusStream {
         self.read_packet(S::decode)
     }
 
-    /// The same, read into the value of an earlier packet: see [`next_packet_into`](Self::next_packet_into).
+    /// Reads the packet of [`newest_packet`](Self::newest_packet) into the value of an earlier packet: see
+    /// [`next_packet_into`](Self::next_packet_into).
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).

@@ -42,11 +42,11 @@ pub struct StopHandle {
 #[derive(Debug)]
 pub struct WrittenStop {
     sent: Sent<'static>,
-    /// When it had been written.
+    /// Time at which it had been written.
     pub at: Instant,
 }
 
-/// How long a thread may be kept that must not wait.
+/// Longest time for which a stop keeps a thread that must not wait.
 const AT_ONCE: Duration = Duration::from_millis(1);
 
 impl StopHandle {
@@ -70,7 +70,7 @@ impl StopHandle {
 
     /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
     pub(crate) fn write_now(&self) -> Option<WrittenStop> {
-        // What is outstanding may fill what the system holds: the write would wait, or end in the middle.
+        // Outstanding requests may fill the system's buffer: the write would wait, or end in the middle.
         if self.link.is_idle() { self.write_within(AT_ONCE).ok() } else { None }
     }
 

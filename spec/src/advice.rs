@@ -1,4 +1,4 @@
-//! What is advised of a field's numbers, in addition to its range.
+//! Advised limits of a field's numbers, in addition to its range.
 
 use crate::item::Item;
 use crate::model::{Field, Type, TypeDef, TypeKind};
@@ -35,7 +35,7 @@ fn row(item: &Item<'_, '_>) -> Advice {
     advice
 }
 
-/// What is wrong with what is advised of these fields, which stand next to each other; `types` are all types.
+/// Mistake in the advised limits of these fields, which stand next to each other; `types` are all types.
 pub(crate) fn problem(fields: &[Field], types: &[TypeDef]) -> Option<String> {
     fields.iter().find_map(|field| {
         let problem = field.advised.iter().enumerate().find_map(|(index, advice)| {
@@ -52,7 +52,7 @@ fn meet(a: &Advice, b: &Advice) -> bool {
     a.when == b.when || a.when.is_none() || b.when.is_none()
 }
 
-/// Why two rows cannot hold at the same time.
+/// Reason why two rows cannot hold at the same time.
 fn clash(a: &Advice, b: &Advice) -> Option<String> {
     if a.when.is_some() != b.when.is_some() {
         return Some("all rows have a `when`, or none".to_owned());

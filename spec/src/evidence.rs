@@ -1,4 +1,4 @@
-//! How facts beyond the vendor's document are known: one scale of marks.
+//! Evidence for facts beyond the vendor's document: one scale of marks.
 
 use std::fmt;
 

@@ -13,7 +13,7 @@ use crate::words::nearest;
 /// A value and where it stands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<'s, T> {
-    /// Where it stands.
+    /// Position of the value in the file.
     pub(crate) at: At<'s>,
     /// The value.
     pub(crate) value: T,
@@ -24,7 +24,7 @@ pub(crate) struct Placed<'s, T> {
 pub(crate) struct Item<'a, 's> {
     /// Its name; empty for the file.
     pub(crate) what: String,
-    /// Where it begins.
+    /// Position at which the table begins.
     pub(crate) at: At<'s>,
     table: &'a DeTable<'s>,
     report: &'a Report,

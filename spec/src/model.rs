@@ -26,7 +26,7 @@ pub struct Topic {
     pub is_pack: bool,
     /// One line that says what the topic is about.
     pub title: String,
-    /// The same in Chinese: the document's title where that has the topic as a chapter.
+    /// Title in Chinese: the document's title where the topic is a chapter of the document.
     pub title_zh: Option<String>,
     /// The text below the title.
     pub doc: String,
@@ -62,7 +62,7 @@ pub struct Command {
     pub title_zh: Option<String>,
     /// Sources of a command that the document does not have.
     pub evidence: Vec<Evidence>,
-    /// What the command does to the robot.
+    /// Effect of the command on the robot.
     pub effect: Effect,
     /// Role of the command to the arm.
     pub role: Option<Role>,
@@ -74,9 +74,9 @@ pub struct Command {
     pub remembers: Option<String>,
     /// States without which the controller refuses.
     pub requires: Vec<Requirement>,
-    /// What says so.
+    /// Source of the requirements.
     pub requires_source: Option<String>,
-    /// How long a reply may take, where the client's default does not fit.
+    /// Longest time for a reply, where the client's default does not fit.
     pub deadline: Option<Duration>,
     /// False where the controller may go away instead of replying.
     pub reply_certain: bool,
@@ -84,22 +84,22 @@ pub struct Command {
     pub ends_session: bool,
     /// The evidence, where the vendor's text for this command is lost.
     pub reconstructed: Option<String>,
-    /// What to use instead, where the vendor has withdrawn the command.
+    /// Replacement for the command, where the vendor has withdrawn it.
     pub deprecated: Option<String>,
     /// First and last firmware that has the command.
     pub versions: Versions,
-    /// What the command does. The first sentence stands alone.
+    /// Description of the command. The first sentence stands alone.
     pub doc: String,
-    /// Where the document contradicts itself or the controllers.
+    /// Contradictions in the document, or between the document and the controllers.
     pub errata: Vec<String>,
-    /// What is sent in addition to `cmdName`.
+    /// Content of the request in addition to `cmdName`.
     pub request: Request,
-    /// What is answered in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are
+    /// Content of the reply in addition to `cmdName`, `errorCode` and `errorMsg`; its fields are
     /// [`Spec::reply_fields`](crate::Spec::reply_fields).
     pub reply: Reply,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
-    /// What the controller answers when a requirement is not met, where it is not the usual refusal.
+    /// The controller's answer when a requirement is not met, where it is not the usual refusal.
     pub refusal: Option<Refusal>,
     /// Known causes of refusals, each with its source, other than the states that it requires.
     pub refused_because: Vec<String>,
@@ -162,7 +162,7 @@ impl Command {
     }
 }
 
-/// What a command does to the robot.
+/// Effect of a command on the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effect {
     /// Reads; changes nothing.
@@ -206,7 +206,7 @@ toml_words! {
 /// The body of a request.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Request {
-    /// The same fields each time; possibly none.
+    /// Fields that are the same each time; possibly none.
     Fields(Vec<Field>),
     /// Different fields for each value of a tag.
     Choice(Choice),
@@ -281,7 +281,7 @@ pub struct Variant {
     pub wire: i64,
     /// Variant name in Rust.
     pub name: String,
-    /// What the variant does.
+    /// Description of the variant.
     pub doc: String,
     /// Role of requests of this variant.
     pub role: Option<Role>,
@@ -303,7 +303,7 @@ pub struct Field {
     pub unit: Option<String>,
     /// Least and greatest value allowed.
     pub range: Range,
-    /// What is advised of its numbers, in addition to the range.
+    /// Advised limits of its numbers, in addition to the range.
     pub advised: Vec<Advice>,
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
@@ -313,7 +313,7 @@ pub struct Field {
     pub constructors: bool,
     /// True where sources leave room for another shape: what does not fit the type is kept as raw JSON.
     pub or_raw: bool,
-    /// What the field means. The first sentence stands alone.
+    /// Meaning of the field. The first sentence stands alone.
     pub doc: String,
     /// The readings of sources that contradict each other; the value stays raw.
     pub disputed: Vec<String>,
@@ -470,9 +470,9 @@ impl Type {
 pub struct TypeDef {
     /// Type name in Rust.
     pub name: String,
-    /// What it stands for. The first sentence stands alone.
+    /// Meaning of the type. The first sentence stands alone.
     pub doc: String,
-    /// What it is made of.
+    /// Kind of the type, with its parts.
     pub kind: TypeKind,
     /// Other forms of the type, each in some firmware; no firmware has two of them.
     pub forms: Vec<TypeForm>,
@@ -503,7 +503,7 @@ pub enum FormKind {
     },
 }
 
-/// What a [`TypeDef`] is made of.
+/// Kind of a [`TypeDef`], with its parts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TypeKind {
     /// A struct, written as a JSON object.
@@ -599,7 +599,7 @@ pub struct EnumValue<T> {
     pub wire: T,
     /// Variant name in Rust.
     pub name: String,
-    /// What it means.
+    /// Meaning of the value.
     pub doc: String,
     /// True where only newer firmware takes it.
     pub advisory: bool,
@@ -626,7 +626,7 @@ pub struct ErrorCode {
     pub name: String,
     /// The message seen with it, if it is always the same.
     pub message: Option<String>,
-    /// What it means.
+    /// Meaning of the code.
     pub doc: String,
 }
 
@@ -699,7 +699,7 @@ impl Event {
     }
 }
 
-/// How severe an event is.
+/// Severity of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Something failed.
@@ -724,13 +724,13 @@ pub struct Refusal {
 /// A request and its reply, as JSON text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Example {
-    /// What is sent, where the document prints it.
+    /// The request, where the document prints it.
     pub request: Option<String>,
-    /// What comes back, where the document prints it.
+    /// The reply, where the document prints it.
     pub reply: Option<String>,
     /// True where values of the request are ours: the document prints placeholders, or nothing.
     pub request_is_ours: bool,
-    /// The same for the reply.
+    /// True where values of the reply are ours.
     pub reply_is_ours: bool,
 }
 

@@ -24,24 +24,24 @@ pub struct Pack {
     pub spec: Spec,
     /// Entries of the pack that change nothing, since the spec has by now what they say.
     pub notes: Vec<Error>,
-    /// Why no module can be made of the pack: its file's name, which that of the module would be. It can be used at run
-    /// time all the same.
+    /// Errors that keep the pack from being a module, such as a file name that no module can have. The pack can still
+    /// be used at run time.
     pub module_errors: Vec<Error>,
-    /// What is new.
+    /// Items that are new.
     topic: Topic,
     /// All error codes of the file, also those that the spec has by now.
     codes: Vec<ErrorCode>,
     /// All events of the file, likewise.
     events: Vec<Event>,
     changed: Changed,
-    /// What the spec has by now.
+    /// Items that the spec has by now.
     covered: Covered,
 }
 
 /// A pack as a module of generated code.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Module {
-    /// What the module has: what is new, what is changed, and what is made of changed types.
+    /// Items of the module: the new ones, the changed ones, and those made of changed types.
     pub topic: Topic,
     /// The spec with the pack. Its other topics have what is as in the spec that the pack adds to.
     pub spec: Spec,
@@ -71,7 +71,7 @@ struct Covered {
     /// Commands, each with its name in the pack.
     commands: BTreeMap<String, String>,
     types: BTreeSet<TypeId>,
-    /// What extensions and overrides name that change nothing.
+    /// Targets of extensions and overrides that change nothing.
     changes: Changed,
 }
 
@@ -121,7 +121,7 @@ pub fn load_pack(base: &Spec, source: Source<'_>) -> Result<Pack, Errors> {
 }
 
 impl Pack {
-    /// What code is generated for the pack.
+    /// Returns the module for which code is generated.
     pub fn module(&self) -> Module {
         let own = self.affected(&self.changed);
         let Changed { commands, types } = &self.covered.changes;

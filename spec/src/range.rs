@@ -1,4 +1,4 @@
-//! What numbers may be.
+//! Limits of numbers.
 
 /// An inclusive range, open at an end that is `None`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Range {
     pub advisory: bool,
 }
 
-/// How great a field's numbers may be unless that is left to the controller.
+/// Limits of a field's numbers that are enforced unless the caller leaves them to the controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Advice {
     /// Greatest magnitude.
@@ -20,13 +20,13 @@ pub struct Advice {
     pub nonzero: bool,
     /// Unit of the numbers concerned, where the field has numbers of several units.
     pub unit: Option<String>,
-    /// When it holds, if not always.
+    /// Condition under which it holds; `None` if it always holds.
     pub when: Option<Condition>,
     /// Name in Rust of the whole number by which `max` is multiplied; 1 where that is left out.
     pub per: Option<String>,
 }
 
-/// That another field, an enum of whole numbers, has a certain value.
+/// Condition that another field, an enum of whole numbers, has a certain value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Condition {
     /// The other field's name in Rust.

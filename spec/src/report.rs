@@ -16,7 +16,7 @@ pub struct Error {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What is wrong, with the command and field named.
+    /// Description of the error, with the command and field named.
     pub message: String,
 }
 
@@ -133,7 +133,7 @@ impl fmt::Display for At<'_> {
     }
 }
 
-/// Where errors are collected.
+/// Collector of errors.
 #[derive(Debug, Default)]
 pub(crate) struct Report(RefCell<Errors>);
 

@@ -13,10 +13,10 @@ use crate::type_text::notation;
 use crate::words::event_code;
 use crate::{advice, form, meaning};
 
-/// Why a field cannot have `constructors`.
+/// Message for a field that cannot have `constructors`.
 pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
 
-/// What the files define and use, gathered while they are read.
+/// Index of the definitions and uses in the files, gathered while they are read.
 #[derive(Debug, Default)]
 pub(crate) struct Index<'s> {
     commands: Unique<'s, String>,
@@ -38,7 +38,7 @@ pub(crate) struct Index<'s> {
     own_trait: Option<String>,
 }
 
-/// What is to be so once all files are read.
+/// Condition that must hold once all files are read.
 #[derive(Debug)]
 pub(crate) enum Need {
     /// The type exists, and is not too large.
@@ -47,7 +47,7 @@ pub(crate) enum Need {
     Enum(TypeId),
     /// The type is an object that can stand next to the keys of every reply.
     Reply(TypeId),
-    /// What is advised of these fields, which stand next to each other, makes sense.
+    /// The advised limits of these fields, which stand next to each other, make sense.
     Advised(Vec<Field>),
     /// The forms of the type fit its fields.
     Forms(TypeId),
@@ -62,7 +62,7 @@ pub(crate) enum Need {
 }
 
 impl<'s> Index<'s> {
-    /// What a spec has that the pack `module` adds to.
+    /// Index of a spec to which the pack `module` adds.
     pub(crate) fn of(base: &Spec, module: &str) -> Self {
         let commands = || base.commands();
         let messages = commands().flat_map(|command| message_types(&command.name));
@@ -301,13 +301,13 @@ fn reaches_itself(index: &Index<'_>, id: TypeId) -> bool {
     false
 }
 
-/// How many values a type may hold: they lie side by side in memory.
+/// Greatest number of values in a type: they lie side by side in memory.
 const MOST_VALUES: usize = 4096;
 
-/// How deep types may nest.
+/// Greatest depth to which types may nest.
 const MOST_LEVELS: usize = 32;
 
-/// How many values the type holds, an array of any length counted as one element; none if there are too many.
+/// Number of values in the type, an array of any length counted as one element; none if there are too many.
 fn weight(index: &Index<'_>, ty: &Type, level: usize) -> Option<usize> {
     if level > MOST_LEVELS {
         return None;

@@ -28,7 +28,7 @@ pub struct Spec {
     pub(crate) status_lines: BTreeMap<&'static str, StatusLine>,
 }
 
-/// What a type is on the wire: named types are looked up, and wrappers taken off.
+/// Shape of a type on the wire: named types are looked up, and wrappers taken off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape<'s> {
     /// One value that has no parts.
@@ -161,7 +161,7 @@ impl Spec {
         self.status_type().map_or(&[], |id| self.object_fields(id))
     }
 
-    /// What the type is on the wire.
+    /// Shape of the type on the wire.
     pub fn shape<'s>(&'s self, ty: &'s Type) -> Shape<'s> {
         match ty {
             Type::Scalar(scalar) => Shape::Scalar(scalar),

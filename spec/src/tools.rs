@@ -1,4 +1,4 @@
-//! What can be made from a spec other than code: a comparison with another spec, a reference to read, a JSON Schema.
+//! Products of a spec other than code: a comparison with another spec, a reference to read, a JSON Schema.
 //!
 //! With the feature `tools`.
 //!

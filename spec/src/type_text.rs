@@ -3,7 +3,7 @@
 use crate::names::is_camel;
 use crate::{Scalar, Type, TypeId};
 
-/// How many brackets and `python(…)` a type may have.
+/// Greatest number of brackets and `python(…)` in a type.
 const MOST_LEVELS: usize = 4;
 
 /// Reads a type, or says what is wrong with it; `id` gives the id of a named type.

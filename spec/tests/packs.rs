@@ -18,7 +18,7 @@ fn notes(text: &str, expected: &Expect) {
     expected.assert_eq(&lines.concat());
 }
 
-/// What the module of the pack has: its commands with their methods, and its types.
+/// Content of the pack's module: its commands with their methods, and its types.
 fn module(text: &str) -> String {
     let module = pack(text).module();
     let commands = module.topic.commands.iter().map(|command| module.method(command));

@@ -29,7 +29,7 @@ fn validator(schema: &Value) -> Validator {
     jsonschema::draft202012::new(schema).unwrap_or_else(|error| panic!("the schema is not a schema: {error}"))
 }
 
-/// What checks messages against one definition.
+/// Validator of messages against one definition.
 fn definition(name: &str) -> Validator {
     assert!(SCHEMA["$defs"][name].is_object(), "there is no definition {name}");
     validator(&json!({ "$ref": format!("#/$defs/{name}"), "$defs": SCHEMA["$defs"] }))

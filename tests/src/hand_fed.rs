@@ -78,7 +78,7 @@ impl<S: Read + Write> HandFed<S> {
         self.status.write_all(packet.as_bytes()).expect("the robot is connected");
     }
 
-    /// The same, and waits until the robot has it.
+    /// Sends a packet as [`packet`](Self::packet) does, and waits until the robot has it.
     ///
     /// # Panics
     /// As [`packet`](Self::packet), or the packet does not come.

@@ -1,5 +1,5 @@
-//! What several end-to-end tests share: the document's messages, random messages made from the spec, and where fuzzing
-//! begins.
+//! Shared code of the end-to-end tests: the document's messages, random messages made from the spec, and the seeds of
+//! fuzzing.
 
 use std::sync::LazyLock;
 
@@ -31,7 +31,7 @@ pub use skipped::{left_out, skipped};
 
 /// Robots with options, in one expression.
 pub trait Configured: Sized {
-    /// The same robot with these options.
+    /// Returns the robot with these options.
     ///
     /// # Errors
     /// As [`Robot::configure`].
@@ -99,7 +99,7 @@ pub fn compact(json: &str) -> String {
     json.chars().filter(outside).collect()
 }
 
-/// How many times as long as usual the tests of reliability run: `JAKA_RELIABILITY`, or 1.
+/// Factor on the usual length of the reliability tests: `JAKA_RELIABILITY`, or 1.
 pub fn reliability_times() -> u32 {
     std::env::var("JAKA_RELIABILITY").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
 }
@@ -125,7 +125,7 @@ pub fn same(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// The same value in another form that the field notes list: numbers as strings, whole numbers as floats.
+/// Returns the number in another form that the field notes list: a string, or a float for a whole number.
 pub fn drifted_number(number: &Number, form: u8) -> Value {
     let whole = number.as_i64().and_then(|int| i32::try_from(int).ok());
     match (form % 4, whole) {

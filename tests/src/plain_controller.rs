@@ -101,12 +101,12 @@ impl PlainController {
         self.timed_motions().into_iter().map(|(_, request)| request).collect()
     }
 
-    /// The same, and when each came.
+    /// The requests that move the arm since the last call, each with the time of its arrival.
     pub fn timed_motions(&self) -> Vec<(Instant, Value)> {
         std::mem::take(&mut self.lock().motions)
     }
 
-    /// Where the arm is.
+    /// Joint position of the arm, in degrees.
     pub fn joints(&self) -> [f64; 6] {
         self.lock().joints
     }

@@ -32,10 +32,10 @@ impl RecordingBuffer {
         Recorder::new(self.clone()).expect("a thread can be had")
     }
 
-    /// What has been written.
+    /// Reads the recording that has been written so far.
     ///
     /// # Errors
-    /// It is not a recording.
+    /// The bytes are not a recording.
     pub fn read(&self) -> Result<Recording, String> {
         let bytes = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         Recording::read(&bytes).map_err(|error| format!("the recording cannot be read: {error}"))
@@ -75,7 +75,7 @@ pub fn requests(recording: &Recording) -> Vec<String> {
     sent.map(ToString::to_string).collect()
 }
 
-/// What does not depend on the clock and the ports.
+/// Events of a recording without times and addresses, which differ from run to run.
 pub fn events(recording: &Recording) -> Vec<(Port, u32, Event)> {
     let without_address = |event: &Event| match event {
         Event::Connected { .. } => Event::Connected { address: String::new() },

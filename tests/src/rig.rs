@@ -7,12 +7,12 @@ use jaka_sync::types::{JointPosition, Pose};
 use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// By how much a limit may be exceeded without notice, as the checker says.
+/// Amounts by which a limit may be exceeded without notice, as the checker documents them.
 pub const AMOUNTS: [f64; 4] =
     [Checker::AMOUNT_DEG, Checker::AMOUNT_MM, Checker::AMOUNT_SPEED, Checker::AMOUNT_SINGULARITY];
 
-/// What the witness may not see of what is within a limit: its own steps, and rounding. So near to the least distance
-/// from a singularity the checker may refuse, as it says.
+/// Margins inside the limits that the witness cannot resolve, because of its steps and of rounding. The checker
+/// documents that it may refuse a motion this close to the least distance from a singularity.
 pub const WITHIN: [f64; 4] = [-1e-4, -0.05, -0.01, -Checker::AMOUNT_SINGULARITY];
 
 /// Random numbers of a seed.

@@ -1,4 +1,4 @@
-//! Where fuzzing begins: real messages and files, for each target.
+//! Seeds of fuzzing: real messages and files, for each target.
 
 use std::time::Duration;
 

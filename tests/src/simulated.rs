@@ -1,4 +1,4 @@
-//! What tests with a simulated clock share.
+//! Shared code of tests with a simulated clock.
 
 mod command_wire;
 mod forwarded;

@@ -1,9 +1,9 @@
-//! Mixed traffic with random faults for as long as wanted: what was sent is what the simulator saw, each reply is its
-//! caller's, and memory, handles and threads stay what they are.
+//! Mixed traffic with random faults for any length of time: the simulator sees the commands that were sent, each reply
+//! goes to its caller, and memory, handles and threads do not grow.
 //!
 //! Several arms, each a thread with a client, a monitor, two stop handles, a status stream and now and then a recorder,
 //! against simulators with faults on both ports. The traffic comes in rounds. Between them nothing is connected, and
-//! each arm's account is compared with what its simulator saw.
+//! each arm's account is compared with the requests that its simulator saw.
 
 mod account;
 mod arm;
@@ -40,25 +40,25 @@ use self::resources::Peak;
 pub use self::resources::resident;
 pub use self::summary::Summary;
 
-/// How long a round may take: far longer than it does.
+/// Timeout for a round, far above its usual duration.
 const LIMIT: Duration = Duration::from_secs(900);
 
-/// What to do.
+/// Options of a soak.
 #[derive(Debug, Clone)]
 pub struct Options {
     /// The traffic and the faults follow from it, as far as threads allow.
     pub seed: u64,
-    /// How many arms there are.
+    /// Number of arms.
     pub arms: u32,
-    /// How many things each does in a round.
+    /// Number of operations of each arm in a round.
     pub operations: u32,
-    /// When it ends.
+    /// End of the soak.
     pub length: Length,
-    /// What this process allocates with.
+    /// Allocator of this process.
     pub allocator: &'static StatsAlloc<System>,
 }
 
-/// When a soak ends.
+/// End of a soak.
 #[derive(Debug, Clone, Copy)]
 pub enum Length {
     /// After this many rounds.
@@ -76,7 +76,7 @@ impl Length {
     }
 }
 
-/// Goes through it, writes a line a minute, and tells what came of it.
+/// Runs the soak, writes a line a minute, and returns the summary.
 ///
 /// # Errors
 /// The lines cannot be written.

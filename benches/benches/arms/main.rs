@@ -20,7 +20,7 @@ type Failure = Box<dyn Error>;
 /// The status period of the simulated controllers, in milliseconds.
 const STATUS: &str = "20";
 
-/// What one arm did.
+/// Counts of the set-points and status packets of one arm.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     /// Set-points sent.

@@ -11,13 +11,13 @@ use jaka_benches::system::{options, process};
 
 use super::{Failure, Tally, bare, session};
 
-/// What all arms of some turns did together, and what it took.
+/// Sum of the counts of all arms over some turns, with the CPU time and the wall time that they took.
 #[derive(Debug, Default)]
 pub(crate) struct Figures {
     tally: Tally,
     cpu: Duration,
     wall: Duration,
-    /// Memory for the arms, in KiB, and threads: the most of all turns.
+    /// Memory of the arms in KiB, and number of threads: maxima over all turns.
     resident: u64,
     threads: u64,
 }

@@ -1,6 +1,6 @@
 //! Forward kinematics of the arms whose joints 2, 3 and 4 are parallel, from their six lengths.
 
-/// Where the flange is: its x and z axes and its position in mm.
+/// Pose of the flange: its x and z axes and its position in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flange {
     /// The x axis.

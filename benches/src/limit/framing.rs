@@ -14,7 +14,7 @@ pub fn append(stream: &[u8], piece: usize, message: usize, buffer: &mut Vec<u8>)
     found
 }
 
-/// What a scanner that looks at each byte remembers.
+/// State of a scanner that looks at each byte.
 #[derive(Debug, Default)]
 pub struct Bytewise {
     buffer: Vec<u8>,

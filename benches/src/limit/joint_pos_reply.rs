@@ -4,7 +4,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::scan::Scan;
 
-/// What the reply says.
+/// Contents of the reply.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointPosReply<'a> {
     /// `cmdName`.

@@ -241,7 +241,7 @@ fn digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     (value, at)
 }
 
-/// The same by eight at once, as long as there are as many.
+/// Takes digits as [`digits`] does, eight at once, while at least eight digits are left.
 #[inline]
 fn eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()).copied().and_then(eight_digits) {

@@ -1,4 +1,4 @@
-//! What the arm is told in the picture, and what it is sent.
+//! Goals of the stream in the picture, and the set-points that result.
 
 use std::error::Error;
 
@@ -9,7 +9,7 @@ use crate::kinematics::PERIOD;
 
 /// A change of the goal.
 pub(super) struct Moment {
-    /// What the goal is.
+    /// Name of the goal.
     pub(super) name: &'static str,
     goal: Goal,
     /// The number of the first set-point that is on the way to it.
@@ -28,7 +28,7 @@ pub(super) struct Quantity {
 
 /// The joints of the picture; the others rest.
 pub(super) const JOINTS: [usize; 2] = [1, 6];
-/// How long it is, in seconds: until the last set-point.
+/// Length of the picture in seconds: time of the last set-point.
 pub(super) const END_S: f64 = 7.0;
 const LAST: u32 = 875;
 
@@ -47,7 +47,7 @@ const RANGE: f64 = 60.0;
 const SPEED: f64 = 45.0;
 
 impl Moment {
-    /// When it is, in seconds.
+    /// Time of the change, in seconds.
     pub(super) fn at_s(&self) -> f64 {
         f64::from(self.first) * PERIOD
     }

@@ -11,7 +11,7 @@ pub struct Server {
     robots: Vec<Addresses>,
 }
 
-/// Where one robot takes commands, and where it sends status packets.
+/// Addresses of the command port and the status port of one robot.
 #[derive(Debug, Clone, Copy)]
 pub struct Addresses {
     /// Of the command port.

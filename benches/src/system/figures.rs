@@ -8,15 +8,15 @@ use std::time::Duration;
 #[derive(Debug, Default, Clone)]
 pub struct Samples {
     all: Vec<u32>,
-    /// Where each round begins.
+    /// Index of the first sample of each round.
     rounds: Vec<usize>,
 }
 
-/// Somebody who takes part.
+/// One of the compared programs.
 pub struct Contender<'a> {
-    /// Who it is.
+    /// Name of the contender.
     pub name: &'static str,
-    /// What it took.
+    /// Times that it took.
     pub samples: Samples,
     run: Box<Run<'a>>,
 }
@@ -29,12 +29,12 @@ impl Samples {
         self.all.push(u32::try_from(time.as_nanos()).unwrap_or(u32::MAX));
     }
 
-    /// How many there are.
+    /// Number of samples.
     pub fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// True if there are none.
+    /// True if there are no samples.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What Linux reports about this process in `/proc`.
+//! Figures that Linux reports in `/proc` about this process.
 
 use std::fs;
 use std::time::Duration;
@@ -8,7 +8,7 @@ pub fn cpu() -> Option<Duration> {
     cpu_of("self")
 }
 
-/// The same of another process.
+/// CPU time of a process, which `process` names below `/proc`; otherwise as [`cpu`].
 pub fn cpu_of(process: &str) -> Option<Duration> {
     let text = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     let fields: Vec<_> = text.rsplit(')').next()?.split_whitespace().collect();
@@ -27,12 +27,12 @@ pub fn resident() -> Option<u64> {
     status("VmRSS:")
 }
 
-/// How many threads there are.
+/// Number of threads of this process.
 pub fn threads() -> Option<u64> {
     status("Threads:")
 }
 
-/// How often threads of this process have slept, and been made to wait: of those that have not ended.
+/// Number of voluntary and involuntary context switches of the running threads of this process.
 pub fn switches() -> Option<u64> {
     let threads = fs::read_dir("/proc/self/task").ok()?;
     let of = |thread: fs::DirEntry| {

@@ -1,10 +1,10 @@
-//! What a benchmark prints.
+//! Output of a benchmark.
 
 use std::fmt::Display;
 
 use super::figures::Contender;
 
-/// What a figure should reach.
+/// Target of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
     /// This or less.
@@ -13,7 +13,7 @@ pub enum Target {
     AtLeast(f64),
 }
 
-/// Prints a title, and what is run.
+/// Prints a title and a description of the run.
 pub fn title(title: &str, run: impl Display) {
     println!("\n{title}\n  {run}");
 }
@@ -27,7 +27,7 @@ pub fn percentiles(contenders: &[Contender<'_>]) {
     }
 }
 
-/// Prints a figure with its target, and whether it is met.
+/// Prints a figure with its target and the verdict, met or missed.
 pub fn verdict(what: &str, figure: f64, target: Target) {
     let (sign, bound, met) = match target {
         Target::AtMost(bound) => ("at most", bound, figure <= bound),

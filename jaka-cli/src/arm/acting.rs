@@ -51,7 +51,8 @@ impl ActArgs {
         self.begin_told(intents, |_| Ok(what.to_owned()))
     }
 
-    /// The same, where the status port may be asked first: it disturbs nobody.
+    /// Makes sure that the user wants the arm to do this, like [`Self::begin`]. `what` may read the status port first,
+    /// which disturbs nobody.
     pub(crate) fn begin_told(
         &self,
         intents: &[Intent<'_>],
@@ -80,7 +81,8 @@ impl ActArgs {
     }
 }
 
-/// Fails where packs change what is sent here, or what a robot asks for meanwhile: it goes out as it is built in.
+/// Fails where packs change a command that is sent here, or one that a robot sends meanwhile: it goes out as it is
+/// built in.
 fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failure> {
     let translation = Translation::new(builtin::spec(), spec);
     let is_needed = |command: &&jaka_spec::Command| {
@@ -103,7 +105,7 @@ fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failur
     }
 }
 
-/// Queries by which a robot sees how a motion ends, and what keeps the arm from one.
+/// Queries by which a robot sees the end of a motion, and the states that keep the arm from one.
 const QUERIES: [&str; 4] =
     [GetJointPos::INFO.name, GetTcpPos::INFO.name, GetRobotState::INFO.name, IsInServomove::INFO.name];
 
@@ -113,7 +115,7 @@ pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure
 }
 
 impl Act {
-    /// For what is sent without a question.
+    /// Begins an action whose request is sent without a question.
     pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
         Self::begin(robot, &[])
     }
@@ -123,7 +125,7 @@ impl Act {
         Ok(Self { target: robot.target(packs)?, under_way })
     }
 
-    /// How long it may take: as the command line says, or else this long.
+    /// Timeout for the action: `--timeout` of the command line, or else this one.
     pub(crate) fn patience(&self, usual: Duration) -> Duration {
         self.target.patience(usual)
     }
@@ -195,15 +197,15 @@ impl Act {
     }
 }
 
-/// Where the joints are, by the status port alone; none where the packet does not say.
+/// Joint positions, read from the status port alone; none where the packet does not have them.
 pub(super) fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
     Ok(target.status::<PackedStatus>()?.joint_actual_position)
 }
 
-/// How long is waited for the packet that shows whether the arm moves.
+/// Timeout for the packet that shows whether the arm moves.
 const QUEUE_PATIENCE: Duration = Duration::from_secs(5);
 
-/// Whether a motion may stand in a queue.
+/// Option to queue a motion behind another one.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct QueueArgs {
     /// Send it also while the arm moves: the controller queues it behind that motion

@@ -23,7 +23,7 @@ pub(crate) struct Intent<'s> {
     pub(crate) command: Option<&'s Command>,
     /// `cmdName`.
     pub(crate) name: String,
-    /// What is sent, byte for byte.
+    /// Text that is sent, byte for byte.
     pub(crate) text: String,
 }
 
@@ -45,12 +45,12 @@ impl<'s> Intent<'s> {
         Ok(Self { command: spec.command(name), name: name.to_owned(), text: out.into_string() })
     }
 
-    /// What is sent, as a line of a question.
+    /// Text that is sent, as a line of a question.
     fn line(&self) -> String {
         format!("  {}\n", visible_json_line(&self.text))
     }
 
-    /// What it does to the robot, in words.
+    /// Effect on the robot, in words.
     pub(crate) fn effect(&self) -> &'static str {
         self.command.map_or("is not known", |command| effect(command.effect))
     }
@@ -121,7 +121,7 @@ fn question(intent: &Intent<'_>, fields: &str, title: &str) -> String {
     format!("To {title}:\n{sent}`{name}` {effect}. {}\n{fields}{ONE_CLIENT}\nSend it? [y/N] ", visible(about))
 }
 
-/// What a command does to the robot, in words.
+/// Effect of a command on the robot, in words.
 pub(crate) fn effect(effect: Effect) -> &'static str {
     match effect {
         Effect::Query => "reads, changes nothing",

@@ -1,4 +1,4 @@
-//! What `jaka move` and `jaka jog` have in common.
+//! Common parts of `jaka move` and `jaka jog`.
 
 use clap::Args;
 use jaka_motion::Limits;

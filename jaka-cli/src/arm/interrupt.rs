@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Patience with a program that writes what it has before it ends.
 const LONG_PATIENCE: Duration = Duration::from_secs(60);
 
-/// How soon a controller answers a stop as a rule.
+/// Time within which a controller usually answers a stop.
 const SOON: Duration = Duration::from_millis(500);
 
 /// Calls `call` on the first Ctrl-C, and on the signals by which a system ends programs. It makes the program end with
@@ -63,12 +63,12 @@ pub(crate) fn end_whole(code: u8) -> ! {
     end(code)
 }
 
-/// What has gone to the robot, for when Ctrl-C comes. The program says then what it means, and stops a motion that it
-/// waits for.
+/// Stage of the requests to the robot, for the handler of Ctrl-C. On Ctrl-C, the program prints the meaning of the
+/// stage, and stops a motion that it waits for.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
 
-/// How far it has come.
+/// Stage of the requests to the robot.
 #[derive(Debug, Default)]
 pub(crate) enum Stage {
     #[default]
@@ -96,7 +96,7 @@ impl UnderWay {
         under_way
     }
 
-    /// It has come to here. If a stop is on its way, waits until it is said what has become of it.
+    /// Sets the stage. If a stop is on its way, waits until its outcome has been printed.
     pub(crate) fn set(&self, stage: Stage) {
         *self.lock() = stage;
     }

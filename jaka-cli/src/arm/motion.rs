@@ -1,4 +1,4 @@
-//! Motions that are waited for: stopped by Ctrl-C, and how they end, for people and for programs.
+//! Motions that are waited for: their stop by Ctrl-C, and their ends, for people and for programs.
 
 use std::time::Duration;
 
@@ -12,10 +12,10 @@ use crate::packets::packed_status::PackedRobot;
 use crate::terminal::output;
 use crate::text::number::seconds;
 
-/// How long the end of a motion is waited for, unless the command line says otherwise.
+/// Default timeout for the end of a motion.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
 
-/// How an end is printed.
+/// Form in which the end of a motion is printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Form {
     Text,

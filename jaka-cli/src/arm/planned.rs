@@ -1,5 +1,5 @@
-//! A motion of `jaka move` and `jaka jog` before it is sent: what it does in words, and how it compares with limits as
-//! far as that needs no command port.
+//! A motion of `jaka move` and `jaka jog` before it is sent: its description in words, and its comparison with limits
+//! as far as that needs no command port.
 
 use itertools::Itertools as _;
 use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointSpeed, Limits};
@@ -8,7 +8,7 @@ use jaka_robot::types::JointPosition;
 use crate::arm::units::other_unit;
 use crate::failure::Failure;
 
-/// Where a motion goes; joints and axes by their index.
+/// Target of a motion; joints and axes by their index.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum MoveTarget {
     /// To these joint positions, in deg.
@@ -43,7 +43,7 @@ impl MoveTarget {
 }
 
 impl Planned {
-    /// What the arm will do, told from where the joints are, if that is known.
+    /// Description of the motion, from these joint positions if they are known.
     pub(crate) fn told(&self, from: Option<JointPosition>) -> String {
         let Self { goal, speed, acceleration } = self;
         let unit = if goal.is_of_joints() { "deg/s" } else { "mm/s" };
@@ -77,9 +77,9 @@ impl Planned {
         }
     }
 
-    /// Compares the motion with what limits say of joints and of the requested speed, from where the joints are, if
-    /// that is known. Without that, a target is not compared with ranges, since an arm that is beyond one may be led
-    /// back. What depends on the tool and the frames is left to the check that asks the controller for them.
+    /// Compares the motion with the limits of joints and of the requested speed, from these joint positions if they are
+    /// known. Without them, a target is not compared with ranges, since an arm that is beyond one may be moved back.
+    /// The check that asks the controller for the tool and the frames compares all that depends on these.
     pub(crate) fn check(&self, limits: &Limits, from: Option<JointPosition>) -> Result<(), Failure> {
         match (self.goal, from) {
             (MoveTarget::Joints(to), Some(from)) => self.check_way(limits, from.0, to),
@@ -136,7 +136,7 @@ fn hint(beyond: &Beyond) -> Option<String> {
     }
 }
 
-/// Which joint has the longest way, and how long it is.
+/// Joint that turns the farthest, and its angle in deg, in words.
 fn longest(from: [f64; 6], to: [f64; 6]) -> String {
     let ways: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
     let at = (0..6).fold(0, |longest, at| if ways[at].abs() > ways[longest].abs() { at } else { longest });

@@ -1,6 +1,6 @@
 //! Numbers that look like another unit's.
 
-/// What lines of the tool have in place of a unit of joints, up to which number that is usual.
+/// Unit of joints, the unit of the tool's lines in its place, and the largest number that is usual in the latter.
 const OF_LINES: [(&str, &str, f64); 2] = [("deg/s", "mm/s", 10_000.0), ("deg/s²", "mm/s²", 8000.0)];
 
 /// A line with a hint, where a number that is not within what is allowed, such as `at most 265 deg/s`, would be usual

@@ -1,4 +1,4 @@
-//! `jaka check`: what to look at before a robot is used.
+//! `jaka check`: checks of a robot before it is used.
 
 use std::path::PathBuf;
 

@@ -11,7 +11,7 @@ use crate::packets::packed_status::PackedStatus;
 use crate::target::Target;
 use crate::terminal::output;
 
-/// How long it may take by default.
+/// Default timeout of `jaka clear`.
 const PATIENCE: Duration = Duration::from_secs(15);
 
 /// Leave the protective stop that a collision has caused

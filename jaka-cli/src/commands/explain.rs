@@ -1,4 +1,4 @@
-//! `jaka explain`: what a code or a refusal of the controller means, and what helps.
+//! `jaka explain`: meaning of a code or a refusal of the controller, and a remedy.
 
 use std::fmt::Write as _;
 

@@ -35,10 +35,10 @@ Examples:
 pub(crate) struct Export {
     #[command(flatten)]
     recorded: RecordedArgs,
-    /// How to write it
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     format: ExportFormat,
-    /// What to write, such as `enabled,actual_position.x`; `all` for everything [default: as `jaka status`]
+    /// Fields to write, such as `enabled,actual_position.x`; `all` for everything [default: as `jaka status`]
     ///
     /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
     #[arg(long, short, value_name = "NAMES")]
@@ -47,7 +47,7 @@ pub(crate) struct Export {
     spec: SpecArgs,
 }
 
-/// How packets are written.
+/// Format of the packets.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum ExportFormat {
     /// A header, then one line per packet

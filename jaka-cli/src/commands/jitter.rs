@@ -1,4 +1,4 @@
-//! `jaka jitter`: how late this machine begins cycles of set-points, how long replies take, and what to change.
+//! `jaka jitter`: lateness of this machine's cycles of set-points, reply times, and advice on changes.
 
 mod advice;
 mod measured;

@@ -31,7 +31,7 @@ pub(crate) struct Jog {
     go: GoArgs,
 }
 
-/// What is jogged, by its index.
+/// Axis that is jogged, by its index.
 #[derive(Debug, Clone, Copy)]
 enum Axis {
     Joint(usize),

@@ -30,10 +30,10 @@ const TICK: Duration = Duration::from_millis(100);
 pub(crate) struct Replay {
     /// The recording
     file: PathBuf,
-    /// Which requests get which replies
+    /// Rule by which requests get replies
     #[arg(long, default_value = "strict", value_parser = one_of(&MODES))]
     mode: Mode,
-    /// When replies and status packets are sent
+    /// Times at which replies and status packets are sent
     #[arg(long, default_value = "recorded", value_parser = one_of(&TIMINGS))]
     timing: ReplayTiming,
     #[command(flatten)]

@@ -52,8 +52,8 @@ pub(crate) struct Sim {
     /// file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
-    /// What the controller does that no document says, such as `pause 100ms, events`; `all`, or `none` [default: the
-    /// firmware's]
+    /// Habits of the controller that no document describes, such as `pause 100ms, events`; `all`, or `none` [default:
+    /// the firmware's]
     #[arg(long, value_name = "LIST")]
     habits: Option<Habits>,
     /// Milliseconds by which the arm lags behind its commanded positions
@@ -63,13 +63,13 @@ pub(crate) struct Sim {
     /// in deg, deg/s and deg/s²
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     trips: Vec<Trip>,
-    /// What the arm does when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
+    /// Behaviour of the arm when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
     #[arg(long, value_name = "TEXT", default_value_t)]
     underrun: Underrun,
-    /// What a client gets that connects to the command port while another one is connected there
+    /// Treatment of a client that connects to the command port while another one is connected there
     #[arg(long, value_name = "WHAT", default_value = "replaces", value_parser = one_of(&SECOND_CLIENTS))]
     second_client: Takeover,
-    /// How many times as fast as real time the controller's time passes: motions, delays and status packets
+    /// Ratio of the controller's time to real time, for motions, delays and status packets
     #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
     time_scale: f64,
     /// Switch power and enable at once, instead of after some seconds
@@ -94,7 +94,7 @@ pub(crate) struct Sim {
     log: bool,
 }
 
-/// What somebody types: a line, or a key.
+/// Input of a person: a line, or a key.
 #[derive(Debug)]
 enum Typed {
     Event(Scheduled),

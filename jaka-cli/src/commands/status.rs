@@ -1,4 +1,4 @@
-//! `jaka status`: what the status packets of port 10000 say.
+//! `jaka status`: contents of the status packets of port 10000.
 
 mod lines;
 mod packets;
@@ -47,12 +47,12 @@ pub(crate) struct Status {
     /// 130 on Ctrl-C.
     #[arg(long, value_name = "CONDITION", conflicts_with_all = ["raw", "count"])]
     until: Option<String>,
-    /// What to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
+    /// Fields to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
     ///
     /// Names are those of the Rust API or those of the wire, with indices as in `joint_actual_position[0]`.
     #[arg(long, short, value_name = "NAMES", conflicts_with = "raw")]
     fields: Option<String>,
-    /// How to print it
+    /// Output format
     #[arg(long, value_enum, default_value_t, conflicts_with = "raw")]
     format: Format,
     /// Print each packet's own text on one line, with JSON escapes for invisible characters
@@ -64,7 +64,7 @@ pub(crate) struct Status {
     robot: RobotArgs,
 }
 
-/// How packets are printed.
+/// Format of the packets.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum Format {
     /// For people
@@ -148,7 +148,7 @@ fn warn(overdue: &Overdue) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What the time is.
+/// Current time.
 #[cfg(not(test))]
 fn now() -> Instant {
     Instant::now()

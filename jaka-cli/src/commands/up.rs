@@ -11,7 +11,7 @@ use crate::arm::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// How long it may take by default.
+/// Default timeout of `jaka up` and `jaka down`.
 pub(super) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Power and enable the arm, each step when the one before is done

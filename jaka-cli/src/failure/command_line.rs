@@ -1,4 +1,4 @@
-//! What is wrong with a command line, in the form of all errors: what, and a hint.
+//! Errors of a command line, in the form of all errors: the problem, and a hint.
 
 use std::env;
 
@@ -15,7 +15,7 @@ pub(crate) fn is_help(error: &Error) -> bool {
     !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
 }
 
-/// What is wrong, and what helps.
+/// The problem, and a hint.
 pub(crate) fn text(error: &Error) -> String {
     let what = what(error).unwrap_or_else(|| in_words_of_clap(error));
     format!("{what}\nhint: {}", hint(error))
@@ -60,7 +60,7 @@ fn what(error: &Error) -> Option<String> {
     })
 }
 
-/// What is said of the rarer errors: the first paragraph.
+/// Text of the rarer errors: the first paragraph of clap's.
 fn in_words_of_clap(error: &Error) -> String {
     let text = error.to_string();
     let text = text.strip_prefix("error: ").unwrap_or(&text);
@@ -90,7 +90,7 @@ fn command() -> String {
     }
 }
 
-/// What the error says of this kind, in backticks.
+/// First text that the error has of this kind, in backticks.
 fn quoted(error: &Error, kind: ContextKind) -> Option<String> {
     list(error, kind).into_iter().next()
 }

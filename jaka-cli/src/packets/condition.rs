@@ -30,7 +30,7 @@ enum Expression {
     Compare(Comparison, Box<Expression>, Box<Expression>),
 }
 
-/// How two values are compared.
+/// Comparison of two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Comparison {
     Equal,
@@ -42,7 +42,7 @@ enum Comparison {
 }
 
 impl Condition {
-    /// True if the packet shows that it holds. What depends on a field that the packet does not have does not hold, and
+    /// True if the packet shows that it holds. A condition on a field that the packet does not have does not hold, and
     /// neither does its contrary.
     pub(crate) fn holds(&self, packet: &Node<'_>) -> bool {
         self.root.truth(packet) == Some(true)
@@ -136,7 +136,7 @@ impl fmt::Display for Condition {
     }
 }
 
-/// What is wrong with a condition, and where.
+/// Error in a condition, and its place.
 #[derive(Debug)]
 struct Misread {
     /// The column, from 0.

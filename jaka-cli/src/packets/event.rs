@@ -1,4 +1,4 @@
-//! The controller's events: what is printed next to a code.
+//! The controller's events: texts that are printed next to a code.
 
 use std::fmt;
 
@@ -19,7 +19,7 @@ pub(crate) fn read(code: Option<&Value>) -> Reading {
     code.map_or(Ok(None), |code| ControllerEvent::from_text(code.as_str().unwrap_or("not a text")))
 }
 
-/// How severe the event is, if there is one. A code that cannot be read, or that is not in the table, may be an error.
+/// Severity of the event, if there is one. A code that cannot be read, or that is not in the table, may be an error.
 pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     match event {
         Ok(event) => event.map(|event| match known(event).map(|known| known.severity) {
@@ -32,7 +32,7 @@ pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     }
 }
 
-/// What the event means, if that is known.
+/// Meaning of the event, if it is known.
 pub(crate) fn meaning(event: &Reading) -> Option<&'static str> {
     reading(event).and_then(|known| known.texts.meaning.as_deref())
 }
@@ -51,7 +51,7 @@ fn reading(event: &Reading) -> Option<&'static Event> {
     event.as_ref().ok().copied().flatten().and_then(known)
 }
 
-/// What the spec, or a pack, says of it.
+/// Entry of the spec, or of a pack, for the event.
 fn known(event: ControllerEvent) -> Option<&'static Event> {
     of_status().event(event.code())
 }

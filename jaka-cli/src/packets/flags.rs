@@ -1,8 +1,8 @@
-//! What is on or off in the robot's state, and how it changes.
+//! On/off states of the robot, and their changes.
 
 use jaka_sync::status::RobotStatus;
 
-/// The severity of what happened.
+/// Severity of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Tone {
     /// The robot stopped, or its state is not known.
@@ -15,12 +15,13 @@ pub(crate) enum Tone {
     Plain,
 }
 
-/// What is on or off, as packets have it. A packet without a field does not change it.
+/// On/off states, as packets have them. A packet without a field does not change its state.
 #[derive(Debug, Default)]
 pub(crate) struct Flags([Option<bool>; 4]);
 
 impl Flags {
-    /// What a packet says that the ones before did not; of the first one, only that the robot is stopped.
+    /// Takes a packet, and returns the changes from the ones before. Of the first packet, it only returns stops that
+    /// are active.
     pub(crate) fn see(&mut self, status: &RobotStatus) -> Vec<(Tone, &'static str)> {
         let flags = [
             (status.emergency_stop, true, ["emergency stop released", "emergency stop"]),

@@ -15,7 +15,7 @@ use crate::builtin;
 use crate::failure::Failure;
 use crate::packets::fields;
 
-/// A status packet: what the built-in type has, and what only packs have.
+/// A status packet: the fields of the built-in type, and those that only packs have.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PackedStatus {
     /// The packet in terms of the built-in type, also where a pack has another key or other words for the same.
@@ -186,8 +186,8 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
     })
 }
 
-/// The packet with the keys, words and units of the built-in type. What packs give another type, or a unit that does
-/// not convert, is left out.
+/// The packet with the keys, words and units of the built-in type. A value to which packs give another type, or a unit
+/// that does not convert, is left out.
 fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
     let member = |known: &Field| {

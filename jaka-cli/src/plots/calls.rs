@@ -12,7 +12,7 @@ const AXIS: u32 = 26;
 /// No reply took less, and none more: the axis needs an end.
 const LIMITS_MS: (f64, f64) = (0.01, 1e6);
 
-/// A request, and what came of it.
+/// Outcome of a request.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Latency {
     /// It was accepted, after so many milliseconds.
@@ -46,7 +46,7 @@ fn draw(area: &Area<'_>, end: f64, requests: &[(f64, Latency)]) -> Drawn {
     title(area, "reply after (ms)", HEIGHT)
 }
 
-/// How high a request stands: the decimal logarithm of the milliseconds.
+/// Height of a request in the plot: the decimal logarithm of its reply time in milliseconds; none without a reply.
 fn power(latency: Latency) -> Option<f64> {
     match latency {
         Latency::Accepted(ms) | Latency::Refused(ms) => Some(ms.clamp(LIMITS_MS.0, LIMITS_MS.1).log10()),

@@ -1,4 +1,4 @@
-//! What all pictures have in common.
+//! Common parts of all pictures.
 
 use std::io;
 
@@ -12,10 +12,10 @@ pub(super) use crate::plots::chart::{Chart, Drawn, FINE};
 
 /// Width of a picture over time, in pixels.
 pub(super) const WIDTH: u32 = 1000;
-/// What of it is left of the time axis, and right of it.
+/// Widths of its parts to the left and to the right of the time axis, in pixels.
 pub(super) const LEFT: u32 = 210;
 pub(super) const RIGHT: u32 = 14;
-/// How many columns of pixels the time axis has: no more of a series is drawn than they can show.
+/// Number of pixel columns of the time axis: no more of a series is drawn than they can show.
 pub(super) const COLUMNS: u32 = WIDTH - LEFT - RIGHT;
 
 pub(super) const INK: RGBColor = RGBColor(0, 0, 0);
@@ -47,7 +47,7 @@ fn font(size: u32) -> TextStyle<'static> {
     ("sans-serif", f64::from(FINE * size) * 1.24).into_font().color(&INK)
 }
 
-/// The same, with the side at which a text begins.
+/// A font of this size in pixels, with the side at which a text begins.
 pub(super) fn anchored(size: u32, anchor: HPos) -> TextStyle<'static> {
     font(size).pos(Pos::new(anchor, VPos::Center))
 }
@@ -63,7 +63,7 @@ pub(super) fn label(number: f64, length: f64) -> String {
     crate::text::number::fixed(number, decimals)
 }
 
-/// What the numbers of an axis say.
+/// Function that formats the numbers of an axis.
 pub(super) type Label<'a> = &'a dyn Fn(&f64) -> String;
 
 /// Lines at the numbers of both axes, which are not more than so many, their labels, and what the axes show.

@@ -1,4 +1,4 @@
-//! What charts of quantities over time have in common. `benches` draws the picture of `docs/streams.md` with it, too.
+//! Common parts of charts of quantities over time. `benches` draws the picture of `docs/streams.md` with it, too.
 
 use std::io;
 

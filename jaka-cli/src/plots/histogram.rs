@@ -1,4 +1,4 @@
-//! How often something was between two bounds.
+//! Histogram of counts between each two bounds.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;

@@ -18,7 +18,7 @@ impl Series {
         self.points.push((time, value));
     }
 
-    /// The same for what stays as it is until it changes: what is the same as before is not kept.
+    /// Adds a value of a quantity that stays as it is until it changes. A value that equals the last one is not kept.
     pub(crate) fn push_change(&mut self, time: f64, value: Option<f64>) {
         if value.is_none() {
             self.interrupt(time);
@@ -27,7 +27,7 @@ impl Series {
         }
     }
 
-    /// What stayed as it is did so until then; afterwards it is not known.
+    /// Keeps the last value until this time; afterwards it is not known.
     pub(crate) fn interrupt(&mut self, time: f64) {
         if let Some(&(_, last @ Some(_))) = self.points.last() {
             self.points.extend([(time, last), (time, None)]);
@@ -64,7 +64,7 @@ impl Series {
     }
 }
 
-/// What is drawn of the points in a column: the lowest and the highest in their order, and the last.
+/// Points of a column that are drawn: the lowest and the highest in their order, and the last.
 fn drawn(points: &[Point]) -> Option<[Point; 3]> {
     let by_value = |one: &&Point, other: &&Point| one.1.total_cmp(&other.1);
     // The first of those that are equal.

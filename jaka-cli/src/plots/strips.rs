@@ -10,33 +10,33 @@ use super::series::{Point, Series};
 
 /// The time axis, in pixels.
 const AXIS: u32 = 26;
-/// How many times it has.
+/// Greatest number of times at the axis.
 pub(super) const TIMES: usize = 10;
-/// How far apart the numbers of an axis are, in pixels.
+/// Distance between the numbers of an axis, in pixels.
 const NUMBER: u32 = 12;
 
-/// A strip: what a quantity does over time.
+/// A strip: a quantity over time.
 #[derive(Debug)]
 pub(crate) struct Strip {
     pub(crate) title: String,
     pub(crate) trace: Trace,
 }
 
-/// How a strip shows what it shows.
+/// Form in which a strip shows a quantity.
 #[derive(Debug)]
 pub(crate) enum Trace {
     /// A number that changes steadily.
     Curve(Series),
     /// A number that stays as it is until it changes.
     Steps(Series),
-    /// What is on or off.
+    /// A quantity that is on or off.
     Level(Series),
     /// Moments.
     Marks(Vec<f64>),
 }
 
 impl Trace {
-    /// How high it is, in pixels, and how many numbers its axis has at most, so that they do not touch each other.
+    /// Height in pixels, and the greatest number of numbers at the axis, so that they do not touch each other.
     fn size(&self) -> (u32, usize) {
         match self {
             Self::Curve(_) => (72, 4),
@@ -45,7 +45,7 @@ impl Trace {
         }
     }
 
-    /// What the strip reaches from and to: a unit at least, so that what is still looks so.
+    /// Range of the strip's axis: a unit at least, so that a quantity at rest looks so.
     fn range(&self) -> (f64, f64) {
         match self {
             Self::Curve(series) | Self::Steps(series) => {
@@ -96,8 +96,8 @@ fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     title(area, &strip.title, height)
 }
 
-/// A chart whose time axis is where that of all others is, with what is free above and below it, and the height of the
-/// axis.
+/// A chart whose time axis is where that of all others is, with the free heights above and below it, and the height of
+/// the axis.
 pub(super) fn chart<'a, 'b>(
     area: &'a Area<'b>,
     end: f64,
@@ -121,7 +121,7 @@ fn line(chart: &mut Chart<'_, '_>, points: Vec<Point>) -> Drawn {
     }
 }
 
-/// What a strip of this height shows, left of its numbers.
+/// Draws the title of a strip of this height, left of its numbers.
 pub(super) fn title(area: &Area<'_>, text: &str, height: u32) -> Drawn {
     area.draw(&Text::new(text.to_owned(), (px(2), px(height) / 2), anchored(12, HPos::Left)))
 }

@@ -12,12 +12,12 @@ use super::series::Point;
 const SIZE: (u32, u32) = (490, 440);
 const LABELS: (u32, u32) = (66, 46);
 const MARGIN: u32 = 12;
-/// How far apart points are that are drawn, in pixels.
+/// Distance between points that are drawn, in pixels.
 const APART: f64 = 0.5;
 /// A way is drawn on this many millimetres at least, so that an arm at rest looks so.
 const LEAST: f64 = 20.0;
 
-/// From where it is seen: the names of the axes to the right and upwards.
+/// Names of the axes to the right and upwards, which tell the side from which the path is seen.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ViewAxes {
     pub(crate) right: &'static str,
@@ -29,7 +29,7 @@ pub(crate) fn way(view: ViewAxes, curves: &[Vec<Point>]) -> Picture {
     picture(SIZE, |area| draw_way(area, view, curves))
 }
 
-/// The same on a part of another picture.
+/// Draws the picture of [`way`] on a part of another picture.
 pub(crate) fn draw_way(area: &Area<'_>, view: ViewAxes, curves: &[Vec<Point>]) -> Drawn {
     let (width, height) = area.dim_in_pixel();
     let (right, up, scale) = ranges(curves, (width / FINE, height / FINE));
@@ -54,7 +54,7 @@ pub(crate) fn draw_way(area: &Area<'_>, view: ViewAxes, curves: &[Vec<Point>]) -
     Ok(())
 }
 
-/// What the axes of a picture of this size reach from and to, and how many millimetres a pixel is.
+/// Ranges of the axes of a picture of this size in pixels, and the number of millimetres of a pixel.
 fn ranges(curves: &[Vec<Point>], size: (u32, u32)) -> (Range<f64>, Range<f64>, f64) {
     let points = || curves.iter().flatten();
     let x = points().map(|point| point.0).minmax().into_option().unwrap_or_default();

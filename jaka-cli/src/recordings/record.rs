@@ -13,7 +13,7 @@ use crate::failure::Failure;
 /// A command has one robot, and so one recording at most.
 static RECORDING: OnceLock<(PathBuf, Recorder)> = OnceLock::new();
 
-/// Begins the recording in a new file. One that exists is not overwritten: it may be the only trace of what went wrong.
+/// Begins the recording in a new file. One that exists is not overwritten: it may be the only trace of a problem.
 pub(crate) fn begin(path: &Path) -> Result<Recorder, Failure> {
     let file = File::create_new(path).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {

@@ -1,4 +1,4 @@
-//! Recordings that are read, and what is made of them.
+//! Recordings that are read, and the files that are made of them.
 
 use std::fs::{self, File};
 use std::io::{self, Write, stdout};
@@ -27,7 +27,7 @@ pub(crate) struct RecordedArgs {
 }
 
 impl RecordedArgs {
-    /// Where it is written. A file that exists is replaced, but never the recording itself.
+    /// Opens the output. A file that exists is replaced, but never the recording itself.
     pub(crate) fn create(&self) -> Result<Output, Failure> {
         let Some(path) = &self.output else { return Ok(Output { path: None, to: Box::new(stdout().lock()) }) };
         if let (Ok(here), Ok(there)) = (path.canonicalize(), self.file.canonicalize())
@@ -79,7 +79,7 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Failure> {
 /// A message of the status port.
 #[derive(Debug)]
 pub(crate) struct RecordedPacket {
-    /// When it arrived, counted from the start of the recording.
+    /// Time of its arrival, counted from the start of the recording.
     pub(crate) time: Duration,
     /// The number of its connection.
     pub(crate) connection: u32,
@@ -113,7 +113,7 @@ pub(crate) fn command_of(message: &Message) -> Option<String> {
     Envelope::read_odd(&text).ok()?.command.map(|name| name.trim().to_owned())
 }
 
-/// Why the controller refused, if a reply says that it did.
+/// The controller's refusal, if the reply is one.
 pub(crate) fn refusal_of(reply: &Message) -> Option<Refusal> {
     Envelope::read_odd(&framing::text(reply.bytes())).ok()?.refusal()
 }
@@ -128,7 +128,7 @@ pub(crate) fn excerpt(message: &Message, most: usize) -> String {
     }
 }
 
-/// How many entries are missing where this one stands.
+/// Number of entries that are missing at the place of this one.
 pub(crate) fn missing(entry: &Entry) -> u64 {
     if let Event::Dropped { count } = entry.event { count } else { 0 }
 }

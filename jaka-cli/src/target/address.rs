@@ -1,4 +1,4 @@
-//! Where the robot is: which of arguments, environment and config file takes precedence.
+//! Address of the robot, by the precedence of arguments, environment and config file.
 
 use std::env::split_paths;
 use std::net::IpAddr;
@@ -16,10 +16,10 @@ use crate::failure::Failure;
 const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with \
                         `robot = \"NAME\"` in the config file; or try a simulated one with `--sim`";
 
-/// A robot's address and how to connect to it.
+/// A robot's address, and the timeouts of its connections.
 #[derive(Debug, PartialEq)]
 pub(super) struct RobotAddress {
-    /// What people call the robot: its name and address.
+    /// Title of the robot for people: its name and address.
     pub(super) title: String,
     /// The addresses of its ports.
     pub(super) commands: String,

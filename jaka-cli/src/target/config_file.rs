@@ -11,7 +11,7 @@ use serde::Deserialize;
 use crate::failure::Failure;
 use crate::text::seconds;
 
-/// What a config file says. Keys it does not know are errors.
+/// Contents of a config file. Unknown keys are errors.
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConfigFile {
@@ -37,10 +37,10 @@ pub(crate) struct Entry {
     pub(crate) command_port: Option<u16>,
     /// Port for status packets.
     pub(crate) status_port: Option<u16>,
-    /// How long a reply or a status packet may take, in seconds.
+    /// Timeout for a reply or a status packet, in seconds.
     #[serde(default, deserialize_with = "seconds::from_file")]
     pub(crate) timeout: Option<Duration>,
-    /// How long connecting may take, in seconds.
+    /// Timeout for connecting, in seconds.
     #[serde(default, deserialize_with = "seconds::from_file")]
     pub(crate) connect_timeout: Option<Duration>,
     /// Age at which status packets are stale for motions that are waited for, in seconds.

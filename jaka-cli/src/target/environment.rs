@@ -1,4 +1,4 @@
-//! What the environment says.
+//! Variables of the environment.
 
 use std::env::var_os;
 use std::ffi::OsString;
@@ -34,7 +34,7 @@ impl Environment {
         }
     }
 
-    /// Where the config file is by default.
+    /// Default path of the config file.
     pub(crate) fn usual_config(&self) -> Option<PathBuf> {
         self.config_folder.as_ref().map(|folder| folder.join(Path::new("jaka").join("config.toml")))
     }

@@ -1,9 +1,9 @@
-//! The one seat of the command port: whoever takes it may take it from a program that moves the arm.
+//! The one seat of the command port: a client that takes it may take it from a program that moves the arm.
 //!
-//! One rule holds for all commands. What is done to a robot is asked about before, and the question says what becomes
-//! of the seat ([`crate::arm::consent`]). What only reads asks by [`obtain`]: `check`, `probe` and `jitter`. Without a
-//! terminal, both need `--yes`. What must not be held up is sent at once: stops, and of `jaka call` what only reads or
-//! concerns the connection alone, with a warning by [`warn`].
+//! One rule holds for all commands. A command that changes a robot asks first, and the question names the consequence
+//! for the seat ([`crate::arm::consent`]). A command that only reads asks by [`obtain`]: `check`, `probe` and `jitter`.
+//! Without a terminal, both need `--yes`. Requests that must not be held up are sent at once: stops, and requests of
+//! `jaka call` that only read or concern the connection alone, with a warning by [`warn`].
 
 use std::io::{IsTerminal, stderr, stdin};
 
@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::target::RobotArgs;
 use crate::terminal::{output, question};
 
-/// What becomes of the seat.
+/// Notice that another client of the command port may be disconnected.
 pub(crate) const ONE_CLIENT: &str =
     "The command port serves one client: another program that is connected there may be disconnected.";
 
@@ -24,8 +24,8 @@ pub(crate) fn warn(robot: &RobotArgs) {
     }
 }
 
-/// Makes sure that the user wants this program to be the one client of the command port. The error begins with what was
-/// not done.
+/// Makes sure that the user wants this program to be the one client of the command port. The error begins with
+/// `not_done`, the action that was not done.
 pub(crate) fn obtain(title: &str, not_done: &str) -> Result<(), Failure> {
     let refused = |why: &str| Failure::Usage(format!("{not_done}: {why}"));
     if !stdin().is_terminal() {

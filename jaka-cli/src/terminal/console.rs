@@ -1,4 +1,4 @@
-//! The options for what goes to standard error, and for colours.
+//! The options for messages on standard error, and for colours.
 
 use anstream::ColorChoice;
 use clap::{ArgAction, Args, ValueEnum};
@@ -22,7 +22,7 @@ pub(crate) struct ConsoleArgs {
 
 const HEADING: &str = "Messages";
 
-/// When colours are used.
+/// Use of colours.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum Color {
     /// On terminals, unless `NO_COLOR` is set
@@ -35,8 +35,8 @@ enum Color {
 }
 
 impl ConsoleArgs {
-    /// From now on, messages are as the options say. What they said before stays, since they may stand at two places of
-    /// a line.
+    /// Applies the options to messages from now on. Options of an earlier call stay, since they may stand at two places
+    /// of a line.
     pub(crate) fn apply(&self) {
         if self.quiet {
             output::be_quiet();

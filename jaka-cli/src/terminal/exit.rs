@@ -44,7 +44,7 @@ pub(crate) const EMERGENCY_STOP: u8 = 24;
 pub(crate) const DISABLED: u8 = 25;
 /// The controller reports an error.
 pub(crate) const CONTROLLER_ERROR: u8 = 26;
-/// What was waited for did not come in time. If it is the end of a motion, the arm may still move.
+/// A wait ended with its timeout. If it was for the end of a motion, the arm may still move.
 pub(crate) const DEADLINE: u8 = 27;
 /// Status packets that can be read no longer come; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;

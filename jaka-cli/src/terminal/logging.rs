@@ -1,4 +1,4 @@
-//! What libraries log: for `-v`, and for `jaka sim --log`.
+//! Log messages of libraries: for `-v`, and for `jaka sim --log`.
 
 mod backlog;
 
@@ -20,9 +20,9 @@ struct Logger;
 
 /// The beginning of the targets that are printed on standard output.
 static PRINTED: OnceLock<&str> = OnceLock::new();
-/// How often `-v` is given.
+/// Number of `-v` options.
 static VERBOSE: AtomicU8 = AtomicU8::new(0);
-/// When the program began.
+/// Time at which the program began.
 static BEGIN: OnceLock<Instant> = OnceLock::new();
 
 /// Begins to print warnings, which are about arms that may move.

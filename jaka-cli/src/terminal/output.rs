@@ -1,9 +1,9 @@
 //! Results on standard output, and warnings on standard error.
 //!
-//! What controllers, recordings and packs say may contain what a terminal obeys: see `jaka_sync::proto::text`. Code
-//! that puts such text into a table or a sentence makes it visible there, so that a line end in it does not begin a
-//! line. What is written through here is made visible once more; only [`write()`] passes on bytes as they are, for
-//! which its caller is responsible.
+//! Text of controllers, recordings and packs may contain characters that a terminal obeys: see
+//! `jaka_sync::proto::text`. Code that puts such text into a table or a sentence makes it visible there, so that a line
+//! end in it does not begin a line. Text that is written through here is made visible once more; only [`write()`]
+//! passes on bytes as they are, for which its caller is responsible.
 
 use std::borrow::Cow;
 use std::io::Write;
@@ -22,7 +22,7 @@ use crate::terminal::raw::with_returns;
 #[cfg(test)]
 use crate::tests::{stderr, stdout};
 
-/// What people read in place of a value that a packet does not have.
+/// Text for people in place of a value that a packet does not have.
 pub(crate) const ABSENT: &str = "–";
 
 /// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as

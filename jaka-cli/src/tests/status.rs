@@ -13,7 +13,7 @@ fn run(line: &str) -> Run {
     run_until(Duration::from_millis(3_500), line)
 }
 
-/// The same beside a link that delivers again from this time on.
+/// A run beside a link that delivers nothing from 1.2 s until this time, in which the arm is disabled.
 fn run_until(released: Duration, line: &str) -> Run {
     let arm = Arm::simulated().start();
     let held = || {

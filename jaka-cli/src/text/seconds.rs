@@ -13,7 +13,7 @@ pub(crate) fn some_seconds(text: &str) -> Result<Duration, String> {
     seconds(text).and_then(not_zero)
 }
 
-/// The same, of a config file's number.
+/// Seconds, more than 0, from a config file's number.
 pub(crate) fn from_file<'de, D: serde::Deserializer<'de>>(source: D) -> Result<Option<Duration>, D::Error> {
     use serde::{Deserialize, de::Error};
     let number = f64::deserialize(source)?;

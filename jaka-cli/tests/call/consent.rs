@@ -1,4 +1,4 @@
-//! What is sent without a question, and what is not.
+//! Requests that are sent without a question, and requests that are not.
 
 use expect_test::expect;
 use jaka_sim::Controller;

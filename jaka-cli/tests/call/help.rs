@@ -1,4 +1,4 @@
-//! What the help and the list say.
+//! Texts of the help and of the list.
 
 use expect_test::{expect, expect_file};
 

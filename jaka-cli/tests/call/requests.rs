@@ -1,4 +1,4 @@
-//! What becomes of a line, before anything is sent.
+//! Checks of a line, before anything is sent.
 
 use expect_test::{Expect, expect};
 

@@ -54,7 +54,7 @@ impl Watchdog {
     }
 }
 
-/// What it printed on standard output, on standard error, and its exit code.
+/// Runs the program. Returns its standard output, its standard error and its exit code.
 pub(crate) fn output(command: &mut Command) -> (String, String, Option<i32>) {
     ended(command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts"))
 }
@@ -89,7 +89,7 @@ pub(crate) fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// What it printed on standard error, and its exit code.
+/// Runs the program, which prints nothing on standard output. Returns its standard error and its exit code.
 pub(crate) fn failure(command: &mut Command) -> String {
     let (stdout, stderr, code) = output(command);
     assert_eq!(stdout, "");

@@ -14,7 +14,7 @@ pub(crate) struct Namespace {
     controller: Option<Child>,
 }
 
-/// Why a namespace cannot be made here.
+/// Reason for which a namespace cannot be made here.
 #[derive(Debug)]
 pub(crate) struct Unavailable(String);
 

@@ -1,4 +1,4 @@
-//! What a command line names.
+//! Files and targets that a command line names.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ pub(super) fn written(line: &str) -> Vec<&str> {
     files.into_iter().chain(recorded).collect()
 }
 
-/// What the line names that is not there; lines of `jaka` are run instead.
+/// First name on the line of something that does not exist; lines of `jaka` are run instead.
 pub(super) fn missing(root: &Path, line: &str) -> Option<String> {
     let words: Vec<_> = line.split(' ').collect();
     match words[..] {

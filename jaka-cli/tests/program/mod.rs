@@ -10,7 +10,7 @@ use jaka_sim::Controller;
 
 use crate::common;
 
-/// What a run gave.
+/// Result of a run.
 #[derive(Debug)]
 pub(crate) struct Run {
     /// The exit code.
@@ -49,7 +49,7 @@ pub(crate) fn run(mut command: Command, input: &str) -> Run {
     result(child)
 }
 
-/// What a run gives whose output is piped.
+/// Result of a run whose output is piped.
 pub(crate) fn result(child: Child) -> Run {
     let (out, err, code) = common::ended(child);
     Run { code, out, err }

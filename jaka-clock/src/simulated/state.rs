@@ -53,11 +53,11 @@ struct Waiter {
     moves_time: MovesTime,
 }
 
-/// Whether time goes on for a thread that waits.
+/// Effect of a waiting thread on the simulated time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum MovesTime {
     Yes,
-    /// Only if it does for another: what serves others has no end of its own.
+    /// Time advances only for the wait of another thread: a thread that serves others has no end of its own.
     No,
 }
 

@@ -25,9 +25,10 @@ pub(crate) struct Arm {
 /// An error not worth a step, as [`off`] counts it: where a motion starts beyond a limit, the end of the one before is
 /// compared with its own.
 const EXACT: f64 = 1e-10;
-/// How far off the tool may be where no step makes the error smaller, in the same unit.
+/// Greatest accepted error of the tool where no step makes it smaller, in the unit of [`off`].
 const ACCEPTED: f64 = 1e-6;
-/// How far off the tool may be on the way of a trajectory, in the same unit: a thousandth of what its pieces may be.
+/// Greatest error of the tool on the path of a trajectory, in the unit of [`off`]: a thousandth of the error that its
+/// pieces may have.
 const NEAR_ENOUGH: f64 = 1e-6;
 /// The most steps. Each squares the error.
 const STEPS: usize = 8;
@@ -77,7 +78,7 @@ impl Arm {
         place.translation.vector.into()
     }
 
-    /// Where the arm is between two pieces.
+    /// Returns the points and levers of the arm between two pieces.
     pub(super) fn piece_end(&self, joints: &[f64; 6]) -> PieceEnd {
         PieceEnd::new(&self.frames(joints), &self.tool)
     }
@@ -92,7 +93,7 @@ impl Arm {
         self.model.signed_distances(&self.frames(joints))
     }
 
-    /// How far the tool centre point would move if the joints went on so, in mm.
+    /// Returns the distance that the tool centre point would move if the joints went on so, in mm.
     pub(crate) fn tcp_rate(&self, joints: &[f64; 6], moved: &[f64; 6]) -> f64 {
         self.tool_moves(joints, moved)[0].norm()
     }
@@ -110,12 +111,13 @@ impl Arm {
         total
     }
 
-    /// How far apart the tool centre point is at two joint positions, in mm.
+    /// Returns the distance between the tool centre points at two joint positions, in mm.
     pub(crate) fn tcp_distance(&self, one: &[f64; 6], other: &[f64; 6]) -> f64 {
         (self.point(Point::Tcp, one) - self.point(Point::Tcp, other)).norm()
     }
 
-    /// How the joints turn for a velocity of the tool, in deg/s, unless they cannot; and distances from singularities.
+    /// Returns the joint speeds for a velocity of the tool, in deg/s, or none if the joints cannot follow it; and the
+    /// distances from singularities.
     #[cfg(feature = "generator")]
     pub(crate) fn rates(&self, joints: &[f64; 6], twist: &Vector6<f64>) -> (Option<[f64; 6]>, [f64; 3]) {
         let frames = self.frames(joints);

@@ -38,7 +38,7 @@ pub(super) struct Following<'a> {
     regions: PlacedRegions<'a>,
     path: ToolPath,
     tolerance: f64,
-    /// How much of the path is done in a second, if that is known.
+    /// Share of the path that is covered in a second; none if the path only turns the tool.
     per_second: Option<f64>,
     /// The joint positions at the start.
     start: [f64; 6],
@@ -48,14 +48,14 @@ pub(super) struct Following<'a> {
     least: [f64; 3],
 }
 
-/// Where the joints are at a share of the path.
+/// State of the joints at a share of the path.
 #[derive(Debug, Clone)]
 struct PathSample {
     share: f64,
     joints: [f64; 6],
-    /// How they turn, in degrees for the length of the whole path.
+    /// Rates of the joints, in degrees for the length of the whole path.
     rates: [f64; 6],
-    /// How these change, for a good guess of the next sample.
+    /// Changes of the rates, for a good guess of the next sample.
     curve: [f64; 6],
     frames: [Isometry3<f64>; 6],
     distances: [f64; 3],
@@ -200,7 +200,8 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Whether elbow or wrist cannot have been beyond a region between two samples by more than the stated amount.
+    /// Checks that elbow or wrist cannot have been beyond a region between two samples by more than the stated amount;
+    /// false if the step is too long to tell.
     fn point_clear(
         &self,
         even_turn: &EvenTurn,
@@ -229,7 +230,8 @@ impl<'a> Following<'a> {
         Ok(true)
     }
 
-    /// Why the joints cannot follow any further: the path leaves the arm's reach, or it leads through a singularity.
+    /// Returns the reason that the joints cannot follow any further: the path leaves the arm's reach, or it passes
+    /// through a singularity.
     fn lost(&self, share: f64, joints: &[f64; 6]) -> Found {
         let (mut furthest, mut turned) = (None::<(f64, f64)>, None);
         for step in 0..=REACH_STEPS {
@@ -269,7 +271,7 @@ fn continuous(here: &PathSample, next: &PathSample) -> bool {
     })
 }
 
-/// How far a joint is from an even turn between two samples, in degrees, if its rate changes evenly.
+/// Returns the deviation of a joint from an even turn between two samples, in degrees, if its rate changes evenly.
 fn bend(here: &PathSample, next: &PathSample, index: usize) -> f64 {
     0.125 * (next.share - here.share) * (next.rates[index] - here.rates[index]).abs()
 }
@@ -278,7 +280,7 @@ fn place(point: Point, frames: &[Isometry3<f64>; 6]) -> Point3<f64> {
     frames[point.frame()].translation.vector.into()
 }
 
-/// How elbow or wrist moves, in mm for the length of the whole path.
+/// Returns the velocity of elbow or wrist, in mm for the length of the whole path.
 fn velocity(point: Point, here: &PathSample) -> Vector3<f64> {
     let at = place(point, &here.frames).coords;
     let parts = here.frames.iter().zip(here.rates).take(point.frame()).map(|(frame, rate)| {

@@ -1,4 +1,4 @@
-//! Where the tool centre point is led.
+//! Path of the tool centre point.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -16,9 +16,9 @@ pub(super) enum ToolPath {
 /// A part of a path on which the tool turns evenly.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EvenTurn {
-    /// Where it ends, as a share of the path.
+    /// End of the part, as a share of the path.
     pub(super) end: f64,
-    /// How the tool turns, in radians for the length of the whole path.
+    /// Turn of the tool, in radians for the length of the whole path.
     pub(super) turn: Vector3<f64>,
 }
 
@@ -35,7 +35,7 @@ impl ToolPath {
         }
     }
 
-    /// How the tool centre point moves, in mm for the length of the whole path.
+    /// Returns the velocity of the tool centre point, in mm for the length of the whole path.
     pub(super) fn velocity(&self, share: f64) -> Vector3<f64> {
         match self {
             Self::Line { from, to } => to.0.translation.vector - from.0.translation.vector,
@@ -50,7 +50,8 @@ impl ToolPath {
         }
     }
 
-    /// How the tool centre point goes: on a circle the change of its speed is the angle times it.
+    /// Returns the bounds of the tool centre point's motion: on a circle the change of its speed is the angle times the
+    /// speed.
     pub(super) fn motion(&self) -> PointMotion {
         let rate_mm = self.length_mm();
         let bend_mm = match self {

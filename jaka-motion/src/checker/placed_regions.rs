@@ -25,7 +25,7 @@ impl<'a> PlacedRegions<'a> {
         self.regions.iter().filter(move |region| region.point() == point)
     }
 
-    /// How far a point is beyond the region of this name, in mm, if there is one for it.
+    /// Returns the distance of a point beyond the region of this name, in mm, if there is one for the point.
     pub(super) fn beyond_named(&self, name: &str, point: Point, at: &Point3<f64>) -> Option<f64> {
         self.of(point).find(|region| **region.name() == *name).map(|region| self.beyond(region, at))
     }
@@ -115,7 +115,7 @@ impl<'a> PlacedRegions<'a> {
         region.beyond(&(self.seen_from(region) * at))
     }
 
-    /// How far beyond a region a point may be: not at all, or as far as it is at the start.
+    /// Returns the distance that a point may be beyond a region, in mm: zero, or its distance at the start.
     fn allowed(&self, region: &Region, start: Option<&Point3<f64>>) -> f64 {
         start.map_or(0.0, |start| self.beyond(region, start).max(0.0))
     }

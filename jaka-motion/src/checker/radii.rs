@@ -12,7 +12,7 @@ use crate::piece::{Hull, Piece};
 pub(crate) struct Radii {
     /// The most that each point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
     of: [[f64; 6]; 3],
-    /// By how much each distance from a singularity changes at most where a joint turns by a radian.
+    /// Greatest change of each distance from a singularity for a turn of a joint by one radian.
     distances: [[f64; 6]; 3],
 }
 
@@ -30,13 +30,13 @@ pub(super) struct PointMotion {
 pub(crate) struct PieceEnd {
     /// In the order of [`Point::ALL`], in the arm's base.
     points: [Point3<f64>; 3],
-    /// How each joint moves the tool centre point, in mm a radian.
+    /// Motion of the tool centre point with each joint, in mm a radian.
     levers: [Vector3<f64>; 6],
 }
 
-/// How far, in mm, a point may be from the straight way between two neighbouring samples. With the quarter of a box's
-/// side by which [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a way through the box has a
-/// sample in it.
+/// Greatest distance of a point from the straight line between two neighbouring samples, in mm. With the quarter of a
+/// box's side by which [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a path through the box
+/// has a sample in it.
 pub(super) const BEND_MM: f64 = 0.1;
 /// The least share of a way between two samples, which bounds their number.
 pub(super) const LEAST_STEP: f64 = 5e-5;
@@ -60,17 +60,17 @@ impl Radii {
         &self.of[point as usize]
     }
 
-    /// How far the tool centre point goes at most where the joints turn by these degrees, in mm.
+    /// Returns a bound of the distance that the tool centre point moves where the joints turn by these degrees, in mm.
     pub(crate) fn tcp_rate_at_most(&self, moved: &[f64; 6]) -> f64 {
         self.of(Point::Tcp).iter().zip(moved).map(|(radius, moved)| radius * moved.abs().to_radians()).sum()
     }
 
-    /// By how much the distances from singularities change at most where the joints turn by so many radians.
+    /// Returns a bound of the change of each distance from a singularity where the joints turn by so many radians.
     pub(crate) fn distances_change(&self, turned: &[f64; 6]) -> [f64; 3] {
         self.distances.map(|rates| rates.iter().zip(turned).map(|(rate, turned)| rate * turned).sum())
     }
 
-    /// How a point goes while the joints turn by at most these radians.
+    /// Returns the bounds of a point's motion while the joints turn by at most these radians.
     pub(super) fn motion(&self, point: Point, turned: &[f64; 6]) -> PointMotion {
         let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
         for (radius, turned) in self.of(point).iter().zip(turned) {
@@ -82,27 +82,28 @@ impl Radii {
         PointMotion { rate_mm, bend_mm }
     }
 
-    /// The same on a way straight in joint space, over these degrees.
+    /// Returns the bounds of a point's motion on a path straight in joint space, over these degrees.
     pub(super) fn motion_of_path(&self, point: Point, moved: &[f64; 6]) -> PointMotion {
         self.motion(point, &moved.map(|degrees| degrees.abs().to_radians()))
     }
 
-    /// The same where the turns themselves change by at most these radians.
+    /// Returns the bounds of a point's motion while the joints turn by at most the radians of `turned`, and the turns
+    /// themselves change by at most those of `swung`.
     pub(super) fn motion_with_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> PointMotion {
         let motion = self.motion(point, turned);
         let swings: f64 = self.of(point).iter().zip(swung).map(|(radius, swung)| radius * swung).sum();
         PointMotion { bend_mm: motion.bend_mm + swings, ..motion }
     }
 
-    /// The same on a piece.
+    /// Returns the bounds of a point's motion on a piece.
     pub(super) fn motion_on_piece(&self, point: Point, piece: &Piece, hull: &Hull) -> PointMotion {
         self.motion_with_swings(point, &hull.turned(piece.seconds), &hull.swung(piece.seconds))
     }
 
-    /// What the speed of the tool centre point is not above on a piece, in mm/s.
+    /// Returns a bound of the tool centre point's speed on a piece, in mm/s.
     ///
     /// If levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree, no
-    /// larger than its Bernstein coefficients. What they change otherwise is at most an eighth of their second
+    /// larger than its Bernstein coefficients. The other change of the levers is at most an eighth of their second
     /// derivative: the joints' accelerations, and their speeds twice, times the distance from the outermost axis of
     /// those that count.
     pub(super) fn tcp_speed_at_most(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> f64 {
@@ -180,7 +181,7 @@ impl PieceEnd {
         &self.points[point as usize]
     }
 
-    /// How the tool centre point moves where the joints turn so, in radians.
+    /// Returns the motion of the tool centre point where the joints turn by these radians, in mm.
     pub(super) fn moved(&self, turns: [f64; 6]) -> Vector3<f64> {
         self.levers.iter().zip(turns).map(|(lever, turn)| lever * turn).sum()
     }

@@ -34,7 +34,7 @@ impl Solved {
         Some(Self { joints: *joints, frames: *frames, tool, jacobian: Damped::new(&jacobian, DAMPING)? })
     }
 
-    /// Where a point of the arm is, in the arm's base.
+    /// Returns the position of a point of the arm, in mm in the arm's base.
     pub(super) fn point(&self, point: Point) -> Point3<f64> {
         let frame = if point == Point::Tcp { &self.tool } else { &self.frames[point.frame()] };
         frame.translation.vector.into()
@@ -46,7 +46,8 @@ impl Solved {
         std::array::from_fn(|index| self.joints[index] + step[index].to_degrees())
     }
 
-    /// How the joints turn, in degrees, where the tool moves so, in mm and radians; none if they cannot.
+    /// Returns the turns of the joints, in degrees, for a motion of the tool, in mm and radians; none if the joints
+    /// cannot follow it.
     pub(super) fn rates(&self, moved: &Vector6<f64>) -> Option<[f64; 6]> {
         let mut moved = *moved;
         moved.fixed_rows_mut::<3>(3).scale_mut(RADIAN);
@@ -55,8 +56,8 @@ impl Solved {
         (missed <= MISSED * moved.norm()).then(|| std::array::from_fn(|index| rates[index].to_degrees()))
     }
 
-    /// How the joints move where the tool has this velocity and acceleration, in mm and radians a second; none if they
-    /// cannot.
+    /// Returns the motion of the joints for a velocity and an acceleration of the tool, in mm and radians a second;
+    /// none if the joints cannot follow them.
     pub(crate) fn moving(&self, velocity: &Vector6<f64>, acceleration: &Vector6<f64>) -> Option<Sample> {
         let velocity = self.rates(velocity)?;
         let acceleration = self.rates(&(acceleration - self.bend(&velocity.map(f64::to_radians))))?;
@@ -73,7 +74,7 @@ impl Solved {
         std::array::from_fn(|index| self.joints[index] + (turns[index] - 0.5 * more[index]).to_degrees())
     }
 
-    /// How the tool's velocity changes where the joints turn on so.
+    /// Returns the change of the tool's velocity where the joints go on at these rates.
     fn bend(&self, turns: &[f64; 6]) -> Vector6<f64> {
         bend(&self.frames, &self.tool.translation.vector, turns)
     }

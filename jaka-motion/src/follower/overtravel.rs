@@ -1,19 +1,19 @@
-//! How far the tool goes on after a contact, where it is then braked along a trajectory.
+//! Overtravel of the tool after a contact, if the arm is then braked along a trajectory.
 
 use super::{ChangeLimits, Follower, State};
 use crate::checker::Checker;
 
-/// How far the tool goes on after a contact on a trajectory: see [`Follower::worst_overtravel`].
+/// Overtravel of the tool after a contact on a trajectory: see [`Follower::worst_overtravel`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Overtravel {
     /// The trajectory time of the contact, in seconds.
     pub time_s: f64,
-    /// How far the tool centre point goes on from there until it rests, in mm along its way; infinite where braking
-    /// takes longer than 0.5 s and the rest of the trajectory is longer than what is allowed.
+    /// Distance that the tool centre point travels from there until it rests, in mm along its path; infinite where
+    /// braking takes longer than 0.5 s and the rest of the trajectory is longer than the allowed distance.
     pub way_mm: f64,
-    /// For how long of that it is not braked yet, in seconds: the delay, rounded up to periods, and one more, since the
-    /// contact can come at any moment of one.
+    /// Time from the contact until the tool is braked, in seconds: the delay, rounded up to periods, and one period
+    /// more, since the contact can come at any moment of one.
     pub unbraked_s: f64,
     /// Its greatest speed on that way, as mean over a period, in mm/s.
     pub speed_mm_s: f64,
@@ -21,20 +21,21 @@ pub struct Overtravel {
     pub braking_mm_s2: f64,
 }
 
-/// How far the tool has gone by each set-point, and how many periods after a contact it is braked.
+/// Distance of the tool at each set-point, in mm from the start, and the number of periods from a contact to the
+/// braking.
 pub(super) struct Travel<'a> {
     follower: &'a Follower,
     gone_mm: Vec<f64>,
     unbraked: usize,
 }
 
-/// How long braking may take, in seconds.
+/// Longest time that braking may take, in seconds.
 const LONGEST_S: f64 = 0.5;
-/// How many contacts are bounded together.
+/// Number of contacts that are bounded together.
 const TOGETHER: usize = 16;
-/// For how many periods of braking that is tried.
+/// Numbers of periods of braking for which a bound is tried.
 const AHEAD: [usize; 3] = [2, 12, 64];
-/// By what share of itself [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a
+/// Share of itself by which [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a
 /// speed or an acceleration too high.
 const PEAK: f64 = 1e-4;
 
@@ -84,8 +85,8 @@ impl<'a> Travel<'a> {
         worst
     }
 
-    /// How many periods of the trajectory it goes on for at most where it is braked after any of these set-points, if
-    /// that is known: in each one the rate falls by as much as it may all the while.
+    /// Returns the largest number of trajectory periods that it still covers if it is braked after any of these
+    /// set-points, if that is known: in each one the rate falls by as much as it may all the while.
     fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
         let limits = self.follower.trajectory.joint_accelerations();
         if (0..6).any(|joint| self.follower.checker.limits().joint_accelerations()[joint] < limits[joint]) {
@@ -174,7 +175,7 @@ fn furthest(contacts: impl Iterator<Item = (usize, f64)>) -> Option<(usize, f64)
     contacts.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// How many periods a time has, rounded up.
+/// Returns the number of periods in a time, rounded up.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is beyond is cut")]
 fn periods(time_s: f64, period_s: f64) -> usize {
     (time_s / period_s - 1e-9).ceil() as usize

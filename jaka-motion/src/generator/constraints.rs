@@ -19,44 +19,44 @@ pub(super) struct Constraints {
     /// The most of each joint in a stop, in deg/s³.
     stop_jerks: [f64; 6],
     pub(super) period_s: f64,
-    /// How far the tool may go on until the arm stops, in mm.
+    /// Longest distance that the tool may still travel until the arm stops, in mm.
     pub(super) stopping_mm: f64,
 }
 
-/// What the tool allows of rates of the joints.
+/// Pace that the tool allows to rates of the joints.
 pub(super) struct ToolPace {
-    /// How much of the rates.
+    /// Allowed share of the rates.
     pub(super) share: f64,
     /// Limits of the joints for that, in proportion to the rates, so that all joints do the same at a time: a straight
     /// way stays straight.
     pub(super) limits: [JointLimits; 6],
-    /// What allows no more, unless it is the reserve alone.
+    /// Limit that allows no more, unless it is the reserve alone.
     pub(super) exceeded: Option<Exceeded>,
 }
 
-/// Of what the tool may do, how much is planned: the rest is for how joints' speeds move it on the way.
+/// Planned share of the tool's limits: the rest is for the different motion that joint speeds give the tool on the way.
 const PACE_USED: f64 = 0.9;
-/// How often the speed is cut for a stop that is too long, and to how much of it.
+/// Greatest number of cuts of the speed for a stop that is too long, and the factor of each cut.
 const CUTS: u32 = 24;
 const CUT: f64 = 0.8;
-/// Of what the tool may do, how much is looked for: what is found is compared with all of it, more exactly.
+/// Share of the tool's limits that the search uses: its result is compared with all of them, more exactly.
 const STEP_USED: f64 = 0.98;
-/// How often the step towards the proposed states is halved at most. It is above 1e-10 then.
+/// Greatest number of halvings of the step towards the proposed states. The step is above 1e-10 then.
 const HALVINGS: f64 = 32.0;
-/// How often the count of halvings is bisected, which leaves an eighth of one.
+/// Number of bisections of the count of halvings, which leaves an eighth of one.
 const BISECTIONS: u32 = 8;
-/// How many steps are compared with all limits, each a quarter of the one before.
+/// Number of steps that are compared with all limits, each a quarter of the one before.
 const TRIES: u32 = 3;
-/// Of the speeds, what is asked for at most.
+/// Greatest share of the speeds that is asked for.
 const VELOCITY_USED: f64 = 0.99;
-/// Of accelerations and jerks, what slowing in front of a limit counts on: the rest is for how the joints' speeds
-/// change on the tool's way.
+/// Share of accelerations and jerks on which slowing in front of a limit counts: the rest is for the change of the
+/// joints' speeds on the tool's path.
 const COUNTED_ON: f64 = 0.5;
-/// In how many periods what is left of the way in front of a limit is done at most.
+/// Least number of periods for the rest of the path in front of a limit.
 const CREEP_PERIODS: f64 = 10.0;
 /// A joint is fast near a singularity where its distance is below this.
 const NEAR: f64 = 0.1;
-/// Of the acceleration of a motion, what a joint stops with at least, however slow it is beside others.
+/// Least share of a motion's acceleration with which a joint stops, however slow it is beside others.
 const LEAST_STOP: f64 = 1e-3;
 /// A share of the speeds below which the motion counts as slowed.
 const SLOWED: f64 = 0.98;
@@ -132,14 +132,15 @@ impl Constraints {
         self.checker.beyond_of(Way::SetPoint, exceeded)
     }
 
-    /// What the tool allows on the way to a target; none where it allows all speeds of the joints.
+    /// Returns the pace that the tool allows on the way to a target; none if it allows all speeds of the joints.
     pub(super) fn tool_pace_to(&self, state: &[JointState; 6], target: &[f64; 6]) -> Option<ToolPace> {
         let by: [f64; 6] = std::array::from_fn(|index| target[index] - state[index].position);
         let seconds = (0..6).map(|index| by[index].abs() / self.limits[index].speed).fold(0.0, f64::max);
         self.tool_pace(state, &by, 1.0 / seconds)
     }
 
-    /// What the tool allows of these rates, of which the joints allow `most`; none where it is no less.
+    /// Returns the pace that the tool allows for these rates, of which the joints allow `most`; none if it allows as
+    /// much.
     pub(super) fn tool_pace(&self, state: &[JointState; 6], rates: &[f64; 6], most: f64) -> Option<ToolPace> {
         let limit_mm_s = self.checker.limits().tcp_speed()?;
         let here = positions(state);
@@ -188,7 +189,8 @@ impl Constraints {
         tries.find_map(|next| self.may_be(state, next)).or(Some(led))
     }
 
-    /// How fast the joints should go, all scaled by one factor, and what made it less than 1.
+    /// Returns the speeds of the joints for a velocity of the tool, in deg/s, all scaled by one factor, and the limit
+    /// that made it less than 1.
     pub(super) fn speeds_for(&self, state: &[JointState; 6], velocity: &TcpVelocity) -> ([f64; 6], Option<Exceeded>) {
         let here = positions(state);
         let twist = self.checker.twist_in_base(velocity, &here);
@@ -210,14 +212,14 @@ impl Constraints {
         (speed_mm_s > limit_mm_s).then_some(Exceeded::TcpSpeed { speed_mm_s, limit_mm_s })
     }
 
-    /// What a joint takes to stop from its full speed, in degrees.
+    /// Returns the angle that a joint needs to stop from its full speed, in degrees.
     fn stopping_room(&self, index: usize) -> f64 {
         let fast = JointState { speed: self.limits[index].speed, ..JointState::default() };
         Stop::of(fast, self.limits[index]).end()
     }
 
-    /// How far the tool goes in a period at this share of the rates, and then until it rests, in mm; 0 where that does
-    /// not matter.
+    /// Returns the distance that the tool travels in a period at this share of the rates, and then until it rests, in
+    /// mm; 0 if that does not matter.
     fn way_to_rest(&self, here: &[f64; 6], rates: &[f64; 6], share: f64, rate_mm: f64) -> f64 {
         if self.stopping_mm.is_infinite() {
             return 0.0;
@@ -248,7 +250,7 @@ impl Constraints {
         state.map(|state| state.coasted(self.period_s, ramp_s))
     }
 
-    /// In which time all accelerations can go to zero, in seconds.
+    /// Returns the time in which all accelerations can go to zero, in seconds.
     fn ramp_s(&self, states: &[JointState; 6]) -> f64 {
         let each = states.iter().zip(&self.limits).map(|(state, limits)| state.acceleration.abs() / limits.jerk);
         each.fold(0.0, f64::max)
@@ -274,12 +276,12 @@ impl Constraints {
             })
     }
 
-    /// How far the tool gets from these states to rest, as the crow flies, in mm.
+    /// Returns the straight-line distance that the tool moves from these states to rest, in mm.
     fn stop_mm(&self, from: &[JointState; 6]) -> f64 {
         self.checker.arm().tcp_distance(&positions(from), &self.stops(from).0.map(|stop| stop.end()))
     }
 
-    /// The share of the velocity that speeds allow, and what allows no more.
+    /// Returns the share of the velocity that the speed limits allow, and the limit that allows no more.
     fn full_share(&self, velocity: &TcpVelocity, rates: &[f64; 6], near: &Exceeded) -> (f64, Option<Exceeded>) {
         let share = |index: usize| VELOCITY_USED * self.limits[index].speed / rates[index].abs();
         let least = (0..6).map(share).fold(1.0, f64::min);
@@ -304,7 +306,7 @@ impl Constraints {
         Exceeded::JointSpeed { joint: index + 1, speed_deg_s, limit_deg_s, near }
     }
 
-    /// How much of a second of these rates a stop takes, from a share of them.
+    /// Returns the length of a stop from a share of these rates, in seconds at the full rates.
     fn length_to_stop(&self, rates: &[f64; 6], share: f64) -> f64 {
         let (acceleration, jerk) = self.along(rates);
         let stop = if share * jerk < acceleration * acceleration {

@@ -1,10 +1,10 @@
-//! How joints may move.
+//! Speeds, accelerations and jerks of the joints.
 
 use super::GeneratorError;
 use crate::braking::JointLimits;
 use crate::limits::Limits;
 
-/// How joints may move: the speed, acceleration and jerk of each, in deg/s, deg/s² and deg/s³.
+/// Bounds of the joints' motion: the speed, acceleration and jerk of each, in deg/s, deg/s² and deg/s³.
 ///
 /// ```
 /// use jaka_motion::{Dynamics, Limits, Model};
@@ -75,7 +75,7 @@ impl Dynamics {
         &self.jerks
     }
 
-    /// Whether each is large enough, and speeds and accelerations are not beyond the limits.
+    /// Checks that each value is large enough, and that speeds and accelerations are not beyond the limits.
     pub(super) fn check(&self, limits: &Limits) -> Result<(), GeneratorError> {
         enough("speed", "deg/s", self.speeds)?;
         enough("acceleration", "deg/s²", self.accelerations)?;
@@ -84,7 +84,8 @@ impl Dynamics {
         within("acceleration", "deg/s²", &self.accelerations, limits.joint_accelerations())
     }
 
-    /// What is computed with: a joint does not reach its speed, nor its acceleration, in less than a period.
+    /// Returns the limits for the computation: a joint does not reach its speed, nor its acceleration, in less than a
+    /// period.
     pub(super) fn joint_limits(&self, period_s: f64) -> [JointLimits; 6] {
         std::array::from_fn(|index| {
             let speed = self.speeds[index];

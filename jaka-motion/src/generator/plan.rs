@@ -18,13 +18,13 @@ pub(super) struct Plan {
     way: Trajectory<6>,
     /// Memory for a way that may be better.
     other: Trajectory<6>,
-    /// How many seconds of the way are behind the arm; none if there is no way.
+    /// Elapsed time of the way, in seconds; none if there is no way.
     elapsed: Option<f64>,
 }
 
-/// Of the limits, what the way may use: less, so that rounding is not beyond them.
+/// Share of the limits that the way may use: less than 1, so that rounding is not beyond them.
 const USED: f64 = 0.999;
-/// For how long a joint that is to keep a speed is led on at most, in seconds.
+/// Longest time for which a joint that is to keep a speed goes on, in seconds.
 const HORIZON: f64 = 1000.0;
 /// A speed below which a joint is meant to rest, in deg/s.
 const NEXT_TO_NOTHING: f64 = 1e-6;

@@ -26,9 +26,10 @@ pub(crate) struct AxisLimits {
 
 /// Least time in which a stop reaches its acceleration, in seconds.
 const LEAST_RAMP_S: f64 = 1e-4;
-/// What rounding may add to the acceleration of a set-point, in deg/s²: the joint positions have some 16 digits.
+/// Rounding error that is allowed in the acceleration of a set-point, in deg/s²: the joint positions have some 16
+/// digits.
 const STEP_ROUNDING: f64 = 1e-6;
-/// What rounding may add to the acceleration on a piece, in deg/s².
+/// Rounding error that is allowed in the acceleration on a piece, in deg/s².
 const PIECE_ROUNDING: f64 = 1e-7;
 
 impl AxisLimits {

@@ -10,7 +10,7 @@ pub(crate) struct SingularityClearance(pub(super) f64);
 
 /// The least distance at which the joints surely stay on their branch, where limits name a smaller one.
 const APART: f64 = 0.02;
-/// In how many parts of the way ahead distances are compared.
+/// Number of parts of the path ahead in which distances are compared.
 #[cfg(feature = "generator")]
 const PARTS: u8 = 4;
 

@@ -133,7 +133,7 @@ fn each(
     }
 }
 
-/// Whether the limit made sense; else an error is reported at its place.
+/// Applies a limit; if it makes no sense, reports an error at its place and returns false.
 fn apply(
     file: &Table<'_, '_>,
     at: usize,
@@ -173,7 +173,8 @@ fn name(table: &Table<'_, '_>) -> Option<String> {
     table.text("name").map(|name| name.value.to_owned())
 }
 
-/// What a region is of, and from where it is seen. Both must be stated: neither goes without saying.
+/// Reads the point that a region is for and the frame from which it is seen. Both must be stated: neither has a
+/// default.
 fn seen(table: &Table<'_, '_>) -> Option<(Point, RegionFrame)> {
     let point = choice(table, "of", &[("tcp", Point::Tcp), ("elbow", Point::Elbow), ("wrist", Point::Wrist)]);
     let frame = choice(table, "frame", &[("base", RegionFrame::ArmBase), ("user", RegionFrame::User)]);

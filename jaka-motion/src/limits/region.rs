@@ -1,4 +1,4 @@
-//! Where a point of the arm may be.
+//! Regions for points of the arm.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use nalgebra::{Point3, Unit, Vector3};
 use super::{InvalidLimit, finite};
 use crate::model::Point;
 
-/// Where a point of the arm may be: inside a box, outside of one, or on one side of a plane.
+/// Region for a point of the arm: the inside of a box, the outside of one, or one side of a plane.
 ///
-/// Unless it says otherwise, it is for the tool centre point, seen from the user frame. How far a point is beyond a box
-/// is counted along the box's axes: outside of a box to be kept inside of, the longest way along one of them; inside of
-/// one to be kept outside of, the shortest.
+/// By default it is for the tool centre point, seen from the user frame. The distance of a point beyond a box is
+/// measured along the box's axes: for a box to be kept inside of, the longest distance along one of them; for a box to
+/// be kept outside of, the shortest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
     name: Arc<str>,
@@ -20,7 +20,7 @@ pub struct Region {
     frame: RegionFrame,
 }
 
-/// From where a region is seen.
+/// Frame from which a region is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RegionFrame {
@@ -96,7 +96,7 @@ impl Region {
         self.point
     }
 
-    /// From where it is seen.
+    /// Returns the frame from which it is seen.
     pub fn frame(&self) -> RegionFrame {
         self.frame
     }
@@ -124,7 +124,7 @@ impl Region {
         Ok(Self { name, shape, point: Point::Tcp, frame: RegionFrame::User })
     }
 
-    /// How far beyond the region a point in its frame is, in mm; negative where it is within.
+    /// Returns the distance of a point in the region's frame beyond the region, in mm; negative if the point is within.
     pub(crate) fn beyond(&self, at: &Point3<f64>) -> f64 {
         let past = |min: &Point3<f64>, max: &Point3<f64>| (min - at).max().max((at - max).max());
         match &self.shape {
@@ -134,10 +134,11 @@ impl Region {
         }
     }
 
-    /// Where a straight way between two points is in the midst of a box to be kept outside of, as a share of the way.
+    /// Returns the place at which a straight path between two points is in the midst of a box to be kept outside of, as
+    /// a share of the path.
     ///
     /// The box is smaller by `depth` mm on each side, and by a quarter of its thinnest side or half a millimetre, so
-    /// that a way along a side does not count.
+    /// that a path along a side does not count.
     pub(crate) fn crossed(&self, from: &Point3<f64>, to: &Point3<f64>, depth: f64) -> Option<f64> {
         let Shape::Outside { min, max } = &self.shape else { return None };
         let less = depth + (0.25 * (max - min).min()).min(0.5);

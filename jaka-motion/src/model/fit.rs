@@ -9,7 +9,7 @@ use super::Model;
 use crate::frames::Frames;
 use crate::transform::Transform;
 
-/// How far a model may be from the controller's own poses.
+/// Greatest difference of a model from the controller's own poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Of the position, in mm.
@@ -30,7 +30,7 @@ impl Default for Tolerance {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
-    /// What the controller's poses have before and after the arm: mounting and user frame together as the mounting, and
+    /// Frames before and after the arm in the controller's poses: mounting and user frame together as the mounting, and
     /// the tool.
     pub frames: Frames,
     /// The largest difference of a position, in mm.
@@ -40,7 +40,7 @@ pub struct Fit {
 }
 
 jaka_proto::worded! {
-    /// Why a model was not accepted.
+    /// Error for a model that was not accepted.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum FitError {
@@ -48,16 +48,16 @@ jaka_proto::worded! {
         NotFinite => "a number of the joint positions or poses is not finite",
         /// There are too few poses.
         TooFew {
-            /// How many are needed.
+            /// Least number of poses.
             least: usize,
         } => "too few poses to compare; at least {least} are needed",
         /// A joint hardly moves over the poses, so that they do not tell about it.
         JointNotMoved {
             /// The joint, 1 to 6.
             joint: usize,
-            /// How far it moves, in degrees.
+            /// Angle by which the joint moves, in degrees.
             moved_deg: f64,
-            /// How far it must.
+            /// Least angle by which the joint must move, in degrees.
             least_deg: f64,
         } => "joint {joint} moves by {moved_deg:.1} deg over the poses to compare; at least {least_deg} deg are needed",
         /// The poses are turned about one axis alone, so that more than one tool and mounting fit them.
@@ -66,13 +66,13 @@ jaka_proto::worded! {
         Differs {
             /// The model's name.
             model: &'static str,
-            /// Where the position differs most.
+            /// Joint position at which the position of the pose differs most.
             joints: JointPosition,
             /// The largest difference of a position, in mm.
             position_mm: f64,
             /// The largest difference of an orientation, in degrees.
             angle_deg: f64,
-            /// What is allowed.
+            /// Allowed difference.
             tolerance: Tolerance,
         } => (format!(
             "at joints {joints} the {model} differs from the controller by {position_mm:.3} mm and {angle_deg:.4} deg; \
@@ -88,8 +88,8 @@ const LEAST_MOVED: f64 = 20.0;
 const LEAST_POSES: usize = 6;
 /// Shares of a joint's range in steps that never come together: the fractions of square roots of primes.
 const STEPS: [f64; 6] = [0.414_213_6, 0.732_050_8, 0.236_068, 0.645_751_3, 0.316_624_8, 0.605_551_3];
-/// How much the second singular value must be below the first, for one solution. Both are 1 for turns about a single
-/// axis.
+/// Least amount by which the second singular value must be below the first, for one solution. Both are 1 for turns
+/// about a single axis.
 const ONE_SOLUTION: f64 = 1e-3;
 /// The most rounds of the search for singular values.
 const ROUNDS: usize = 1000;
@@ -131,7 +131,7 @@ pub(super) fn fit(model: &Model, pairs: &[(JointPosition, Pose)], tolerance: Tol
     }
 }
 
-/// Whether the poses can tell anything of the model.
+/// Checks that the poses can tell anything of the model.
 fn check(pairs: &[(JointPosition, Pose)]) -> Result<(), FitError> {
     let finite = |(joints, pose): &(JointPosition, Pose)| {
         joints.0.iter().chain(&<[f64; 6]>::from(*pose)).all(|number| number.is_finite())

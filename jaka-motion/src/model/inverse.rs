@@ -12,7 +12,7 @@ use jaka_proto::messages::types::JointPosition;
 pub struct Branches(ArrayVec<JointPosition, 16>);
 
 jaka_proto::worded! {
-    /// Why the arm cannot bring its flange to a pose.
+    /// Error for a pose to which the arm cannot bring its flange.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum NoSolution {
@@ -20,7 +20,7 @@ jaka_proto::worded! {
         NotFinite => "a number of the pose or of the reference is not finite",
         /// The pose is too far away, or too near to the axis of joint 1.
         OutOfReach {
-            /// How much longer or shorter the arm would have to be between shoulder and wrist, at least, in mm.
+            /// Least change of the arm's length between shoulder and wrist with which it would reach, in mm.
             by_mm: f64,
         } => "out of reach by {by_mm:.1} mm",
         /// The position is within reach, but not with this orientation.
@@ -29,7 +29,7 @@ jaka_proto::worded! {
         BeyondRange {
             /// The joint, 1 to 6.
             joint: usize,
-            /// Where it would be, in degrees.
+            /// Position that the joint would have, in degrees.
             position_deg: f64,
             /// The end of its range, in degrees.
             limit_deg: f64,

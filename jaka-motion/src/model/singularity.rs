@@ -1,9 +1,9 @@
-//! How far joint positions are from those at which the arm loses a direction.
+//! Distances of joint positions from singularities.
 
 use nalgebra::Matrix6;
 
-/// How far joint positions are from a singularity, where the tool cannot be moved or turned in some direction, and near
-/// which a slow motion of the tool takes a fast one of the joints.
+/// Distance of joint positions from the singularities. At a singularity the tool cannot be moved or turned in some
+/// direction; near one, a slow motion of the tool takes a fast one of the joints.
 ///
 /// Each number is zero at a singularity and has no unit.
 ///
@@ -14,8 +14,8 @@ use nalgebra::Matrix6;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SingularityDistance {
-    /// How far the wrist, where the axes of joints 5 and 6 meet, is from the plane through the axis of joint 1 that is
-    /// parallel to the axis of joint 2, divided by [`Model::reach_mm`](super::Model::reach_mm). It is zero where the
+    /// Distance of the wrist, at which the axes of joints 5 and 6 meet, from the plane through the axis of joint 1 that
+    /// is parallel to the axis of joint 2, divided by [`Model::reach_mm`](super::Model::reach_mm). It is zero if the
     /// wrist is above the shoulder.
     pub shoulder: f64,
     /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
@@ -31,7 +31,7 @@ pub struct SingularityDistance {
 }
 
 jaka_proto::worded! {
-    /// Where the arm loses a direction.
+    /// Singularity of the arm: joint positions at which it loses a direction.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Singularity {
         /// The wrist is above the shoulder.

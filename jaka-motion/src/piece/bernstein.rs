@@ -1,9 +1,9 @@
 //! Polynomials by their Bernstein coefficients, between the least and the largest of which they stay.
 
-/// How often a part of a polynomial is halved before its coefficients count as its values: they come four times nearer
-/// each time.
+/// Number of halvings of a part of a polynomial after which its coefficients count as its values: they come four times
+/// nearer each time.
 const HALVINGS: u32 = 24;
-/// By what share of itself a peak may be stated too high.
+/// Share of itself by which a peak may be stated too high.
 const PEAK: f64 = 1e-4;
 
 /// The value at a share of the way, from 0 to 1.
@@ -17,7 +17,7 @@ pub(crate) fn value<const N: usize>(coefficients: &[f64; N], share: f64) -> f64 
     values[0]
 }
 
-/// How much each coefficient counts at a share of the way.
+/// Returns the weight of each coefficient at a share of the way.
 pub(crate) fn weights<const N: usize>(share: f64) -> [f64; N] {
     let mut weights = [0.0; N];
     weights[0] = 1.0;
@@ -68,8 +68,8 @@ pub(crate) fn highest<const N: usize>(coefficients: &[f64; N]) -> f64 {
     peak(&coefficients.map(|coefficient| coefficient + most)) - most
 }
 
-/// Where a polynomial is furthest beyond two numbers, as a share, and its value there, looked at in 128 places; none
-/// where it stays between them.
+/// Returns the place at which a polynomial is furthest beyond two numbers, as a share, and its value there, looked at
+/// in 128 places; none if it stays between them.
 pub(crate) fn beyond<const N: usize>(coefficients: &[f64; N], least: f64, most: f64) -> Option<(f64, f64)> {
     fn is_within<const N: usize>(coefficients: &[f64; N], least: f64, most: f64, halvings: u32) -> bool {
         let inside = |number: &f64| (least..=most).contains(number);

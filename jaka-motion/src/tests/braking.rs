@@ -1,4 +1,4 @@
-//! How one joint stops.
+//! Stops of one joint.
 
 use super::Random;
 use crate::braking::{JointLimits, JointState, Stop};

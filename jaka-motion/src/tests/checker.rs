@@ -31,7 +31,7 @@ fn bare(limits: Limits) -> Checker {
     Checker::new(limits, Frames::new())
 }
 
-/// Where the flange is, moved along the axes of the base.
+/// Returns the pose of the flange, moved along the axes of the base.
 fn moved(from: [f64; 6], [x, y, z]: [f64; 3]) -> Pose {
     let pose = Pose::from(Model::default().forward(from));
     Pose { x: pose.x + x, y: pose.y + y, z: pose.z + z, ..pose }

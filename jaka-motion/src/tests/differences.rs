@@ -9,7 +9,7 @@ use crate::{Model, Transform};
 /// Of a joint, in degrees.
 const STEP: f64 = 1e-3;
 
-/// How the tool moves with one joint, in mm and degrees for a degree.
+/// Returns the motion of the tool with one joint, in mm and degrees for a degree.
 fn difference(model: &Model, joints: [f64; 6], joint: usize, tool: Transform) -> [f64; 6] {
     let at = |sign: f64| {
         let mut moved = joints;

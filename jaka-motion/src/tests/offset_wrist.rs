@@ -62,7 +62,7 @@ fn drawn(joints: [f64; 6]) -> [Frame; 6] {
     })
 }
 
-/// How far one frame is from another: mm, and thousands of radians.
+/// Returns the distance of one frame from another: mm, and thousandths of a radian.
 fn off(from: &Frame, to: &Frame) -> [f64; 6] {
     let mut off = [0.0; 6];
     for row in 0..3 {
@@ -82,7 +82,7 @@ fn size(off: &[f64; 6]) -> f64 {
     off.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
-/// How the flange moves with the joints, in the unit of [`off`] for a radian.
+/// Returns the motion of the flange with the joints, in the unit of [`off`] for a radian.
 fn slopes(frames: &[Frame; 6]) -> [[f64; 6]; 6] {
     let mut rows = [[0.0; 6]; 6];
     for (joint, frame) in frames.iter().enumerate() {
@@ -219,7 +219,7 @@ fn a_search_finds_as_many_branches() {
     }
 }
 
-/// What is refused no search finds, and the other way round.
+/// A search finds no joints for a pose that the model refuses, and the other way round.
 #[test]
 fn a_search_finds_nothing_where_nothing_is_found() {
     let (model, mut random) = (a12(), Random::new(2104));
@@ -347,7 +347,7 @@ fn above_the_base_joint_6_keeps_the_reference() {
     assert!(solved > 40, "{solved}");
 }
 
-/// What bounds the steps of the checker.
+/// Bound for the steps of the checker.
 #[test]
 fn the_distance_from_singularities_changes_no_faster_than_its_bound() {
     let (model, mut random, mut closest) = (a12(), Random::new(2108), 0.0_f64);

@@ -1,4 +1,4 @@
-//! How far the tool goes on after a contact, at any rate that a follower may have then.
+//! Overtravel of the tool after a contact, at any rate that a follower may have then.
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -8,7 +8,7 @@ use crate::{Checker, Follower, Frames, Limits, Model, TimedPoint, Trajectory};
 
 const PERIOD: f64 = 0.008;
 const UNBRAKED_S: f64 = 0.066;
-/// The same in periods, rounded up.
+/// Number of periods in that time, rounded up.
 const UNBRAKED: usize = 9;
 
 fn checker() -> Checker {
@@ -34,7 +34,8 @@ fn apart(one: JointPosition, other: JointPosition) -> f64 {
     (one.x - other.x).hypot(one.y - other.y).hypot(one.z - other.z)
 }
 
-/// How far the tool goes on from a set-point, where it goes on as `scale` says until it is braked.
+/// Returns the distance that the tool travels from a set-point, in mm, where it goes on as `scale` says until it is
+/// braked.
 fn way(mut follower: Follower, scale: impl Fn(usize) -> f64) -> f64 {
     let (mut way, mut last) = (0.0, follower.joints());
     for index in 0.. {

@@ -61,7 +61,7 @@ fn jerks_are_within(trajectory: &Trajectory, checker: &Checker, share: f64) {
     }
 }
 
-/// How far a point is from the way straight to another.
+/// Returns the distance of a point from the straight path between two others.
 fn off_way<const N: usize>(point: [f64; N], from: [f64; N], to: [f64; N]) -> f64 {
     let dot = |one: &[f64; N], other: &[f64; N]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
     let less = |one: [f64; N], other: [f64; N]| std::array::from_fn::<f64, N, _>(|index| one[index] - other[index]);

@@ -59,7 +59,7 @@ struct Section<'g> {
     parts: Vec<usize>,
 }
 
-/// How far the tool may turn from points, in degrees, if nothing is said.
+/// Greatest turn of the tool away from points, in degrees, if nothing is said.
 const TURN_DEG: f64 = 1.0;
 /// Bends by more are corners, in degrees, if nothing is said.
 const CORNER_ABOVE_DEG: f64 = 30.0;
@@ -67,7 +67,7 @@ const CORNER_ABOVE_DEG: f64 = 30.0;
 const SAME: f64 = 1e-6;
 /// Share of a tolerance that the spline takes: the rest is for polynomials near it.
 const OF_SPLINE: f64 = 0.9;
-/// The same where it is furthest between nodes.
+/// Share of a tolerance that the spline takes where it is furthest between nodes.
 const OF_WAYS: f64 = 0.94;
 /// Share of a tolerance that polynomials of joints may be off the spline, and the most, in mm or degrees.
 const OF_POLYNOMIALS: f64 = 0.05;
@@ -76,7 +76,7 @@ const MOST_OFF: f64 = 0.005;
 const SPAN: f64 = 10.0;
 /// A bend whose arc would be so many tolerances away from the straight ways is a corner.
 const FAR_ARC: f64 = 2.0;
-/// The same, for the parts of a way.
+/// Distance of the arc of a bend from the parts of a way, in tolerances, that sets the number of parts.
 const NEAR_ARC: f64 = 0.05;
 /// Most parts of a way between two places, before and after refinement.
 const MOST_PARTS: [usize; 2] = [16, 32];

@@ -25,7 +25,7 @@ pub(super) enum Space {
     Tool,
 }
 
-/// How far polynomials may be from a curve.
+/// Greatest distance of polynomials from a curve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Nearness {
     pub(super) mm: f64,
@@ -56,14 +56,14 @@ const COMPARED: usize = 32;
 /// Units of a place for a turn by one radian, by its quaternion.
 pub(super) const TURN_UNITS: f64 = 2.0 * TURN_MM;
 
-/// How far the chords between the places on an arc may be from it, in mm.
+/// Greatest distance of the chords between the places on an arc from the arc, in mm.
 const ARC_BETWEEN_MM: f64 = 0.002;
 /// Longest angle between these places, in radians, and longest turn of the tool, in degrees.
 const ARC_STEP: f64 = 0.05;
 const ARC_TURN_DEG: f64 = 1.0;
 /// Most of these places.
 const ARC_PLACES: f64 = 5000.0;
-/// How far the curve may be from these places, and polynomials from the curve.
+/// Greatest distance of the curve from these places, and of polynomials from the curve.
 const ARC_NEAR: Nearness = Nearness { mm: 0.002, deg: 0.002 };
 
 impl CurvePath {

@@ -1,4 +1,4 @@
-//! Why there is no trajectory.
+//! Errors for trajectories that cannot be made.
 
 use crate::beyond::{Beyond, Exceeded, Way};
 use crate::checker::Checker;
@@ -7,20 +7,20 @@ use crate::checker::Checker;
 pub(super) const LONGEST_S: f64 = 604_800.0;
 
 jaka_proto::worded! {
-    /// Why a [`Trajectory`](crate::Trajectory) cannot be made. Way-points are counted from 1.
+    /// Error for a [`Trajectory`](crate::Trajectory) that cannot be made. Way-points are counted from 1.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum TrajectoryError {
         /// There are fewer than two way-points.
         TooFew {
-            /// How many there are.
+            /// Number of way-points that were given.
             given: usize,
         } => "a trajectory takes at least 2 way-points; given {given}",
         /// A number is not finite.
         NotFinite {
             /// The way-point.
             way_point: usize,
-            /// Of what.
+            /// Name of the quantity, for example `position`.
             what: &'static str,
         } => "way-point {way_point}: its {what} is not finite",
         /// The first way-point is not at 0 s.
@@ -34,14 +34,14 @@ jaka_proto::worded! {
             way_point: usize,
             /// Its time in seconds.
             time_s: f64,
-            /// That of the one before, in seconds.
+            /// Time of the way-point before it, in seconds.
             before_s: f64,
         } => "way-point {way_point} is at {time_s} s, and the one before it at {before_s} s; times must increase",
         /// Some way-points have velocities or accelerations and others do not, or they have accelerations alone.
         Uneven {
             /// The first way-point that differs from the first of all.
             way_point: usize,
-            /// What it lacks, or has alone: `velocity` or `acceleration`.
+            /// Quantity that it lacks, or has alone: `velocity` or `acceleration`.
             what: &'static str,
         } => (format!("way-point {way_point}: either all way-points have {}", all_or_none(what))),
         /// The first or the last way-point is passed, although the arm rests before and after a trajectory.
@@ -77,7 +77,7 @@ jaka_proto::worded! {
             joint: usize,
             /// Its largest jerk until the next way-point, in deg/s³.
             jerk_deg_s3: f64,
-            /// What the limits allow, in deg/s³.
+            /// Highest jerk that the limits allow, in deg/s³.
             limit_deg_s3: f64,
             /// Factor of all times with which the jerk is nowhere higher, and speeds are less by it.
             slower: f64,
@@ -106,27 +106,27 @@ jaka_proto::worded! {
         } => "the trajectory takes {duration_s:.3e} s; at most {LONGEST_S} s, a week, are allowed",
         /// A setting is not what it should be.
         Setting {
-            /// Which, for example `corner_mm`.
+            /// Name of the setting, for example `corner_mm`.
             what: &'static str,
             /// The number that was given.
             given: f64,
-            /// What it should be, for example `finite and at least 0`.
+            /// Description of the allowed numbers, for example `finite and at least 0`.
             expected: &'static str,
         } => "{what}: {given} is not {expected}",
         /// The arm may not be at a way-point.
         Place {
             /// The way-point.
             way_point: usize,
-            /// What is exceeded there.
+            /// Limit that is exceeded there.
             beyond: Box<Beyond>,
         } => "way-point {way_point}: {beyond}",
         /// The trajectory is not within the arm's limits.
         Beyond {
             /// The last way-point before the place, or the one at it.
             after: usize,
-            /// When, in seconds from the start, if the trajectory has got its times already.
+            /// Time of the place, in seconds from the start, if the trajectory has got its times already.
             time_s: Option<f64>,
-            /// What is exceeded.
+            /// Limit that is exceeded.
             beyond: Box<Beyond>,
         } => (format!("{}: {beyond}", place(*after, *time_s))),
     }

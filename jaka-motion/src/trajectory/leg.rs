@@ -16,7 +16,7 @@ pub(super) struct Leg {
     pub(super) start: [f64; 6],
     pub(super) path: LegPath,
     pub(super) speeds: LegSpeeds,
-    /// How far the corner at its end may be rounded.
+    /// Tolerances within which the corner at its end may be rounded.
     pub(super) corner: Tolerances,
 }
 
@@ -47,7 +47,7 @@ pub(super) struct SpeedSettings {
     pub(super) reserve: f64,
 }
 
-/// What a trajectory is planned with.
+/// Speeds, accelerations and jerks with which a trajectory is planned.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Budget {
     /// In deg/s and mm/s.
@@ -55,7 +55,7 @@ pub(super) struct Budget {
     /// In deg/s² and deg/s³.
     pub(super) accelerations: [f64; 6],
     pub(super) jerks: [f64; 6],
-    /// What the caller asks for, in mm/s; infinite if that is nothing.
+    /// Speed of the tool centre point that the caller asks for, in mm/s; infinite if it asks for none.
     pub(super) tcp_asked: f64,
     /// Of the tool centre point along its way, in mm/s²; infinite without a limit.
     pub(super) tcp_acceleration: f64,
@@ -78,7 +78,7 @@ const RESERVE: f64 = 0.2;
 const MOST_RESERVE: f64 = 0.9;
 /// Share of an asked speed of the tool centre point that is planned.
 const TCP_ASKED: f64 = 0.9995;
-/// The same of the highest one, where limits have one.
+/// Share of the highest speed of the tool centre point that is planned, where limits have one.
 const TCP_SHARE: f64 = 0.98;
 
 impl Default for SpeedSettings {
@@ -99,7 +99,7 @@ impl SpeedSettings {
         Err(TrajectoryError::Setting { what: "reserve", given: self.reserve, expected: "from 0 to 0.9" })
     }
 
-    /// What is planned with, within an arm's limits.
+    /// Returns the budget for a plan within an arm's limits.
     pub(super) fn budget(&self, checker: &Checker) -> Budget {
         let limits = checker.limits();
         let jerks = self.jerks.unwrap_or(*limits.joint_jerks());
@@ -117,7 +117,7 @@ impl SpeedSettings {
     }
 }
 
-/// How far a corner may be rounded: in mm, in degrees of the tool's turn, in degrees of a joint.
+/// Tolerances within which a corner may be rounded: in mm, in degrees of the tool's turn, in degrees of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tolerances {
     pub(super) mm: f64,
@@ -171,7 +171,7 @@ impl Leg {
         Self::new(after, length, from, LegPath::Joints(moved.map(|moved| moved / length)))
     }
 
-    /// Where the joints are after a way on a leg in joint space.
+    /// Returns the joint positions after a way on a leg in joint space, in degrees.
     pub(super) fn joints_at(&self, direction: &[f64; 6], way: f64) -> [f64; 6] {
         std::array::from_fn(|joint| self.start[joint] + way * direction[joint])
     }

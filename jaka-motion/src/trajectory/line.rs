@@ -1,11 +1,11 @@
-//! Where the joints are along a straight line of the tool.
+//! Joint positions along a straight line of the tool.
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 
 use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
 
-/// How a tool goes straight on, for each unit of the way: mm, and radians about its own axes.
+/// Direction of a straight motion of the tool, for each unit of the way: mm, and radians about its own axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Direction {
     pub(super) moved: Vector3<f64>,
@@ -35,11 +35,12 @@ pub(super) const LONGEST: f64 = 50.0;
 pub(super) const LEAST: f64 = 1e-6;
 /// The most parts of a line.
 const MOST_PARTS: usize = 50_000;
-/// How far the tool may be from its line between them, in mm and degrees.
+/// Greatest distance of the tool from its line between two places, in mm and degrees.
 const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
 
 impl Direction {
-    /// From one place to another, and how long the way is, in mm with [`TURN_MM`] for each radian.
+    /// Returns the direction from one place to another, and the length of the way, in mm with [`TURN_MM`] for each
+    /// radian.
     pub(super) fn between(from: &Isometry3<f64>, to: &Isometry3<f64>) -> (Self, f64) {
         let moved = to.translation.vector - from.translation.vector;
         let turned = (from.rotation.inverse() * to.rotation).scaled_axis();
@@ -49,8 +50,8 @@ impl Direction {
 }
 
 impl Line {
-    /// From where the arm is, in parts that are no shorter than the least where it can be, and where it is at the end;
-    /// none where the joints are not found all along.
+    /// Returns the line from the arm's position, in parts that are no shorter than the least where they can be, and the
+    /// arm's position at the end; none if the joints are not found all along.
     pub(super) fn new(
         checker: &Checker,
         start: &Solved,
@@ -122,12 +123,12 @@ impl Line {
         Isometry3::from_parts(Translation3::from(place), self.from.rotation * turn)
     }
 
-    /// How the joints move and bend for each unit of the way.
+    /// Returns the joint positions, with their first and second derivatives for each unit of the way.
     fn going(&self, here: &Solved) -> Option<Sample> {
         here.moving(&together(self.direction.moved, self.from.rotation * self.direction.turned), &Vector6::zeros())
     }
 
-    /// Adds the part between two ways, where joints that go on so bring the tool along it; where they are at its end.
+    /// Adds the part between two ways, if joints that go on so bring the tool along it; returns the joints at its end.
     fn part(&mut self, arm: &Arm, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
         if self.parts.len() > MOST_PARTS {
             return None;

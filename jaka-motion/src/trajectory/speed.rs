@@ -18,8 +18,8 @@ pub(super) struct Place {
     pub(super) second: [f64; 6],
     /// Third derivative before and after the place.
     pub(super) third: [[f64; 6]; 2],
-    /// How far the tool goes with the path parameter, and the derivative of that; 0 where its acceleration is not
-    /// limited.
+    /// Derivative of the tool's distance by the path parameter, and the derivative of that; 0 where the tool's
+    /// acceleration is not limited.
     pub(super) tool: [f64; 2],
     /// Limit of the square of the path parameter's speed.
     pub(super) most: f64,

@@ -49,7 +49,7 @@ const CREEPING: f64 = 1e-6;
 /// Joint positions that are further from others than this, in degrees, are of another branch.
 const ONE_BRANCH: f64 = 1e-2;
 
-/// How far the tool may turn from its way at the corners of lines, in degrees, if nothing else is said.
+/// Greatest turn of the tool away from its path at the corners of lines, in degrees, if nothing else is said.
 const TURN_DEG: f64 = 1.0;
 
 impl Through {
@@ -152,10 +152,10 @@ impl Through {
     }
 }
 
-/// Where the legs have led so far.
+/// End of the legs so far.
 struct Here {
     joints: [f64; 6],
-    /// The same, and what a line from there needs; none where no line has led there.
+    /// Joints with the data that a line from there needs; none if no line has led there.
     solved: Option<Solved>,
 }
 

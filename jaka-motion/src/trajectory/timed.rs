@@ -11,7 +11,7 @@ use crate::TrajectoryFileError;
 use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
-/// Where the joints are at a time, and how they move there, if that is known.
+/// Joint positions at a time, with their speeds and accelerations there, if these are known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct TimedPoint {
@@ -254,8 +254,8 @@ fn with_accelerations(points: &[TimedPoint]) -> Vec<Sample> {
 /// Factors of the velocity at a point, of that at the other end of a piece and of the mean one, in half of the
 /// acceleration at the point, times the seconds of the piece.
 const INNER: [f64; 3] = [2.0, 1.0, 3.0];
-/// The same where the other end is that of the trajectory, and the piece of the fourth degree: it has no acceleration
-/// there.
+/// Factors like [`INNER`] where the other end is that of the trajectory, and the piece of the fourth degree: it has no
+/// acceleration there.
 const OUTER: [f64; 3] = [3.0, 0.0, 6.0];
 
 /// Points with velocities and accelerations that do not step, and are zero at both ends.

@@ -65,9 +65,9 @@ const QUADRATURE: [(f64, f64); 5] = [
 ];
 /// Share of a piece over which the tool's speed is differenced.
 const BESIDE: f64 = 1e-3;
-/// How far a piece of time may be from the path, in degrees of a joint.
+/// Greatest distance of a piece of time from the path, in degrees of a joint.
 const OFF_PATH_DEG: f64 = 1e-4;
-/// The same for each deg/s³ of its limit of jerk, times the cube of the piece's seconds.
+/// Greatest such distance for each deg/s³ of the joint's limit of jerk, times the cube of the piece's seconds.
 const OFF_JERK: f64 = 2.5e-5;
 /// Least share of an interval that one piece of time takes.
 const LEAST_SHARE: f64 = 1e-3;
@@ -167,7 +167,8 @@ impl<'a> Stretch<'a> {
         by_joints.fold(by_tool, f64::min).powi(2)
     }
 
-    /// How far the tool goes with the path parameter, and how that changes; 0 where its acceleration is not limited.
+    /// Returns the derivative of the tool's distance by the path parameter, and the derivative of that; 0 where the
+    /// tool's acceleration is not limited.
     fn tool(&self, piece: &Piece, share: f64) -> [f64; 2] {
         if self.budget.tcp_acceleration.is_infinite() {
             return [0.0; 2];
@@ -391,7 +392,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// How much slower a piece of time after a place has to be; 1 if it need not.
+    /// Returns the factor by which a piece of time after a place has to be slower; 1 if it need not.
     fn factor(&self, place: usize, piece: &Piece) -> f64 {
         let LegSpeeds { tcp_speed, joint_speeds } = self.budget.speeds_on(self.pieces[self.shares[place].0].speeds);
         let Budget { accelerations, jerks, tcp_acceleration, .. } = self.budget;

@@ -4,20 +4,22 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Attribute, Fields, File, ImplItem, Item, ItemImpl, TraitItem, Visibility, parse_quote};
 
-/// The public items, with empty bodies. Left out: what is hidden, the codec, the checks of requests, which reply is whose (the
-/// methods tell), aliases (the docs tell), `#[inline]`, and `#[must_use]`, which all constructors and setters have.
+/// Formats the public items, with empty bodies. It leaves out hidden items, the codec, the checks of requests, the
+/// request of each reply (the methods tell), aliases (the docs tell), `#[inline]`, and `#[must_use]`, which all
+/// constructors and setters have.
 pub(super) fn interface(tokens: TokenStream) -> String {
     interface_without(tokens, "", &[])
 }
 
-/// The same without these fields of the struct `name`.
+/// Formats the interface without these fields of the struct `name`.
 pub(super) fn interface_without(tokens: TokenStream, name: &str, fields: &[&str]) -> String {
     let mut file = parsed(tokens);
     remove(&mut file.items, name, fields);
     printed(&file)
 }
 
-/// The same with the first paragraph of the methods' docs: what follows is mostly as in the docs of their requests.
+/// Formats the interface with the first paragraph of the methods' docs; the rest is mostly as in the docs of their
+/// requests.
 pub(super) fn signatures(tokens: TokenStream) -> String {
     let mut file = parsed(tokens);
     for item in &mut file.items {

@@ -1,4 +1,4 @@
-//! Whose reply is it: the requests that were sent and have no reply yet.
+//! Requests that were sent and have no reply yet, and the attribution of replies to them.
 
 use std::borrow::Cow;
 use std::collections::VecDeque;
@@ -17,14 +17,14 @@ pub(crate) struct SentRequest {
     pub(crate) recipient: Recipient,
 }
 
-/// Where the reply to a request is to go.
+/// Recipient of the reply to a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Recipient {
-    /// To the thread that waits for it.
+    /// The thread that waits for it.
     Waiter,
-    /// Into the count of posted requests.
+    /// The count of posted requests.
     Counted,
-    /// Nowhere: the request was given up or abandoned.
+    /// None: the request was given up or abandoned.
     Nobody,
 }
 
@@ -50,7 +50,7 @@ struct Name {
 }
 
 crate::worded! {
-    /// Why the replies of a connection can no longer be attributed to its requests.
+    /// Error for a connection whose replies can no longer be attributed to its requests.
     #[derive(Debug, Clone, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutOfSync {

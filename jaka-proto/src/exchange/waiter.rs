@@ -11,7 +11,7 @@ use crate::refusal::Refusal;
 use crate::reply::{read_envelope, read_payload_of, read_reply_of};
 use crate::wire::{DecodeError, Fields};
 
-/// Why a request failed.
+/// Reason for the failure of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Failure {
     /// The controller refused the command.
@@ -22,12 +22,12 @@ pub enum Failure {
     Lost,
     /// The reply to a posted request has not come in time.
     TimedOut {
-        /// How long it was waited for.
+        /// Time waited for the reply.
         after: Duration,
     },
 }
 
-/// How a thread reads replies: as the type that it waits for, in the one pass that also attributes each reply.
+/// Reads replies as the type that a thread waits for, in the one pass that also attributes each reply.
 pub trait ReadReply {
     /// Reads a reply as the one that is waited for, whosever it is. `None` for a bare Python tuple, which has no
     /// envelope.

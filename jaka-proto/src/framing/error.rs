@@ -1,4 +1,4 @@
-//! Why a byte stream has no next frame.
+//! Error for a byte stream that has no next frame.
 
 use std::error::Error;
 use std::fmt;
@@ -7,7 +7,7 @@ use std::fmt;
 pub(super) const EXCERPT: usize = 64;
 
 crate::worded! {
-    /// Why a byte stream has no next frame.
+    /// Error for a byte stream that has no next frame.
     #[derive(Debug, Clone, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum FrameError {
@@ -20,12 +20,12 @@ crate::worded! {
         TooLong {
             /// The limit, in bytes.
             limit: usize,
-            /// How the frame begins.
+            /// Beginning of the frame.
             excerpt: Excerpt,
         } => "frame longer than {limit} bytes: `{excerpt}`",
         /// A status packet inside of which the next one begins.
         Cut {
-            /// What came last of it.
+            /// Last bytes of the packet before the next one begins.
             excerpt: Excerpt,
         } => "packet that breaks off at `{excerpt}`",
     }

@@ -1,9 +1,9 @@
-//! Where a frame ends: its brackets and strings, one byte at a time or many at once.
+//! Search for the end of a frame by its brackets and strings, one byte at a time or many at once.
 
 use super::is_white;
 use crate::near::first_of;
 
-/// What the scanner remembers of the frame it is in.
+/// State of the scanner within a frame.
 #[derive(Debug)]
 pub(super) struct Nesting {
     form: Form,
@@ -23,7 +23,7 @@ pub(super) enum Form {
     Status,
 }
 
-/// What was found of a frame.
+/// Result of a scan of a frame.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Scanned {
     /// Its end.

@@ -27,7 +27,7 @@ impl JointPosition {
         self.0.map(f64::to_radians)
     }
 
-    /// How far apart the joints are, in degrees: the largest difference of any joint.
+    /// Distance between two joint positions, in degrees: the largest difference of any joint.
     ///
     /// Turns count, since they do for the arm: 179 and -179 are 358 apart. NaN if the difference of any joint is, so
     /// that `position.max_distance(&target) < tolerance` is false then.

@@ -111,7 +111,7 @@ impl Pose {
         Ok(self.with_rotation_deg(rotation::rpy_deg_from_matrix(&matrix)))
     }
 
-    /// How far apart the positions are, in millimetres.
+    /// Distance between the positions, in millimetres.
     pub fn distance_mm(&self, other: &Self) -> f64 {
         (self.x - other.x).hypot(self.y - other.y).hypot(self.z - other.z)
     }

@@ -29,11 +29,11 @@ crate::worded! {
 
 impl std::error::Error for NotARotation {}
 
-/// How far from one a length, and from zero the product of two rows, may be. The quaternion of the vendor's own example
-/// is 0.003 too long.
+/// Tolerance for a length that should be one, and for the product of two rows that should be zero. The quaternion of
+/// the vendor's own example is 0.003 too long.
 const TOLERANCE: f64 = 0.01;
 
-/// How close to gimbal lock, as the cosine of `ry`, rz is set to zero; the simulator does the same.
+/// Bound of the gimbal lock: `rz` is set to zero where the cosine of `ry` is less, as in the simulator.
 const LOCKED: f64 = 1e-10;
 
 type Matrix = [[f64; 3]; 3];

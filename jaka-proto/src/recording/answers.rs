@@ -1,4 +1,4 @@
-//! Which reply belongs to which request.
+//! Attribution of the replies of a recording to its requests.
 
 use std::collections::HashMap;
 use std::time::Duration;
@@ -14,13 +14,13 @@ use crate::{Envelope, Request};
 pub struct Answered {
     /// The request.
     pub request: Message,
-    /// When it was sent, counted from the start of the recording.
+    /// Time at which it was sent, counted from the start of the recording.
     pub sent: Duration,
-    /// What came of it.
+    /// Outcome of the request.
     pub answer: Answer,
 }
 
-/// What came of a request.
+/// Outcome of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Answer {
@@ -28,12 +28,12 @@ pub enum Answer {
     Reply {
         /// The reply.
         reply: Message,
-        /// How long after the request it arrived.
+        /// Time from the request to the arrival of the reply.
         after: Duration,
     },
     /// No reply, and the connection ended from the other side.
     Closed {
-        /// Who ended it.
+        /// Party that ended it.
         by: Ending,
     },
     /// No reply.
@@ -94,7 +94,7 @@ impl Pairs {
 
     fn closed(&mut self, connection: u32, by: Ending) {
         let last = self.connections.remove(&connection).and_then(|connection| connection.open.last().copied());
-        // What was sent before the last may have been lost before.
+        // Requests sent before the last one may have been lost before.
         if let (Some((_, place)), Ending::Controller | Ending::Failure) = (last, by) {
             self.all[place].answer = Answer::Closed { by };
         }

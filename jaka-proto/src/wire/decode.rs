@@ -1,4 +1,4 @@
-//! How JSON becomes values: leniently, since controllers write the same value in many forms.
+//! Decoding of JSON into values. It is lenient, since controllers write the same value in many forms.
 
 use super::number::{Scalar, whole};
 use super::reader::{Mark, Reader};

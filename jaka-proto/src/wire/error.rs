@@ -1,4 +1,4 @@
-//! Why a message could not be decoded.
+//! Error for a message that could not be decoded.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
@@ -69,13 +69,13 @@ impl DecodeError {
         Self(Box::new(Inner { path: String::new(), kind }))
     }
 
-    /// The same error, one field further out.
+    /// Puts the name of an outer field before the path of the error.
     #[must_use]
     pub fn in_field(self, field: &str) -> Self {
         self.outside(field)
     }
 
-    /// The same error, one array further out.
+    /// Puts the index in an outer array before the path of the error.
     #[must_use]
     pub fn in_element(self, index: usize) -> Self {
         self.outside(&format!("[{index}]"))

@@ -100,7 +100,8 @@ fn quotient(digits: u64, fraction: usize) -> Option<f64> {
     long_quotient(digits, fraction)
 }
 
-/// The same for more than 53 bits: by whole numbers, with enough bits that the last one can stand for all that is left.
+/// Divides as [`quotient`] does, for more than 53 bits: by whole numbers, with enough bits that the last one can stand
+/// for the remainder.
 #[inline(never)]
 fn long_quotient(digits: u64, fraction: usize) -> Option<f64> {
     // 2^53 · 2^64 / 10^18 is more than 2^57: the last bit lies below the one that decides how to round.
@@ -125,7 +126,7 @@ const WHOLE_POWERS: [u64; 19] = {
     powers
 };
 
-/// The same as floats, which hold them exactly.
+/// Powers of ten as floats, which hold them exactly.
 const POWERS: [f64; 19] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18];
 
@@ -150,7 +151,7 @@ fn take_digits(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     (value, at)
 }
 
-/// The same by eight at once, as long as there are as many.
+/// Takes digits as [`take_digits`] does, but eight at once, as long as eight digits follow.
 #[inline]
 fn take_eights(bytes: &[u8], mut at: usize, mut value: u64) -> (u64, usize) {
     while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk()).copied().and_then(eight_digits) {

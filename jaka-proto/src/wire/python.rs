@@ -61,7 +61,7 @@ impl Writer {
     pub fn python(&mut self, write: impl FnOnce(&mut Self)) {
         let mut inner = Self::for_firmware(self.firmware);
         write(&mut inner);
-        // What a writer wrote is JSON; if it were not, the text itself is the best that can be sent.
+        // A writer writes JSON; if it did not, the text itself is the best that can be sent.
         let literal = from_json(inner.as_str()).unwrap_or_else(|_| inner.into_string());
         self.text(&literal);
     }
@@ -156,12 +156,12 @@ pub struct PythonError {
 }
 
 impl PythonError {
-    /// Where, as an offset in bytes.
+    /// Position of the error, as an offset in bytes.
     pub fn position(&self) -> usize {
         self.position
     }
 
-    /// What was expected there, such as `a value`.
+    /// Syntax that was expected there, such as `a value`.
     pub fn expected(&self) -> &'static str {
         self.expected
     }
@@ -186,7 +186,7 @@ struct Transcoder<'a> {
     out: String,
 }
 
-/// What stood between two brackets.
+/// Numbers of items and of commas between two brackets.
 struct Items {
     count: usize,
     commas: usize,

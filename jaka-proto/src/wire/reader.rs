@@ -26,12 +26,12 @@ pub struct Reader<'a> {
     at: usize,
     /// True where a comma must come before the next key or element.
     comma: bool,
-    /// How many arrays and objects of any shape are open.
+    /// Number of open arrays and objects of any shape.
     depth: u32,
     capture: Capture<'a>,
     /// Whether odd values of unknown keys are passed over.
     tolerant: bool,
-    /// What was left out of a status packet, and why.
+    /// Errors of the values that were left out of a status packet.
     left_out: Vec<DecodeError>,
     pub(super) firmware: Firmware,
 }
@@ -86,14 +86,14 @@ impl<'a> Reader<'a> {
         reader
     }
 
-    /// Where the reader stands.
+    /// Returns the position of the reader.
     #[doc(hidden)]
     #[inline]
     pub fn mark(&self) -> Mark {
         Mark { at: self.at, comma: self.comma }
     }
 
-    /// Goes back to where it stood.
+    /// Goes back to an earlier position.
     #[doc(hidden)]
     #[inline]
     pub fn go_back(&mut self, to: Mark) {

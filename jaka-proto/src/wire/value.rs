@@ -40,7 +40,7 @@ impl Decode for Value {
         reader.not_too_deep()?;
         match self {
             Self::String(text) if reader.is_text() => text.decode_into(reader),
-            // What was there before may nest as deep, and no deeper.
+            // The earlier value may nest as deep, and no deeper.
             Self::Array(list) if reader.is_array() => reader.nested(|reader| list.decode_into(reader)),
             _ => {
                 *self = Self::decode(reader)?;

@@ -38,12 +38,12 @@ impl Writer {
         self.text.clear();
     }
 
-    /// What has been written.
+    /// Returns the written text.
     pub fn as_str(&self) -> &str {
         &self.text
     }
 
-    /// What has been written.
+    /// Converts the writer into the written text.
     #[inline]
     pub fn into_string(self) -> String {
         self.text

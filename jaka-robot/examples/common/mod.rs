@@ -1,4 +1,4 @@
-//! What the examples share: a controller to talk to, and a question before its arm moves.
+//! Shared parts of the examples: a controller to talk to, and a question before its arm moves.
 //!
 //! Messages go to standard error, so that an example's own output can be used as it is.
 
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use jaka_robot::{Client, Config, Monitor, Robot};
 use jaka_sim::{Controller, Delays};
 
-/// Tells an error as text, with its causes: what `main` returns would be printed in its `Debug` form.
+/// Prints an error as text, with its causes: a result that `main` returns would be printed in its `Debug` form.
 pub(crate) fn end(result: Result<(), Box<dyn Error>>) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
     eprintln!("{error}");

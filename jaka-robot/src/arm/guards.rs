@@ -1,4 +1,4 @@
-//! Guards that judge packets, and how far they have come.
+//! Guards that judge packets, and their progress.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -45,7 +45,7 @@ impl Guards {
         self.observers.is_empty()
     }
 
-    /// Those that are there yet.
+    /// Guards that still exist.
     pub(super) fn armed(&self) -> Vec<Arc<dyn PacketObserver>> {
         self.observers.values().filter_map(Weak::upgrade).collect()
     }
@@ -56,7 +56,7 @@ impl Guards {
     }
 }
 
-/// How far a guard has come with its motion.
+/// Progress of a guard with its motion.
 #[derive(Debug, Default)]
 pub(crate) struct GuardProgress {
     trip: Option<GuardTrip>,
@@ -71,12 +71,12 @@ pub(crate) struct GuardProgress {
 }
 
 impl GuardProgress {
-    /// Why the guard has tripped, if it has.
+    /// Trip of the guard, if it has tripped.
     pub(crate) fn trip(&self) -> Option<&GuardTrip> {
         self.trip.as_ref()
     }
 
-    /// Why a packet could not be judged, if one could not.
+    /// Reason why a packet could not be judged, if one could not.
     pub(crate) fn broken(&self) -> Option<StatusProblem> {
         self.broken.clone().map(|source| StatusProblem::Unreadable { source })
     }

@@ -1,4 +1,4 @@
-//! Where the arm is, by a query that has no deadline of its own.
+//! Position of the arm, by queries without a deadline of their own.
 //!
 //! At most one is outstanding. The wait that sent it may end before the answer comes; then the next caller waits for
 //! that answer. With a second query of the same name after a timeout, it could be uncertain which of the two was
@@ -20,7 +20,7 @@ use crate::error::Attach as _;
 use crate::place::{Place, Quantity};
 use crate::{Client, Error};
 
-/// How long the news may take that settles the cause of an end: the next packet, or the end of the other connection.
+/// Timeout for the news that settles the cause of an end: the next packet, or the end of the other connection.
 pub(crate) const SETTLING: Duration = Duration::from_millis(250);
 
 /// The shortest time between two queries.
@@ -52,7 +52,7 @@ pub(crate) struct Query {
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub(crate) place: Result<Place, Error>,
-    /// When the query was sent: the answer is later.
+    /// Time at which the query was sent; the answer is later.
     pub(crate) asked: Instant,
 }
 
@@ -62,13 +62,14 @@ impl Position {
         Self { link, handle, reply_timeout: client.reply_timeout(), query: None, rests: None }
     }
 
-    /// The same for another thread, which this one outlives.
+    /// Hands the queries over to another thread, which ends before this object is dropped. The outstanding query and
+    /// the rest that was noted go with them.
     pub(super) fn lent(&mut self) -> Self {
         let link = Arc::clone(&self.link);
         Self { link, query: self.query.take(), rests: mem::take(&mut self.rests), ..*self }
     }
 
-    /// Notes whether the arm was seen at rest by answers. What is sent ends that.
+    /// Notes whether the arm was seen at rest by answers. A command that is sent ends that.
     pub(crate) fn note_rest(&mut self, is_at_rest: bool) {
         self.rests = is_at_rest.then(|| self.link.changes_but_of(self.handle));
     }
@@ -157,8 +158,8 @@ impl Position {
         Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
     }
 
-    /// Where the arm is at rest, by two answers that agree, or one where it was at rest before and nothing was sent
-    /// since; `None` where the controller does not say it, or the arm moves.
+    /// Place of the arm at rest, by two answers that agree, or by one if the arm was at rest before and nothing was
+    /// sent since; `None` where the controller does not say it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
         if self.rests == Some(self.link.changes_but_of(self.handle)) {
             self.place(quantity, timeout)
@@ -167,8 +168,8 @@ impl Position {
         }
     }
 
-    /// Where the arm is, by two answers that agree and are this far apart; `None` where the controller does not say it,
-    /// or the arm moves.
+    /// Place of the arm, by two answers that agree and are this far apart in time; `None` where the controller does not
+    /// say it, or the arm moves.
     pub(crate) fn place_still_for(
         &mut self,
         quantity: Quantity,

@@ -1,4 +1,4 @@
-//! State of an arm: what is known of it, and whether something may be sent to it.
+//! State of an arm: its known facts, and the check that something may be sent to it.
 
 use std::mem;
 use std::ops::ControlFlow;
@@ -18,10 +18,10 @@ use super::trouble;
 use crate::sync::{Wakeup, Watched};
 use crate::{Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem};
 
-/// What is to be sent to an arm.
+/// Kind of a command that is to be sent to an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sending {
-    /// What moves it: a motion, a set-point, the way into servo mode.
+    /// Command that moves the arm: a motion, a set-point, the entry into servo mode.
     Motion,
     /// A set-point that brakes it.
     Braking,
@@ -32,8 +32,8 @@ pub(crate) enum Sending {
 /// State of the arm of one command connection. Monitors can be shared by several.
 ///
 /// # Order of locks
-/// 1. What a guard judges by, and then what it stops by: both in `guard/armed.rs`. A program's own questions run under
-///    the first.
+/// 1. The conditions of a guard, and then its stop: both in `guard/armed.rs`. A program's own questions run under the
+///    first.
 /// 2. The state of the command connection, in jaka-sync's `Link`. Gates run under it.
 /// 3. The state of an arm, here. Nothing is locked under it: no I/O, no code of a program, no log, no conversion and no
 ///    drop of a packet. The board of a monitor, in jaka-sync, is never locked together with it.
@@ -45,12 +45,12 @@ pub(crate) struct ArmState {
     stale_after: Duration,
 }
 
-/// What is known of an arm.
+/// Known facts of an arm.
 #[derive(Debug)]
 pub(crate) struct Known {
     status: Status,
-    /// What must be acknowledged: a stop that a packet has shown, a lost status, a packet that tells nothing because
-    /// its own type has panicked.
+    /// Occurrence that must be acknowledged: a stop that a packet has shown, a lost status, or a packet that tells
+    /// nothing because its own type has panicked.
     latched: Option<Occurrence>,
     /// Stops of the robot's handles.
     pub(crate) stops: Stops,
@@ -69,7 +69,7 @@ impl ArmState {
         let state = Arc::new(Self::before_news(monitor.address(), monitor.stale_after(), clock, needs_status));
         let weak = Arc::downgrade(&state);
         monitor.listen(move |news| take_into::<S>(&weak, news));
-        // What came before keeps nothing back by itself, and is known already where packets have come meanwhile.
+        // Earlier news keeps nothing back by itself, and is known already where packets have come meanwhile.
         monitor.tell_known(|news| match news {
             StatusNews::Packet { packet, .. } => {
                 let packet = S::snapshot(packet);
@@ -137,7 +137,7 @@ impl ArmState {
         }
     }
 
-    /// What is known. Nothing is locked, and nothing else is done, while this is held.
+    /// Locks the known facts. While the lock is held, nothing else is locked, and nothing else is done.
     pub(crate) fn lock(&self) -> impl std::ops::DerefMut<Target = Known> + '_ {
         self.known.lock()
     }
@@ -194,18 +194,19 @@ impl ArmState {
         }
     }
 
-    /// What must be acknowledged, if something must.
+    /// Occurrence that must be acknowledged, if there is one.
     pub(super) fn unacknowledged(&self, told: Option<u64>) -> Option<Occurrence> {
         self.lock().unacknowledged(told)
     }
 
-    /// What must be acknowledged apart from a lost status: set-points that brake and hold the arm do not wait for that.
+    /// Occurrence that must be acknowledged, apart from a lost status: set-points that brake and hold the arm do not
+    /// wait for that.
     pub(super) fn unacknowledged_stop(&self, told: Option<u64>) -> Option<Occurrence> {
         self.lock().unacknowledged_stop(told)
     }
 
-    /// Keeps motions back from now on. What did before stays, but a stop that a packet shows takes the place of a lost
-    /// status.
+    /// Keeps motions back from now on. An earlier occurrence stays, but a stop that a packet shows takes the place of a
+    /// lost status.
     pub(crate) fn latch(&self, occurrence: &Occurrence) {
         let occurrence = occurrence.clone();
         self.lock().latch(occurrence);
@@ -240,12 +241,12 @@ impl ArmState {
         self.lock().status.fresh_packet().cloned()
     }
 
-    /// The same, if the packet shows whether the arm is stopped.
+    /// Newest packet, as [`fresh_packet`](Self::fresh_packet), if it shows whether the arm is stopped.
     pub(crate) fn fresh_status(&self) -> Result<Arc<Snapshot>, StatusProblem> {
         self.lock().status.fresh_status().cloned()
     }
 
-    /// The same. If none has come lately, waits a little for one.
+    /// Newest packet, as [`fresh_status`](Self::fresh_status). If none has come lately, waits a little for one.
     pub(crate) fn status_within(&self, timeout: Duration) -> Result<Arc<Snapshot>, StatusProblem> {
         let now = self.fresh_status();
         if !matches!(now, Err(StatusProblem::Missing { .. } | StatusProblem::Stale { .. } | StatusProblem::Resuming)) {

@@ -1,4 +1,4 @@
-//! What a status port has told of an arm.
+//! Status of an arm, as its status port has told it.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,7 +8,7 @@ use jaka_proto::wire::DecodeError;
 use super::trouble;
 use crate::{Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
-/// Newest packet, in the built-in type, and what has come of the port since.
+/// Newest packet, in the built-in type, and the state of the port since.
 #[derive(Debug)]
 pub(super) struct Status {
     newest: Option<Arc<Snapshot>>,
@@ -85,7 +85,7 @@ impl Status {
         if newest.follows_silence { Err(StatusProblem::Resuming) } else { Ok(newest) }
     }
 
-    /// The same, if the packet shows whether the arm is stopped.
+    /// Newest packet, as [`fresh_packet`](Self::fresh_packet), if it shows whether the arm is stopped.
     pub(super) fn fresh_status(&self) -> Result<&Arc<Snapshot>, StatusProblem> {
         let newest = self.fresh_packet()?;
         newest.unreadable().map_or(Ok(newest), |source| Err(StatusProblem::Unreadable { source }))

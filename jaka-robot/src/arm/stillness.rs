@@ -7,7 +7,7 @@ use jaka_proto::messages::types::JointPosition;
 use crate::Snapshot;
 use crate::place::Place;
 
-/// How far apart two packets must be that show rest where it is not known at which joint positions.
+/// Least time between two packets that show rest, where the joint positions of rest are not known.
 const APART: Duration = Duration::from_millis(100);
 
 /// Stillness of an arm that is held by its last set-point, by status packets.
@@ -15,7 +15,7 @@ const APART: Duration = Duration::from_millis(100);
 pub(crate) struct Stillness {
     /// Packets from before do not count.
     since: Instant,
-    /// Where it is held, if that is known.
+    /// Joint positions at which the arm is held, if they are known.
     held: Option<JointPosition>,
     /// The first packet of those that agree, when it came, and its number.
     first: Option<(JointPosition, Instant, u64)>,

@@ -9,7 +9,7 @@ use jaka_sync::layer::{StopParts as _, WrittenStop};
 use super::state::ArmState;
 use crate::{Error, StopHandle};
 
-/// How long a stop waits at most for a servo session to brake.
+/// Longest wait of a stop until a servo session has braked.
 const LONGEST_BRAKING: Duration = Duration::from_secs(3);
 
 /// A stop on its way, until it is dropped.
@@ -81,7 +81,7 @@ impl RobotStop {
         self.stop_and_tell().accepted
     }
 
-    /// The same, and what is known of the stop.
+    /// Stops the arm as [`stop`](Self::stop) does, and returns the facts of the stop.
     pub(crate) fn stop_and_tell(&self) -> Sent {
         let (_under_way, number) = UnderWay::begin(&self.state);
         self.state.wait_until_braked();
@@ -99,7 +99,7 @@ impl RobotStop {
         }
         let (under_way, number) = UnderWay::begin(&self.state);
         self.state.wait_until_braked();
-        // What a logger's panic leaves undone another thread does.
+        // If a logger panics, another thread does the rest.
         let Ok(Some(stop)) = catch_unwind(AssertUnwindSafe(|| self.handle.write_now())) else {
             // As if it had not been asked for, unless another has been since.
             self.state.lock().stops.take_back(number);

@@ -1,4 +1,4 @@
-//! Stops by their numbers, and what they keep back.
+//! Stops by their numbers, and the motions that they keep back.
 
 use std::time::Instant;
 
@@ -26,7 +26,7 @@ pub(crate) struct Stops {
 impl Stops {
     /// A stop begins, which goes out by then at the latest: its number.
     pub(super) fn begin(&mut self, latest: Instant) -> u64 {
-        // Who sees the stop knows when it goes out.
+        // A thread that sees the stop knows when it goes out.
         self.goes_out_at.get_or_insert(latest);
         self.under_way += 1;
         self.begun += 1;
@@ -103,7 +103,7 @@ impl Stops {
         }
     }
 
-    /// Those that the controller has accepted are reported to the program.
+    /// Marks the stops that the controller has accepted as reported to the program.
     pub(crate) fn report_taken(&mut self) {
         self.reported = self.reported.max(self.taken);
     }

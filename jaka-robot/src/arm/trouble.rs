@@ -1,10 +1,10 @@
-//! What a status packet says against a motion.
+//! Events in a status packet that end a motion.
 
 use jaka_proto::messages::status::RobotStatus;
 
 use crate::{Cause, ControllerEvent, Explanation, Occurrence, Severity};
 
-/// What a packet shows against a motion.
+/// Event in a packet that ends a motion, at once or when the arm is at rest.
 #[derive(Debug)]
 pub(crate) enum News {
     /// The motion has ended.
@@ -36,7 +36,7 @@ impl Stop {
     }
 }
 
-/// What a packet says against a motion; of events only one that was not shown before.
+/// Finds an event in a packet that ends a motion; of the controller's events only one that was not shown before.
 pub(crate) fn news(status: &RobotStatus, code_before: Option<&str>) -> Option<News> {
     if let Some(stop) = stop(status) {
         return Some(News::Ends(stop.cause().into()));

@@ -7,8 +7,8 @@ use super::remedy::Remedy;
 use super::table::Cause;
 
 jaka_proto::worded! {
-    /// Why the controller refused a command, as far as its status shows it. The controller's own message is in the
-    /// [`Refusal`].
+    /// Reason why the controller refused a command, as far as its status shows it. The controller's own message is in
+    /// the [`Refusal`].
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum Explanation {
@@ -72,7 +72,7 @@ impl Explanation {
         }
     }
 
-    /// What a refusal and the robot's status show together; `None` if neither shows the reason.
+    /// Explains a refusal by the refusal itself and by the robot's status; `None` if neither shows the reason.
     ///
     /// [`Robot`](crate::Robot) does this for its motions. The status is the newest one after the refusal.
     pub fn of(refusal: &Refusal, status: Option<&RobotStatus>) -> Option<Self> {

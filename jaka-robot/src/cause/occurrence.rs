@@ -99,7 +99,7 @@ impl Occurrence {
         Self { cause: Cause::StatusLost, evidence: Evidence::Status { cause, unreadable } }
     }
 
-    /// What is below the error whose text is part of this one's.
+    /// Source below the error whose text is part of this one's.
     pub(crate) fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match &self.evidence {
             Evidence::Commands { cause, .. } | Evidence::Status { cause: Some(cause), .. } => cause.source(),
@@ -163,7 +163,7 @@ pub(crate) enum Consequence {
     Over,
     /// They have ended, and no other is sent before somebody has acknowledged that.
     Latched,
-    /// The same, and the arm may still move.
+    /// They have ended, no other is sent before somebody has acknowledged that, and the arm may still move.
     LatchedMayMove,
     /// They are not waited for any more, and the arm may still move.
     MayMove,

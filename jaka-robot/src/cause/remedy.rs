@@ -1,12 +1,12 @@
-//! What helps against causes.
+//! Remedies for causes and errors.
 
 use std::fmt;
 
 use jaka_proto::ControllerEvent;
 
 jaka_proto::worded! {
-    /// What somebody can do about a [`Cause`](crate::Cause) or an [`Error`](crate::Error), in the calls of this crate.
-    /// A program that shows other calls matches on it.
+    /// Remedy for a [`Cause`](crate::Cause) or an [`Error`](crate::Error), in the calls of this crate. A program that
+    /// shows other calls matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Remedy {
         /// Nothing has to be done.
@@ -68,7 +68,7 @@ jaka_proto::worded! {
             "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
              shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
              container: `--cap-add SYS_NICE`)",
-        /// That of the connection.
+        /// Remedy for an error of the connection.
         Connection(remedy: jaka_sync::Remedy) => "{remedy}",
         /// The error or the end says it.
         SeeError => "see the error",

@@ -27,9 +27,9 @@ macro_rules! causes {
     ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident $(($of_connection:ident))?,)+) => {
         /// Way in which moving has ended, or is kept back.
         ///
-        /// The same event has the same cause in each way of moving: motions,
-        /// servo sessions, streams and trajectories ([`End::cause`](crate::End::cause)), and waits
-        /// ([`Error::cause`](crate::Error::cause)). What is known besides stands with the end or the error.
+        /// An event has the same cause in each way of moving: motions, servo sessions, streams and trajectories
+        /// ([`End::cause`](crate::End::cause)), and waits ([`Error::cause`](crate::Error::cause)). The end or the error
+        /// carries the evidence.
         ///
         /// # Precedence
         /// An event has consequences: an arm that loses its power refuses set-points, and its controller may close
@@ -55,7 +55,7 @@ macro_rules! causes {
                 match self { $(Self::$variant => CauseGroup::$group,)+ }
             }
 
-            /// Remedy: what somebody can do about it.
+            /// Remedy for the cause.
             pub fn remedy(self) -> Remedy {
                 match self { $(Self::$variant => Remedy::$remedy $((jaka_sync::Remedy::$of_connection))?,)+ }
             }

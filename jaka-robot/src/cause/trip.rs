@@ -9,15 +9,15 @@ use super::table::Cause;
 use super::unknown::NotShown;
 use crate::Snapshot;
 
-/// A guard that has tripped, and what followed.
+/// Trip of a guard, and its consequences.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct GuardTrip {
-    /// Which condition of the guard: 0 for the first.
+    /// Index of the guard's condition that tripped: 0 for the first.
     pub condition: usize,
     /// The condition in words.
     pub text: String,
-    /// Why it tripped: the condition holds, or it cannot be judged.
+    /// Reason for the trip: the condition holds, or it cannot be judged.
     pub reason: TripReason,
     /// The packet that tripped it.
     pub packet: Arc<Snapshot>,
@@ -60,7 +60,7 @@ impl fmt::Display for LagBeyondReaction {
     }
 }
 
-/// Why a guard has tripped.
+/// Reason why a guard has tripped.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum TripReason {
@@ -91,7 +91,7 @@ impl GuardTrip {
         }
     }
 
-    /// What is told of it where nothing was sent.
+    /// Marks the trip as one before the start: nothing was sent.
     pub(crate) fn before_start(self) -> Self {
         Self { is_before_start: true, ..self }
     }

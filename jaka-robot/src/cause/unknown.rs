@@ -1,4 +1,4 @@
-//! What status packets do not show.
+//! Reasons why status packets do not show a fact, and why a motion is not guarded or not checked.
 
 use std::error::Error as StdError;
 use std::time::Duration;
@@ -10,7 +10,7 @@ use super::remedy::Remedy;
 use crate::Snapshot;
 
 jaka_proto::worded! {
-    /// Why status packets do not show what is asked of them.
+    /// Reason why status packets do not show a fact that was asked for.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum NotShown {
@@ -21,14 +21,14 @@ jaka_proto::worded! {
         } => "status packets of this controller do not have `{field}`",
         /// The packet has the field in a form that does not fit.
         Unfit {
-            /// Which field, and why.
+            /// Error with the field and the reason.
             source: DecodeError,
         } => "the newest status packet cannot be read: {source}",
         /// The list does not have so many elements.
         TooShort {
             /// The list's name in [`RobotStatus`](crate::status::RobotStatus).
             field: String,
-            /// How many it has.
+            /// Number of its elements.
             count: usize,
         } => "`{field}` of the status packet has {count} elements",
         /// The force sensor does not report that it works: switch it on.
@@ -79,8 +79,8 @@ impl Field<'_> {
 }
 
 jaka_proto::worded! {
-    /// Why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that is not
-    /// known.
+    /// Reason why a motion does not run under a limit of force: it could not be stopped within the overtravel, or that
+    /// is not known.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum NotGuarded {
@@ -94,9 +94,9 @@ jaka_proto::worded! {
             overtravel_mm: f64,
             /// The longest time between two of the last packets.
             period: Duration,
-            /// How long the reaction is taken to last.
+            /// Assumed duration of the reaction.
             reaction: Duration,
-            /// With which deceleration the tool is taken to brake, in mm/s².
+            /// Assumed deceleration of the tool while it brakes, in mm/s².
             braking_mm_s2: f64,
         } =>
             "at {speed_mm_s} mm/s the tool goes on for more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
@@ -105,19 +105,19 @@ jaka_proto::worded! {
         TooFastAlong {
             /// The last way-point before the contact after which the tool would go on the furthest, counted from 1.
             after: usize,
-            /// When that contact would be, in seconds of the trajectory.
+            /// Time of that contact, in seconds of the trajectory.
             time_s: f64,
             /// The greatest speed of the tool from there on until it rests, in mm/s.
             speed_mm_s: f64,
             /// About the speed that is permitted there, in mm/s.
             permitted_mm_s: f64,
-            /// How far the tool would go on, in mm.
+            /// Distance that the tool would travel after that contact, in mm.
             way_mm: f64,
             /// The overtravel that is allowed, in mm.
             overtravel_mm: f64,
             /// The longest time between two of the last packets.
             period: Duration,
-            /// How long the reaction is taken to last.
+            /// Assumed duration of the reaction.
             reaction: Duration,
             /// The even deceleration that the braking along the trajectory comes to, in mm/s².
             braking_mm_s2: f64,
@@ -130,7 +130,7 @@ jaka_proto::worded! {
         CannotBrake {
             /// The last way-point before, counted from 1.
             after: usize,
-            /// When the contact would be, in seconds of the trajectory.
+            /// Time of the contact, in seconds of the trajectory.
             time_s: f64,
         } =>
             "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a \
@@ -140,8 +140,7 @@ jaka_proto::worded! {
             "the speed of the tool does not follow from it",
         /// The motion does not say its acceleration, and the limit says nothing of the braking.
         BrakingUnknown => "it does not say with which acceleration, from which the braking follows",
-        /// The arm moves, or motions wait that were started before: what the sensor reads at the start does not count
-        /// then.
+        /// The arm moves, or motions wait that were started before: the sensor's values at the start do not count then.
         Moving => "the arm is not at rest, or another motion is waiting",
         /// Too few packets have come in time to know their period.
         PeriodUnknown => "too few status packets have come to know their period",
@@ -164,12 +163,12 @@ impl NotGuarded {
 impl std::error::Error for NotGuarded {}
 
 jaka_proto::worded! {
-    /// Why a motion or a set-point could not be checked against the limits.
+    /// Reason why a motion or a set-point could not be checked against the limits.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum Unchecked {
-        /// Where it begins is not known: the arm moves, or it follows a motion whose end was not known. Wait for the
-        /// end of all motions.
+        /// The start is not known: the arm moves, or the motion follows one whose end was not known. Wait for the end
+        /// of all motions.
         Start => "where it begins is not known",
         /// The request does not determine where it ends, such as an arc by offsets or a relative motion with a
         /// rotation. Give an absolute target.

@@ -1,4 +1,4 @@
-//! How moving ends.
+//! Ends of motions, servo sessions, streams and trajectories.
 
 use std::error::Error as StdError;
 use std::fmt;
@@ -11,8 +11,8 @@ use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, Tr
 
 /// End of a motion, a servo session, a stream or a trajectory.
 ///
-/// The same event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end
-/// into an error, so that `?` works from the connection to the end of a motion.
+/// An event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end into an
+/// error, so that `?` works from the connection to the end of a motion.
 #[derive(Debug)]
 #[non_exhaustive]
 #[must_use = "a motion may have ended before its target"]
@@ -22,14 +22,15 @@ pub struct End {
     pub rest: Rest,
     /// The last packets of a motion that the controller plans, up to ten, the newest last.
     pub packets: Vec<Arc<Snapshot>>,
-    /// Error that came with the end: what ended a trajectory, where it was not its end, a handle or the deadline; why
-    /// the query for the position of a planned motion failed, which is not [reached](Cause::Reached) then.
+    /// Error that came with the end: the error that ended a trajectory, where it was not its end, a handle or the
+    /// deadline; or the failure of the query for the position of a planned motion, which is not
+    /// [reached](Cause::Reached) then.
     pub error: Option<Error>,
     /// Stop that was sent at the end of a motion under a guard, because the guard tripped or because nobody would have
     /// judged it any longer. An error if the controller has not accepted it: the arm may still move. None where none
     /// was sent.
     pub stop: Option<Result<(), Error>>,
-    /// Times, set-points, and how far a trajectory was followed.
+    /// Times, set-points, and the progress on a trajectory.
     pub report: Report,
 }
 
@@ -98,8 +99,8 @@ impl End {
         if may_move { Phase::MayStillMove } else { Phase::Ended }
     }
 
-    /// Remedy: what somebody can do about the cause; none where a stop was accepted because of it, except against what
-    /// kept the guard from being judged.
+    /// Remedy for the cause. None where a stop was accepted because of it, except against an error that kept the guard
+    /// from being judged.
     pub fn remedy(&self) -> Remedy {
         let stop = self.stop.as_ref().and_then(|stop| stop.as_ref().err());
         let leading = self.error.iter().chain(stop).min_by_key(|error| Error::cause(error));

@@ -1,4 +1,4 @@
-//! What went wrong, told apart by what the caller can do about it.
+//! Kinds of errors, told apart by what the caller can do about them.
 
 use std::error::Error as StdError;
 use std::io;
@@ -17,7 +17,7 @@ use crate::{
 };
 
 jaka_proto::worded! {
-    /// What went wrong, told apart by what the caller can do about it: see [`Error::kind`].
+    /// Kind of an error, by what the caller can do about it: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
@@ -50,39 +50,39 @@ jaka_proto::worded! {
         Refused {
             /// The controller's own words.
             refusal: Refusal,
-            /// Why: for a motion of a [`Robot`](crate::Robot), where its status tells it.
+            /// Reason for the refusal of a motion of a [`Robot`](crate::Robot), where the robot's status tells it.
             explanation: Option<Explanation>,
         } => (refused(refusal, explanation.as_ref())),
-        /// Status packets do not show what was asked of them: an input, a force, the joints. Nothing was sent; a stream
-        /// or a trajectory of which packets do not show the joints any more has landed.
+        /// Status packets do not show a fact that was asked for: an input, a force, the joints. Nothing was sent; a
+        /// stream or a trajectory of which packets do not show the joints any more has landed.
         NotShown {
-            /// What was asked, in words.
+            /// Fact that was asked for, in words.
             what: String,
-            /// Why they do not show it.
+            /// Reason why they do not show it.
             reason: NotShown,
         } => "it is not known whether {what}: {reason}",
         /// A wait for an input has ended, because the status is no longer known. Nothing was sent.
         WaitEnded {
-            /// What was waited for, in words.
+            /// Condition that was waited for, in words.
             what: String,
-            /// Why the status is not known.
+            /// Reason why the status is not known.
             problem: StatusProblem,
         } => (wait_ended(what, problem)),
         /// A wait for an input has ended, because the robot has stopped meanwhile, or was stopped. Nothing was sent.
         WaitBroken {
-            /// What was waited for, in words.
+            /// Condition that was waited for, in words.
             what: String,
-            /// What happened.
+            /// Occurrence that ended the wait.
             occurrence: Occurrence,
         } => "the wait has ended before {what}: {occurrence}",
         /// A wait for an input has ended, because the command connection was lost: nothing can be sent on it any more,
         /// no stop either. Connect again when the robot's state is known.
         CommandsLost {
-            /// Where the connection led, with the port.
+            /// Address of the connection, with the port.
             address: String,
-            /// What was waited for, in words.
+            /// Condition that was waited for, in words.
             what: String,
-            /// What broke the connection.
+            /// Cause of the end of the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
         /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is
@@ -90,7 +90,7 @@ jaka_proto::worded! {
         NotGuarded {
             /// `cmdName` of the motion.
             command: String,
-            /// Why not.
+            /// Reason why it was not sent.
             reason: NotGuarded,
         } => "`{command}` was not sent under a guard: {reason}",
         /// A motion, a landing or a trajectory has not ended as it was commanded: see [`End::reached`].
@@ -100,7 +100,7 @@ jaka_proto::worded! {
         } => "{end}",
         /// The guard of a motion has tripped.
         GuardTripped {
-            /// Which condition, by which packet, and what followed.
+            /// Trip, with its condition, its packet and its consequences.
             trip: Arc<GuardTrip>,
         } => (with_fact(trip.cause(), trip.to_string())),
         /// Status packets show another tool frame or user frame than at the start, and the set-points depend on them: a
@@ -113,46 +113,46 @@ jaka_proto::worded! {
         /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not
         /// accepted: the arm may move, and nobody judges the guard.
         NotStopped {
-            /// What failed first.
+            /// First error.
             first: Error,
-            /// Why the stop was not accepted.
+            /// Reason why the stop was not accepted.
             stopping: Error,
         } => (Sequence::new(first, stopping).line(STOP_NOT_ACCEPTED)),
         /// A motion or a set-point was not sent, because it is not known whether the robot is stopped. See to the
         /// status port, or, for a program that must do without it,
         /// [`RobotConfig::allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status).
         StatusUnknown {
-            /// Why it is not known.
+            /// Reason why it is not known.
             problem: StatusProblem,
         } => "not sent, because the state of the robot is unknown: {problem}",
         /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
         NotReady {
-            /// Which state.
+            /// State that keeps it from doing so.
             explanation: Explanation,
         } => "the robot cannot do this now: {explanation}",
         /// A motion or a set-point was not sent, because it is beyond a limit of the robot.
         BeyondLimit {
             /// `cmdName` of the command.
             command: String,
-            /// Which limit, by how much, and where on the way.
+            /// Limit that is exceeded, with the excess and the place on the path.
             beyond: jaka_motion::Beyond,
         } => "`{command}` was not sent: {beyond}",
         /// A motion or a set-point was not sent, because it cannot be checked against the robot's limits.
         NotChecked {
             /// `cmdName` of the command.
             command: String,
-            /// Why not.
+            /// Reason why it cannot be checked.
             reason: crate::Unchecked,
         } => "`{command}` was not sent, because it cannot be checked against the limits: {reason}",
         /// The limits are those of a model by which the controller does not compute its poses.
         ModelMismatch {
-            /// How far they differ.
+            /// Difference between the model's poses and the controller's.
             source: jaka_motion::FitError,
         } => "the limits are not those of this robot: its controller computes other poses than their model",
         /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was
         /// sent.
         Trajectory {
-            /// Which limit, and where: the way-point before, the time, the joint.
+            /// Limit that is exceeded, with the way-point before, the time and the joint.
             source: jaka_motion::TrajectoryError,
         } => "the trajectory was not started: {source}",
         /// A trajectory was not started, because the arm is not where it starts: move it there first, or set
@@ -160,9 +160,9 @@ jaka_proto::worded! {
         NotAtStart {
             /// The joint that is the furthest away, 1 to 6.
             joint: usize,
-            /// Where it is to be by the controller's answer, in degrees.
+            /// Commanded position of the joint by the controller's answer, in degrees.
             at_deg: f64,
-            /// Where the trajectory has it at the start, in degrees.
+            /// Position of the joint at the start of the trajectory, in degrees.
             start_deg: f64,
         } => (not_at_start(*joint, *at_deg, *start_deg)),
         /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds
@@ -170,9 +170,9 @@ jaka_proto::worded! {
         Departed {
             /// The joint, 1 to 6.
             joint: usize,
-            /// Where a packet shows it, in degrees.
+            /// Position of the joint in a packet, in degrees.
             at_deg: f64,
-            /// How far that is from all its set-points of the last half second, in degrees.
+            /// Distance of that position from all its set-points of the last half second, in degrees.
             off_deg: f64,
         } =>
             "a joint does not follow its set-points: joint {joint} is at {at_deg:.2} deg, {off_deg:.2} deg from all of \
@@ -187,7 +187,7 @@ jaka_proto::worded! {
         /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early.
         /// Nothing was sent.
         Thread {
-            /// Why not, in the system's words.
+            /// Reason, in the system's words.
             source: io::Error,
         } => "the system has no thread for this",
         /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs
@@ -195,14 +195,14 @@ jaka_proto::worded! {
         RealtimePriority {
             /// The priority that was asked for.
             priority: u8,
-            /// Why not, in the system's words.
+            /// Reason, in the system's words.
             source: io::Error,
         } => (no_priority(*priority, source)),
         /// Too many set-points of a servo session have no reply. The session has ended.
         SetPointsUnanswered {
-            /// How many.
+            /// Number of set-points without a reply.
             count: usize,
-            /// How long ago the oldest of them was sent.
+            /// Time since the oldest of them was sent.
             oldest: Duration,
         } =>
             "the controller does not answer: {count} set-points have no reply, and the oldest was sent {oldest:.1?} ago; the \
@@ -211,7 +211,7 @@ jaka_proto::worded! {
         SessionEnded {
             /// Cause of its end.
             cause: Cause,
-            /// Why it has ended.
+            /// Reason for its end, in words.
             because: String,
             /// Remedy for what has ended it.
             remedy: Remedy,
@@ -219,7 +219,7 @@ jaka_proto::worded! {
         /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been
         /// acknowledged: see [`Robot::acknowledge`](crate::Robot::acknowledge).
         NotAcknowledged {
-            /// What happened.
+            /// Occurrence that has not been acknowledged.
             occurrence: Occurrence,
         } => "not sent: {occurrence}",
         /// A stop of the program's own has ended a call that sends one step after the other, such as
@@ -233,31 +233,31 @@ jaka_proto::worded! {
         /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the
         /// connection is broken ([`Error::is_disconnected`]), no stop can be sent on it either.
         ServoModeNotLeft {
-            /// What failed in the session before; none where only leaving did.
+            /// First error of the session; none where only leaving servo mode failed.
             first: Option<Error>,
-            /// Why servo mode could not be left.
+            /// Reason why servo mode could not be left.
             leaving: Error,
         } => (Sequence::new(first.as_ref(), leaving).line(not_left(leaving))),
         /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last
         /// set-point; servo mode was left. The arm may not have followed: look at it before you go on.
         RestNotSeen {
-            /// What ended the session; none where it was to land.
+            /// Error that ended the session; none where it was to land.
             first: Option<Error>,
-            /// How long the last set-point was held.
+            /// Time for which the last set-point was held.
             after: Duration,
         } => (rest_not_seen(first.as_ref(), *after)),
         /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before
         /// you go on.
         NotLanded {
-            /// What ended the session.
+            /// Error that ended the session.
             first: Error,
-            /// What ended the landing.
+            /// Error that ended the landing.
             landing: Error,
         } => (Sequence::new(first, landing).line("the arm was not braked to rest")),
     }
 }
 
-/// What the predicates of [`Error`] ask for.
+/// Group of kinds that a predicate of [`Error`] asks for.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Group {
     InvalidArgument,
@@ -535,7 +535,7 @@ fn wait_ended(what: &str, problem: &StatusProblem) -> String {
 }
 
 fn not_left(leaving: &Error) -> &'static str {
-    // Where the command connection is lost, the fact says that no stop can be sent.
+    // If the command connection is lost, the fact says that no stop can be sent.
     if leaving.is_disconnected() && leaving.cause() != Cause::CommandsLost {
         "servo mode may be on, because leaving it failed or was not confirmed, and no stop can be sent on this \
          connection"

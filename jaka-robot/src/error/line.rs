@@ -71,7 +71,7 @@ impl<'e> Sequence<'e> {
         Self { first: first.into(), then }
     }
 
-    /// Facts of both, and what followed, in words.
+    /// Facts of both, and the consequence, in words.
     pub(super) fn line(self, what: &str) -> String {
         Line::of_error(self.first).followed_by(what, Some(self.then)).into_text()
     }

@@ -39,7 +39,7 @@ impl Approach {
         let speed_deg_s = speed_deg_s.unwrap_or(NEXT_TO_NOTHING);
         let is_there = from.max_distance(&start) <= THERE;
         let follower = if is_there { None } else { Some(plan(checker, [from, start], speed_deg_s, period_s, guard)?) };
-        // What is touched on the way is known before the trajectory begins.
+        // Contacts during the approach are known before the trajectory begins.
         let hold = PERIODS_HELD + guard.map_or(0, |guard| guard.periods_unknown(period_s));
         Ok(Self { follower, start, held: 0, hold })
     }

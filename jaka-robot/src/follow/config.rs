@@ -1,4 +1,4 @@
-//! How a trajectory is followed.
+//! Options of a run that follows a trajectory.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use crate::place::Quantity;
 use crate::servo_session::check_at_least;
 use crate::{Error, Guard, ServoConfig};
 
-/// How a trajectory is followed: see [`Robot::start_follow`](crate::Robot::start_follow).
+/// Options of a run that follows a trajectory: see [`Robot::start_follow`](crate::Robot::start_follow).
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a trajectory is followed with it"]
 pub struct FollowConfig {
@@ -61,7 +61,7 @@ impl FollowConfig {
 
     /// Puts the run under a guard: when it trips, the arm is braked along the trajectory, and the run ends with
     /// [`Cause::Guard`](crate::Cause::Guard). The first set-point that brakes goes out in the next servo period after
-    /// the packet. [`Guard`] tells what can be expected of that, and what not: it is **not a safety function**.
+    /// the packet. [`Guard`] describes its reach and its limits: it is **not a safety function**.
     ///
     /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`](crate::ErrorKind::GuardTripped) (the guard
     /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show

@@ -200,8 +200,8 @@ impl<'o> Way<'o> {
     }
 }
 
-/// Whether a stop along the curve takes longer than so many periods, found bit by bit: they can be all that are left of
-/// the trajectory.
+/// Look-ahead that finds, some periods at a time, whether a stop along the curve takes longer than `most` periods.
+/// These can be all that are left of the trajectory.
 #[derive(Default)]
 struct LookAhead {
     /// None once it is known that it does not.
@@ -210,7 +210,7 @@ struct LookAhead {
 }
 
 impl LookAhead {
-    /// Looks on; whether it is known now that it does.
+    /// Looks further ahead. True once the stop is known to take longer.
     fn takes_longer(&mut self) -> bool {
         let Some(stopping) = &mut self.stopping else { return false };
         let left = self.most.saturating_sub(stopping.periods());
@@ -222,11 +222,11 @@ impl LookAhead {
     }
 }
 
-/// By how many periods it looks ahead before each set-point that brakes. One takes some microseconds at most.
+/// Number of periods that it looks ahead before each set-point that brakes. One takes some microseconds at most.
 const AT_ONCE: u32 = 500;
-/// How much longer braking along the curve may take than twice braking straight on, in seconds.
+/// Time by which braking along the curve may exceed twice the time of braking straight on, in seconds.
 const MORE_S: f64 = 0.5;
-/// How much sooner than a stop goes out the arm is to be braked: set-points may be late.
+/// Least time between the end of braking and a stop that goes out: set-points may be late.
 const SPARE: Duration = Duration::from_millis(300);
 
 impl SetPoints for Way<'_> {

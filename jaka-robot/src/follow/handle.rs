@@ -15,15 +15,15 @@ pub struct FollowHandle {
     pub(super) duration: Duration,
 }
 
-/// How far a trajectory was followed.
+/// Progress on a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FollowProgress {
     /// The trajectory time of the last set-point; the arm lags behind it.
     pub time: Duration,
-    /// How long the trajectory takes at its own speed.
+    /// Duration of the trajectory at its own speed.
     pub duration: Duration,
-    /// How fast the trajectory time passes: from 0 in a pause to 1.
+    /// Rate at which the trajectory time passes: from 0 in a pause to 1.
     pub rate: f64,
 }
 
@@ -78,7 +78,7 @@ impl FollowHandle {
         self.check_open().map(|()| self.orders.stop())
     }
 
-    /// How far it is.
+    /// Progress of the run on its trajectory.
     pub fn progress(&self) -> FollowProgress {
         let (time_s, rate) = self.orders.progress();
         FollowProgress { time: Duration::from_secs_f64(time_s).min(self.duration), duration: self.duration, rate }

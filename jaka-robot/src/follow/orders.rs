@@ -1,4 +1,4 @@
-//! What handles ask for, and how far the run is.
+//! Orders of the handles, and progress of the run.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use crate::error::SessionEnd;
 
-/// What handles ask for, and how far the run is. Nobody waits for anybody here.
+/// Orders of the handles, and progress of the run. No thread waits for another here.
 #[derive(Debug)]
 pub(super) struct Orders {
     /// The bits of a number from 0 to 1.
@@ -93,7 +93,7 @@ impl Orders {
         let _ = self.ended.set(end);
     }
 
-    /// Why it has ended, if it has.
+    /// Reason why the run has ended, if it has.
     pub(super) fn ended(&self) -> Option<&SessionEnd> {
         self.ended.get()
     }

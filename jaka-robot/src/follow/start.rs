@@ -11,10 +11,10 @@ use crate::limits::LimitChecks;
 use crate::servo_session::{beyond_limit, check_shows_joints, no_limits};
 use crate::{Error, ErrorKind};
 
-/// How far, in degrees, the joints may be from where the trajectory starts: what controllers round off. Ours.
+/// Tolerance between the joints and the start of the trajectory, in degrees: controllers round off. Ours.
 const AT_START_DEG: f64 = 0.01;
 
-/// Checks all that can be checked without servo mode; what it was compared with.
+/// Checks all that can be checked without servo mode, and returns the checker that was used.
 pub(super) fn check(
     (arm, limits): (&mut Arm, &mut LimitChecks),
     trajectory: &Trajectory,

@@ -31,7 +31,7 @@ struct SharedGuard {
     early: Mutex<Early>,
 }
 
-/// What the monitor's thread stops the arm by, at once, without another thread.
+/// Stop with which the monitor's thread stops the arm at once, without another thread.
 #[derive(Debug, Default)]
 struct Early {
     /// None before the motion, and once it was used, or may be no more.
@@ -75,12 +75,12 @@ impl Armed {
         early.written.take()
     }
 
-    /// Why a packet could not be judged, if one could not.
+    /// Reason why a packet could not be judged, if one could not.
     pub(crate) fn broken(&self) -> Option<StatusProblem> {
         self.0.state.progress(self.0.number, |progress| progress.broken())
     }
 
-    /// Why the guard has tripped, if it has.
+    /// Trip of the guard, if it has tripped.
     pub(crate) fn trip(&self) -> Option<GuardTrip> {
         self.0.state.progress(self.0.number, |progress| progress.trip().cloned())
     }

@@ -22,13 +22,13 @@ jaka_proto::worded! {
     }
 }
 
-/// A condition, and what it must know of packets before.
+/// Condition, and its memory of earlier packets.
 #[derive(Debug)]
 pub(super) struct Judge {
     pub(super) condition: Condition,
     /// Whether the level of an edge was there in the packet before.
     held: Option<bool>,
-    /// What the sensor read in the first packet.
+    /// Values of the sensor in the first packet.
     start: Option<[f64; 6]>,
 }
 
@@ -37,7 +37,7 @@ impl Judge {
         Self { condition, held: None, start: None }
     }
 
-    /// Judges the next packet: why it trips, if it does.
+    /// Judges the next packet, and returns the reason for a trip, if it trips.
     pub(super) fn judge(&mut self, packet: &Snapshot) -> Option<TripReason> {
         match self.holds(packet) {
             Ok(holds) => {
@@ -74,7 +74,7 @@ impl Condition {
         }
     }
 
-    /// What a packet says of the input that the condition is about, if it is about one.
+    /// Text for the input in a packet, if the condition is about an input.
     pub(crate) fn says(&self, packet: &Snapshot) -> Option<String> {
         if let Self::Input(input) = self { input.says(packet) } else { None }
     }

@@ -1,4 +1,4 @@
-//! Forces at the tool, and how fast a tool may be that is to stop by them.
+//! Forces at the tool, and the speeds of a tool that is to stop by them.
 
 use std::fmt;
 use std::time::Duration;
@@ -22,17 +22,17 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// initialised; packets do not tell whether it is. Push against the tool by hand and look at packets before anything
 /// relies on it.
 ///
-/// **The speed of the motion is bounded**, since it is known only late that something was touched. Until the arm rests,
-/// it goes on for a period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² /
-/// (2 * braking)`. That must not be longer than the overtravel, 1 mm by default. The period is the longest time between
-/// two of the last 33 packets. A motion that is faster is not sent, and neither is one whose tool speed or braking is
-/// not known: it has to be a `move_l` or `move_c` with an acceleration, from rest. All of it is about the tool centre
+/// **The speed of the motion is bounded**, since a contact is known only late. Until the arm rests, it goes on for a
+/// period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² / (2 * braking)`.
+/// This distance must not be longer than the overtravel, 1 mm by default. The period is the longest time between two of
+/// the last 33 packets. A motion that is faster is not sent, and neither is one whose tool speed or braking is not
+/// known: it has to be a `move_l` or `move_c` with an acceleration, from rest. All of it is about the tool centre
 /// point; other points of a tool that turns may be faster.
 ///
 /// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool goes on for a period of the
-/// packets, the reaction and two servo periods, and then on the way on which the set-points brake it, whatever
-/// [`braking`](Self::braking) says. `FollowConfig::guard` and `StreamConfig::guard` say how. What such an arm lags
-/// behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
+/// packets, the reaction and two servo periods, and then on the path on which the set-points brake it, whatever
+/// [`braking`](Self::braking) says. See `FollowConfig::guard` and `StreamConfig::guard` for the rules. The lag of such
+/// an arm behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|
@@ -66,7 +66,8 @@ pub struct ForceLimit {
 }
 
 jaka_proto::worded! {
-    /// Which of the six values of the contact force, displayed as the condition of a [`ForceLimit`] names it.
+    /// Component of the contact force: one of its six values, or the force in any direction. Displayed as the condition
+    /// of a [`ForceLimit`] names it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum ForceComponent {
@@ -185,14 +186,14 @@ impl ForceLimit {
 
 /// For set-points, which brake the tool themselves.
 impl ForceLimit {
-    /// How long after a contact the tool goes on unbraked at most, in seconds, where packets come each `period` and
-    /// set-points each `cycle_s`: until a packet shows it, the next set-point goes out and the reaction is over; and
-    /// the arm is a set-point behind.
+    /// Longest time after a contact for which the tool goes on unbraked, in seconds, where packets come each `period`
+    /// and set-points each `cycle_s`: until a packet shows it, the next set-point goes out and the reaction is over;
+    /// and the arm is a set-point behind.
     pub(super) fn unbraked_s(&self, period: Duration, cycle_s: f64) -> f64 {
         period.saturating_add(self.reaction).as_secs_f64() + 2.0 * cycle_s
     }
 
-    /// Why a trajectory is not sent on which the tool goes on for so long.
+    /// Reason why a trajectory is not sent on which the tool goes on for so long.
     pub(super) fn too_fast_along(&self, after: usize, worst: &Overtravel, period: Duration) -> NotGuarded {
         let Overtravel { time_s, unbraked_s, speed_mm_s, braking_mm_s2, way_mm, .. } = *worst;
         if way_mm.is_infinite() {
@@ -231,10 +232,10 @@ impl ForceLimit {
     }
 }
 
-/// How often a range of speeds is halved.
+/// Number of times that a range of speeds is halved.
 const HALVINGS: u32 = 40;
 
-/// What the sensor reads, if it works.
+/// Contact force that the sensor reads, if it works.
 pub(super) fn contact_force(packet: &Snapshot) -> Result<[f64; 6], NotShown> {
     let name = "torque_sensor";
     let state = match (Field { packet, name }).shown(packet.status.torque_sensor.as_ref())? {
@@ -258,10 +259,10 @@ impl fmt::Display for ForceLimit {
     }
 }
 
-/// How long is waited for packets, to know their period.
+/// Longest wait for packets, to know their period.
 const PERIOD_WITHIN: Duration = Duration::from_secs(2);
 
-/// For how long at least packets may stay away under a limit of force.
+/// Lower bound of [`longest_silence`].
 const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
 
 /// The longest time between two of the last packets; none where too few come.
@@ -270,7 +271,7 @@ pub(crate) fn packet_period(arm: &Arm, timeout: Duration) -> Option<Duration> {
     arm.state.watch(timeout.min(PERIOD_WITHIN), |_| period()).ok().flatten()
 }
 
-/// For how long packets may stay away under a limit of force that come each `period`.
+/// Longest silence of packets that is allowed under a limit of force, where packets come each `period`.
 pub(crate) fn longest_silence(period: Duration) -> Duration {
     (period * 3).max(SHORTEST_SILENCE)
 }

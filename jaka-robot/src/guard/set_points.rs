@@ -138,7 +138,7 @@ impl SetPointGuard {
         Some([speed_mm_s, ways.fold(f64::INFINITY, f64::min)])
     }
 
-    /// For how many periods of so many seconds an arm must rest until a contact before is known.
+    /// Number of periods of so many seconds for which an arm must rest until a contact before is known.
     pub(crate) fn periods_unknown(&self, cycle_s: f64) -> u32 {
         let longest = self.force.iter().flat_map(|force| force.unbraked_s(cycle_s));
         let longest_s = longest.map(|(_, time_s)| time_s).fold(0.0, f64::max);

@@ -7,10 +7,10 @@ use super::armed::Armed;
 use crate::arm::ArmState;
 use crate::{GuardTrip, Snapshot, StatusProblem};
 
-/// How long after the newest packet has become stale that is seen, if no other comes.
+/// Delay until a stale packet is seen as stale, if no other comes.
 const JUST_AFTER: Duration = Duration::from_millis(1);
 
-/// What ends a wait under a guard.
+/// End of a wait under a guard.
 #[derive(Debug)]
 pub(crate) enum Watched {
     /// The guard has tripped.
@@ -52,7 +52,7 @@ pub(crate) fn watch(
         let fresh = state.stale_after().min(fresh_for).saturating_sub(age).saturating_add(JUST_AFTER);
         let is_news =
             || armed.trip().is_some() || armed.broken().is_some() || is_called_off() || state.fresh_status().is_err();
-        // What it found is seen above.
+        // The result of the wait is seen above.
         let _ = state.watch(left.min(fresh), |_| is_news().then_some(()));
     }
 }

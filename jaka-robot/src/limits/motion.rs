@@ -13,12 +13,12 @@ use crate::motions::PlannedMotion;
 use crate::place::{Place, Quantity};
 use crate::{Error, Path, Unchecked};
 
-/// Where a motion begins, as far as that is known.
+/// Start of a motion, as far as it is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Beginning {
-    /// Where the motions that have not been waited for will have led the arm.
+    /// End of the motions that have not been waited for.
     InQueue,
-    /// Where the arm is: by a query that has found it at rest, if there was one.
+    /// Present place of the arm: by a query that has found it at rest, if there was one.
     AtRest(Option<Place>),
 }
 
@@ -116,7 +116,7 @@ impl Check<'_> {
         within.map_err(|beyond| beyond_limit(self.arm, self.command, beyond))
     }
 
-    /// Where the arm is when the motion begins.
+    /// Joint positions of the arm at the start of the motion.
     fn start(&mut self, beginning: Beginning, settling: Duration) -> Result<JointPosition, Error> {
         let found = match beginning {
             Beginning::InQueue => return self.start_in_queue(),

@@ -8,7 +8,7 @@ use crate::Error;
 use crate::arm::Arm;
 use crate::error::OptionName;
 
-/// What presets want, and a program does without.
+/// Requirements of presets that a program waives.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Waived {
     pub(crate) payload: bool,

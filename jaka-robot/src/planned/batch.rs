@@ -13,12 +13,12 @@ use crate::{FrameChange, SelectedFrames};
 /// Motions that were accepted and have not been waited for.
 #[derive(Debug, Clone)]
 pub(super) struct Batch {
-    /// When the last one was accepted: packets and answers from before say nothing about it.
+    /// Time at which the last one was accepted: packets and answers from before say nothing about it.
     pub(super) accepted: Instant,
     pub(super) goal: Destination,
     /// The event that the status showed before; only another one counts.
     pub(super) code_before: Option<String>,
-    /// Whether a packet has said since that the arm is not in position: only after that can one say that the motion has
+    /// True if a packet has said since that the arm is not in position: only after that can one say that the motion has
     /// ended.
     pub(super) has_left: bool,
     count: u32,
@@ -29,7 +29,7 @@ pub(super) struct Batch {
     depends_on_frames: bool,
 }
 
-/// What was known of the arm when the first motion was sent.
+/// State of the arm when the first motion was sent, as far as it was known.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Begin {
     pub(super) at_rest: bool,
@@ -44,8 +44,8 @@ pub(super) struct Begin {
     pub(super) code: Option<String>,
 }
 
-/// Frames of a goal: those that packets show, unless they may be older than a change of this program, and how often it
-/// and the other handles of its connection had changed something by then.
+/// Frames of a goal: those that packets show, unless they may be older than a change of this program, and the number of
+/// changes by it and by the other handles of its connection until then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct GoalFrames {
     pub(super) shown: SelectedFrames,

@@ -4,7 +4,7 @@ use jaka_proto::Target;
 
 use crate::place::{Place, Quantity};
 
-/// Where a batch of motions ends, once it has been accepted.
+/// Place where a batch of motions ends, once it has been accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Destination {
     /// Here, or this many millimetres before, where the controller may blend into a motion that follows.
@@ -12,7 +12,7 @@ pub(super) enum Destination {
     Unknown,
 }
 
-/// How near the arm's place is to the goal.
+/// Nearness of the arm's place to the goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Nearness {
     There,
@@ -28,7 +28,7 @@ impl Destination {
         Place::of(target, start).map_or(Self::Unknown, |place| Self::At(place, tolerance))
     }
 
-    /// What to ask for, to see whether the arm is there.
+    /// Quantity to ask for, to see whether the arm is there.
     pub(super) fn quantity(&self) -> Quantity {
         match self {
             Self::At(Place::Pose(_), _) => Quantity::Pose,
@@ -63,7 +63,7 @@ mod tests {
     fn there_is_a_tenth_of_a_degree_and_half_a_millimetre() {
         let at = |x, rz| Destination::At(Place::Pose(pose(0.0, 180.0)), 3.0).nearness(&Place::Pose(pose(x, rz)));
         assert_eq!(at(0.5, 180.0), Nearness::There);
-        // The same orientation, written otherwise.
+        // Another notation of the same orientation.
         assert_eq!(at(0.0, -180.0), Nearness::There);
         assert_eq!(at(0.0, 179.95), Nearness::There);
         assert_eq!(at(0.51, 180.0), Nearness::Within);

@@ -104,7 +104,7 @@ impl Stopped {
     }
 }
 
-/// Relieves the thread when it is dropped; where that is by a panic, the arm is stopped.
+/// Relieves the thread when it is dropped. If a panic drops it, the arm is stopped.
 pub(super) struct Relieved<'s>(pub(super) &'s GuardThread);
 
 impl Drop for Relieved<'_> {
@@ -124,7 +124,7 @@ impl Drop for OnWatch<'_> {
     }
 }
 
-/// How a motion ends whose status is not known any more.
+/// End of a motion whose status is not known any more.
 pub(super) fn lost(problem: &StatusProblem) -> Occurrence {
     match StatusLoss::of(problem) {
         StatusLoss::Ended(cause) => Occurrence::status_lost(Some(Arc::clone(cause)), None),

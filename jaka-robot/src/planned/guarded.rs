@@ -103,8 +103,8 @@ impl GuardedRun<'_> {
         Ok(End { packets, ..End::new(occurrence, Rest::NotSeen, Report::of_wait(waited)) })
     }
 
-    /// How the motion ended, by the wait for it and by what the thread of the guard did; and a stop where the arm may
-    /// still move.
+    /// End of the motion, by the wait for it and by the actions of the guard's thread. Stops the arm where it may still
+    /// move.
     fn end_of_guarded(&mut self, guarding: &GuardThread, mut end: End, stopped: Option<Stopped>) -> End {
         let may_move = end.occurrence.consequence().may_move();
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&guarding.stop, None))) else {
@@ -120,7 +120,7 @@ impl GuardedRun<'_> {
         if let Some(change) = change.filter(|_| !end.occurrence.cause.is_of_status()) {
             end.occurrence = Occurrence::frames_changed(change);
         }
-        // What packets show against the arm itself counts before that.
+        // News of packets against the arm itself counts before that.
         match stopped.why.filter(|_| !end.occurrence.cause.is_of_status()) {
             Some(Why::Trip(trip)) => {
                 let reaction = stopped.stop.written.map(|at| at.saturating_duration_since(trip.packet.received));

@@ -1,12 +1,13 @@
-//! When a motion has ended: a state machine over status packets and the controller's own answers.
+//! Rule for the end of a motion: a state machine over status packets and the controller's own answers.
 //!
 //! A status packet cannot show its age, so it never says alone that a motion has ended: a stalled link delivers old
-//! ones. What packets say against a motion (stops, errors, a disabled arm) is believed at once; that the arm is in
-//! position only leads to a query, whose answer is later than the motion's acceptance.
+//! ones. Packets that speak against a motion (stops, errors, a disabled arm) are believed at once. A packet that shows
+//! the arm in position only leads to a query, whose answer is later than the motion's acceptance.
 //!
 //! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is
-//! there only at the end. Two, because what was seen may have been the motion before. In all other cases (several
-//! motions, a motion without length, an arm that rests elsewhere) the answers must agree for a grace time.
+//! there only at the end. Two, because the movement that was seen may have been that of the motion before. In all other
+//! cases (several motions, a motion without length, an arm that rests elsewhere) the answers must agree for a grace
+//! time.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -21,21 +22,21 @@ use crate::arm::{self, News, QUERY_PERIOD};
 use crate::place::{Place, Quantity};
 use crate::{Cause, Error, Occurrence, Rest, Snapshot};
 
-/// How many packets are kept to show what led to an end.
+/// Number of packets that are kept to show the cause of an end.
 const KEPT: usize = 10;
 
-/// How long the arm must be seen at rest, if one answer at its target is not enough.
+/// Least time and number of packets for which the arm must be seen at rest, if one answer at its target is not enough.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Grace {
     pub(crate) time: Duration,
     pub(crate) packets: u32,
 }
 
-/// The rule by which a batch ends, and what has come of it so far.
+/// The rule by which a batch ends, and its state so far.
 #[derive(Debug)]
 pub(super) struct EndRule {
     pub(super) batch: Batch,
-    /// How often this program has changed a frame by now.
+    /// Number of this program's frame changes by now.
     frame_changes: u64,
     grace: Grace,
     /// Whether the arm is at rest by the newest packet; `None` if it does not say.
@@ -43,15 +44,15 @@ pub(super) struct EndRule {
     is_paused: bool,
     /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
     unknown_code: Option<Occurrence>,
-    /// When the last query was sent.
+    /// Time at which the last query was sent.
     asked: Option<Instant>,
     /// Whether packets said by then that the arm had left and was in position again.
     had_ended: bool,
     /// Answers that agree.
     answers: Option<Series<Place>>,
-    /// How many packets agree, where there are no answers.
+    /// Packets that agree, where there are no answers.
     still: Option<Series<Option<JointPosition>>>,
-    /// Why the last query brought no position.
+    /// Reason why the last query brought no position.
     pub(super) failure: Option<Error>,
     pub(super) packets: VecDeque<Arc<Snapshot>>,
 }
@@ -96,12 +97,12 @@ impl EndRule {
         }
     }
 
-    /// Which query is due now, if any.
+    /// Query that is due now, if any.
     pub(super) fn query(&self, now: Instant) -> Option<Quantity> {
         self.query_in(now).is_zero().then(|| self.batch.goal.quantity())
     }
 
-    /// How long until a query is due, if no packet comes before.
+    /// Time until a query is due, if no packet comes before.
     pub(super) fn query_in(&self, now: Instant) -> Duration {
         if self.packets.is_empty() || !self.may_rest() {
             return Duration::MAX;

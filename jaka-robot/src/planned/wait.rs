@@ -7,10 +7,10 @@ use super::rule::EndRule;
 use crate::arm::{Answer, Arm};
 use crate::{Cause, Disconnect, Occurrence, Rest, Snapshot};
 
-/// How long the wait for an answer lasts before packets and stops are checked again.
+/// Longest wait for an answer before packets and stops are checked again.
 const SLICE: Duration = Duration::from_millis(10);
 
-/// What packets and stops lead to.
+/// Next step of the wait, by packets and stops.
 #[derive(Debug)]
 enum Next {
     Ended(Occurrence, Rest),
@@ -18,7 +18,7 @@ enum Next {
     Query,
 }
 
-/// When the last packet came that can be read.
+/// Arrival of the last packet that can be read.
 #[derive(Debug)]
 struct Heard {
     at: Instant,
@@ -30,7 +30,7 @@ struct Heard {
 pub(super) struct EndWait<'a> {
     pub(super) arm: &'a mut Arm,
     pub(super) rule: &'a mut EndRule,
-    /// How long no status packet may come.
+    /// Longest time without a status packet.
     pub(super) silence: Duration,
 }
 
@@ -63,7 +63,7 @@ impl EndWait<'_> {
         }
     }
 
-    /// How long until a query is due or its answer is to be checked for, if no packet comes before.
+    /// Time until a query is due or its answer is to be checked for, if no packet comes before.
     fn query_in(&self) -> Duration {
         if self.arm.position.is_asked() {
             return Duration::ZERO;
@@ -71,15 +71,15 @@ impl EndWait<'_> {
         self.rule.query_in(self.arm.clock().now())
     }
 
-    /// Checks the newest packet, the stops, and whether the connection lives on which the arm could be stopped: what is
-    /// next, if they show it.
+    /// Checks the newest packet, the stops, and the connection on which the arm could be stopped, and returns the next
+    /// step, if they show one.
     fn observe(&mut self, newest: Option<&Arc<Snapshot>>, heard: &mut Heard) -> Option<Next> {
         if self.arm.state.lock().stops.has_unreported() {
             return Some(Next::ended(Cause::Stopped));
         }
         let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| self.rule.packet(newest));
         match (shown, self.lost()) {
-            // That the arm rests, packets alone do not prove.
+            // Packets alone do not prove that the arm rests.
             (None | Some((Occurrence { cause: Cause::AtRest, .. }, _)), Some(cause)) => {
                 Some(Next::ended(Occurrence::commands_lost(self.arm.link().address(), cause)))
             }
@@ -91,8 +91,8 @@ impl EndWait<'_> {
         }
     }
 
-    /// What broke the connection over which the arm could be stopped, if something did. A query that is outstanding
-    /// reads by itself.
+    /// Cause of the loss of the connection on which the arm could be stopped, if it is lost. A query that is
+    /// outstanding reads by itself.
     fn lost(&self) -> Option<Arc<Disconnect>> {
         let link = self.arm.link();
         if self.arm.position.is_asked() { link.broken() } else { link.lost() }
@@ -133,7 +133,7 @@ impl Next {
 }
 
 impl Heard {
-    /// Whether a packet is new and can be read.
+    /// True if a packet is new and can be read.
     fn takes(&mut self, newest: &Arc<Snapshot>) -> bool {
         if newest.number <= self.number {
             return false;

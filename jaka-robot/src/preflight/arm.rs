@@ -1,4 +1,4 @@
-//! The arm's model compared with what the controller computes, and where the arm is against limits.
+//! Comparison of the arm's model with the controller's computations, and of the arm's place with its limits.
 
 use jaka_motion::{Checker, Exceeded, FitError, Frames, Limits, Model, Tolerance};
 use jaka_proto::messages::kinematics::{GetDhParam, GetDhParamReply, GetJointPos, KineForward};
@@ -16,7 +16,7 @@ pub(super) struct Expected(pub(super) Option<Limits>);
 /// Limits of a model that agrees with the controller, and the frames that it has then.
 type Agreeing = (Limits, Frames);
 
-/// What the model was found to be, and what agrees with it; or why it was not compared.
+/// Judgement on the model, and the models that agree with the controller; or the reason why none was compared.
 type Found = Result<(Judgement, Vec<Agreeing>), Judgement>;
 
 /// Joint positions, and the controller's poses at them.
@@ -126,7 +126,7 @@ fn parameters(agreeing: &[Agreeing], reply: &GetDhParamReply) -> Judgement {
     Judgement::look(mismatch.to_string(), advice)
 }
 
-/// Where the arm is against the limits of the models that agree.
+/// Judges the place of the arm against the limits of the models that agree.
 fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Judgement {
     if agreeing.is_empty() {
         return Judgement::not_checked(NO_MODEL);

@@ -43,7 +43,7 @@ impl<'c> Commands<'c> {
         self.client.as_ref().map_or_else(Clock::default, |client| client.link().clock.clone())
     }
 
-    /// Asks one question; what that tells if it has no answer.
+    /// Asks one question, and judges its failure, if it has no answer.
     pub(super) fn ask<C: Command>(&mut self, query: &C) -> Result<C::Reply, Judgement> {
         let Some(client) = &mut self.client else { return Err(no_commands()) };
         let error = match client.call(query) {
@@ -62,7 +62,7 @@ impl<'c> Commands<'c> {
         Err(found(ports::failure(&error), ports::advice(&error)))
     }
 
-    /// What the answer to a question tells, or that it has none.
+    /// Judges the answer to a question, or its failure.
     pub(super) fn judge<C: Command>(&mut self, query: &C, judge: impl FnOnce(C::Reply) -> Judgement) -> Judgement {
         either(self.ask(query).map(judge))
     }

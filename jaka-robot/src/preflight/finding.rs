@@ -1,11 +1,11 @@
-//! What was found at one item.
+//! Findings, one for each item.
 
 use std::fmt;
 
 use jaka_proto::text::visible;
 
 jaka_proto::worded! {
-    /// What a [`Preflight`](super::Preflight) looks at, in this order.
+    /// Item of a [`Preflight`](super::Preflight), in the order of the check.
     ///
     /// Displayed in words, such as `tool frame`.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,7 +19,7 @@ jaka_proto::worded! {
         Firmware => "firmware",
         /// The arm's power (`get_robot_state`, 4.12, or else packets).
         Power => "power",
-        /// Whether the arm is enabled (`get_robot_state`, 4.12, or else packets).
+        /// The enabled state of the arm (`get_robot_state`, 4.12, or else packets).
         Enabled => "enabled",
         /// The emergency stop (packets).
         EmergencyStop => "emergency stop",
@@ -43,25 +43,25 @@ jaka_proto::worded! {
         RapidRate => "rapid rate",
         /// The collision level (`get_clsn_sensitivity`, 4.45).
         CollisionLevel => "collision level",
-        /// Whether a soft limit was hit (packets).
+        /// A soft limit that was hit (packets).
         SoftLimit => "soft limit",
-        /// What of status packets is missing or cannot be read.
+        /// Keys of status packets that are missing or cannot be read.
         StatusPackets => "status packets",
-        /// How many status packets come in a second.
+        /// Number of status packets in a second.
         StatusRate => "status rate",
-        /// How long queries take (`get_joint_pos`, 4.49).
+        /// Round-trip time of queries (`get_joint_pos`, 4.49).
         RoundTrip => "round trip",
         /// The arm's model, compared with what the controller computes (`kine_forward`, 4.46).
         Model => "model",
         /// The controller's own Denavit-Hartenberg parameters (`get_dh_param`, 4.82), compared with the model's.
         DhParameters => "DH parameters",
-        /// Where the arm is against its limits.
+        /// Place of the arm against its limits.
         Limits => "limits",
     }
 }
 
 jaka_proto::worded! {
-    /// How a check came out. A later one counts more.
+    /// Result of a check. A later one counts more.
     ///
     /// Displayed in words: `nothing found`, `not checked`, `look` or `wrong`.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -78,14 +78,14 @@ jaka_proto::worded! {
     }
 }
 
-/// What was found at one item. Its texts are lines without invisible characters, whatever the controller says.
+/// Finding at one item. Its texts are lines without invisible characters, whatever the controller says.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     item: CheckItem,
     judgement: Judgement,
 }
 
-/// What was seen somewhere, and what to do about it.
+/// Observation, its verdict, and advice.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Judgement {
     pub(super) verdict: Verdict,
@@ -121,22 +121,22 @@ impl Judgement {
 }
 
 impl Finding {
-    /// What was looked at.
+    /// Item that was checked.
     pub fn item(&self) -> CheckItem {
         self.item
     }
 
-    /// How it came out.
+    /// Result of the check.
     pub fn verdict(&self) -> Verdict {
         self.judgement.verdict
     }
 
-    /// What was seen; for what was not checked, why not.
+    /// Observation; for an item that was not checked, the reason.
     pub fn seen(&self) -> &str {
         &self.judgement.seen
     }
 
-    /// What to do: there is something if the verdict is [`Look`](Verdict::Look) or [`Wrong`](Verdict::Wrong).
+    /// Advice: there is some if the verdict is [`Look`](Verdict::Look) or [`Wrong`](Verdict::Wrong).
     pub fn advice(&self) -> Option<&str> {
         self.judgement.advice.as_deref()
     }
@@ -151,7 +151,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// What was judged, or why it could not be.
+/// Judgement on an answer, or on its absence.
 pub(super) fn either(judged: Result<Judgement, Judgement>) -> Judgement {
     judged.unwrap_or_else(|unanswered| unanswered)
 }

@@ -1,4 +1,4 @@
-//! What status packets tell, and how they come.
+//! Check of status packets: their content, their form and their rate.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -12,7 +12,7 @@ use super::finding::{CheckItem, Finding, Judgement};
 use super::ports;
 use crate::arm::StatusPort;
 
-/// How long packets are counted.
+/// Time for which packets are counted.
 const WINDOW: Duration = Duration::from_secs(1);
 /// Packets in a second: they come each 30 ms on firmware 1.5.14, and each 50 or 100 ms elsewhere (field notes). A few
 /// may be late.
@@ -73,7 +73,7 @@ impl<'m> Count<'m> {
     }
 }
 
-/// What the packet itself tells; what no query of the document does.
+/// Judges the facts that only a packet tells, and no query of the document.
 pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
     findings.extend([
         shown(packet, |packet| packet.emergency_stop, emergency_stop).at(CheckItem::EmergencyStop),
@@ -83,7 +83,7 @@ pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
     ]);
 }
 
-/// That the packet does not show it, if there is one.
+/// Judgement that the packet does not show the item, or that there is no packet.
 pub(super) fn not_shown(packet: Option<&RobotStatus>) -> Judgement {
     match packet {
         Some(_) => Judgement::not_checked("status packets do not show it"),
@@ -165,7 +165,7 @@ fn rate(packets: u64, elapsed: Duration) -> Judgement {
     Judgement::look(format!("{seen}; 10 to 33 are usual"), SLOW)
 }
 
-/// What of the packet is missing or cannot be read, and what came between packets.
+/// Judges the form of the packet: keys that are missing or cannot be read, and bytes between packets.
 fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
     const PROBE: &str = "`jaka probe` compares the packet with the spec";
     const NO_ERRORS: &str = "look at the pendant for errors of the controller: packets do not show them";

@@ -24,7 +24,7 @@ pub(super) fn is_unusable(error: &Error) -> bool {
     denied || error.is_connect() || error.is_timeout() || error.is_disconnected()
 }
 
-/// Why the command port cannot be used.
+/// Judges an error because of which the command port cannot be used.
 pub(super) fn of_commands(error: &Error) -> Judgement {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source, .. } => not_connected(address, source, NO_COMMANDS),
@@ -43,7 +43,8 @@ pub(super) fn status_ended(cause: &Disconnect) -> Judgement {
     Judgement::wrong(seen, advice)
 }
 
-/// Why the status port cannot be used. `dropped` is how many bytes came that do not belong to a packet.
+/// Judges an error because of which the status port cannot be used. `dropped` is the number of bytes that came and do
+/// not belong to a packet.
 pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source, .. } => not_connected(address, source, NO_STATUS),
@@ -60,7 +61,7 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     Judgement::wrong(seen, advice)
 }
 
-/// Why a query has no answer. That it may have run does not matter.
+/// Reason why a query has no answer. It does not matter that the query may have run.
 pub(super) fn failure(error: &Error) -> String {
     match error.kind() {
         ErrorKind::Timeout { command, after } => format!("no reply to `{command}` within {after:?}"),
@@ -71,7 +72,7 @@ pub(super) fn failure(error: &Error) -> String {
     }
 }
 
-/// What to do about a query that failed.
+/// Advice for a query that failed.
 pub(super) fn advice(error: &Error) -> &'static str {
     match error.kind() {
         ErrorKind::Refused { refusal, .. } if refusal.code == ErrorCode::PERMISSION_DENIED => REMOTE_CONTROL,

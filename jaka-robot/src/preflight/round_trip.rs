@@ -1,4 +1,4 @@
-//! How long queries take.
+//! Round-trip time of queries.
 
 use std::time::Duration;
 
@@ -7,13 +7,13 @@ use jaka_proto::messages::kinematics::GetJointPos;
 use super::commands::Commands;
 use super::finding::Judgement;
 
-/// How many queries are measured, if they fit into the time.
+/// Number of queries that are measured, if they fit into the time.
 const QUERIES: usize = 100;
 const LONGEST: Duration = Duration::from_secs(2);
 
 /// The controller's cycle: a reply that takes longer is not that to a set-point of this cycle.
 const USUAL: Duration = Duration::from_millis(8);
-/// How much of set-points may be unanswered before a servo session ends ([`ServoConfig`](crate::ServoConfig)).
+/// Time for which set-points may be unanswered before a servo session ends ([`ServoConfig`](crate::ServoConfig)).
 const RARE: Duration = Duration::from_millis(100);
 
 /// Asks the same question many times.

@@ -1,4 +1,4 @@
-//! What queries tell: states and settings.
+//! States and settings of the controller, by queries.
 
 use jaka_proto::messages::collision::{GetClsnSensitivity, ProtectiveStopStatus};
 use jaka_proto::messages::force::DragStatus;

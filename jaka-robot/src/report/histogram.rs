@@ -1,4 +1,4 @@
-//! How often which time came, in memory that does not grow.
+//! Histogram of times, in memory that does not grow.
 
 use std::time::Duration;
 

@@ -77,12 +77,12 @@ impl RobotConfig {
         Self::default()
     }
 
-    /// Sets how long the arm must be seen at rest, and how many packets must show it, if one answer of the controller
-    /// is not enough to say that the motion has ended: for several motions in a queue, a motion that ends where it
-    /// began, an arm that stops before its target. 0.4 s and three packets by default.
+    /// Sets the time for which the arm must be seen at rest, and the number of packets that must show it, if one answer
+    /// of the controller is not enough to say that the motion has ended: for several motions in a queue, a motion that
+    /// ends where it began, an arm that stops before its target. 0.4 s and three packets by default.
     ///
-    /// It is also how long the arm may take to begin: if it has not left its position by then, the motion counts as one
-    /// without length, or, if its target is known and the arm is not there, as stopped.
+    /// It is also the time within which the arm must begin: if it has not left its position by then, the motion counts
+    /// as one without length, or, if its target is known and the arm is not there, as stopped.
     pub fn start_grace(mut self, time: Duration, packets: u32) -> Self {
         self.grace = Grace { time, packets: packets.max(1) };
         self

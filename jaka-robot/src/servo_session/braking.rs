@@ -5,7 +5,7 @@ use jaka_sync::layer::{Failure, StatusLoss};
 use crate::cause::Occurrence;
 use crate::{Cause, Error, ErrorKind, Evidence, StatusProblem};
 
-/// What a session does with an arm at speed.
+/// Action of a session on an arm at speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Braking {
     /// Set-points brake and hold the arm: they still reach a controller that follows them, or may.

@@ -1,4 +1,4 @@
-//! The last set-points of a session: what the next one is compared with, and how the arm is braked after it.
+//! The last set-points of a session, by which the next one is checked, and after which the arm is braked.
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -12,7 +12,7 @@ pub(crate) struct Course {
     poses: LastTwo<Pose>,
     /// The last one; none while nothing was sent.
     sent: Option<SetPoint>,
-    /// How far it was from the one before, where that is known.
+    /// Step from the set-point before to the last one, where it is known.
     step: Option<SetPointStep>,
 }
 
@@ -55,13 +55,13 @@ impl Course {
         self.joints.both()
     }
 
-    /// Where the joints are to be at the last set-point, if that is one of joints, and where it is known.
+    /// Joint positions of the last set-point, if it is one of joints, and they are known.
     pub(super) fn held_joints(&self) -> Option<JointPosition> {
         let of_joints = matches!(self.sent, Some(SetPoint::Joints(_) | SetPoint::JointOffset(_)));
         self.joints.last.filter(|_| of_joints)
     }
 
-    /// Where the joints would be at a set-point, as far as it says so itself.
+    /// Joint positions of a set-point, as far as it says them itself.
     pub(super) fn joints_at(&self, next: &SetPoint) -> Option<JointPosition> {
         match next {
             SetPoint::Joints(target) => Some(*target),
@@ -70,7 +70,7 @@ impl Course {
         }
     }
 
-    /// How far a set-point is from the last one, where that is known.
+    /// Step from the last set-point to this one, where it is known.
     pub(super) fn step_to(&self, next: &SetPoint) -> Option<SetPointStep> {
         match next {
             SetPoint::Joints(target) => self.joints.last.map(|last| SetPointStep::between_joints(last, *target)),
@@ -81,11 +81,11 @@ impl Course {
         }
     }
 
-    /// How far the last set-point was from the one before, as a step of the same kind: none where that is not known.
+    /// Step from the set-point before to the last one, of the same kind as `like`; none where it is not known.
     pub(super) fn last_step(&self, like: &SetPointStep) -> Option<SetPointStep> {
         match (self.step, like) {
             (None, like) if self.sent.is_none() => Some(like.scaled(0.0)),
-            // What stands, stands in joints and in poses.
+            // A stationary arm is stationary in joints and in poses.
             (Some(step), like) if step.is_none() => Some(like.scaled(0.0)),
             (Some(step @ SetPointStep::Joints(_)), SetPointStep::Joints(_))
             | (Some(step @ SetPointStep::Pose(_)), SetPointStep::Pose(_)) => Some(step),

@@ -1,4 +1,4 @@
-//! Whether the joints follow their set-points.
+//! Check that the joints follow their set-points.
 
 use jaka_proto::messages::types::JointPosition;
 
@@ -12,7 +12,7 @@ pub(super) struct Departure {
     most_deg: f64,
 }
 
-/// How long set-points count, in seconds.
+/// Time for which set-points count, in seconds.
 const COUNTS_S: f64 = 0.5;
 
 impl Departure {

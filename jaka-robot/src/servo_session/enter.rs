@@ -16,9 +16,9 @@ use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
 
-/// What other handles may send while a session leads the arm: outputs, and queries that a controller answers at once. A
-/// stop passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a stop brakes
-/// it.
+/// Commands that other handles may send while a session leads the arm: outputs, and queries that a controller answers
+/// at once. A stop passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a
+/// stop brakes it.
 const MEANWHILE: Reservation = Reservation {
     because: "a servo session, a stream or a trajectory leads the arm, and only outputs, short queries and stops pass",
     lets_pass: |info| info.and_then(|info| info.role).is_some_and(Role::passes_beside_set_points),
@@ -92,14 +92,14 @@ impl<'r> ServoSession<'r> {
         }
     }
 
-    /// Servo mode on, and where the arm is in it.
+    /// Switches servo mode on, and returns the place of the arm in it.
     fn switch_on(&mut self) -> Result<Course, Error> {
         let gate = self.arm.gate(Sending::Motion);
         let (client, timeout) = (self.arm.client(), self.config.enter_timeout);
         let on =
             client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));
         if let Err(error) = on.map_err(Error::from) {
-            // What was not sent or was refused need not be left.
+            // Servo mode need not be left if the command was not sent or was refused.
             self.is_open = error.may_have_run();
             return Err(error);
         }

@@ -19,7 +19,7 @@ use crate::error::OptionName;
 use crate::guard::{MeasuredLag, SetPointGuard};
 use crate::{Error, ErrorKind, FollowLag, NotShown, Snapshot, Unchecked};
 
-/// What makes set-points, one a cycle.
+/// Source of set-points, one a cycle.
 pub(crate) trait SetPoints {
     /// True if no more are to come.
     fn is_done(&mut self) -> bool;
@@ -40,13 +40,13 @@ pub(crate) trait SetPoints {
     fn sent(&mut self);
 }
 
-/// What ends generated set-points: joints that do not follow, a machine that is too slow, and a guard.
+/// Supervision that ends generated set-points: by joints that do not follow, a machine that is too slow, and a guard.
 #[derive(Debug)]
 pub(crate) struct Supervision<'g> {
     departure: Departure,
     /// The number of the last packet.
     packet: u64,
-    /// When the first packet came after which none has shown the joints.
+    /// Arrival of the first packet after which none has shown the joints.
     unseen: Option<Instant>,
     max_gap: Duration,
     guard: Option<&'g SetPointGuard>,
@@ -79,7 +79,7 @@ impl<'g> Supervision<'g> {
         self.lag.as_ref().and_then(LagFit::best)
     }
 
-    /// The same, also where it is known only to be beyond what is measured.
+    /// Lag as [`lag`](Self::lag), also where it is known only to be beyond the measured range.
     fn measured_lag(&self) -> Option<MeasuredLag> {
         self.lag.as_ref().and_then(LagFit::measured)
     }
@@ -113,7 +113,7 @@ impl<'g> Supervision<'g> {
     }
 }
 
-/// For how long packets may come that do not show the joints.
+/// Longest time for which packets may come that do not show the joints.
 const UNSEEN: Duration = Duration::from_millis(500);
 
 fn not_shown(reason: NotShown) -> Error {
@@ -128,18 +128,17 @@ pub(crate) fn check_shows_joints(arm: &Arm, timeout: Duration) -> Result<(), Err
 }
 
 impl ServoSession<'_> {
-    /// What set-points are compared with, and where the joints are to be at the start; none where the robot has no
-    /// limits.
+    /// Checker of the set-points, and joint positions at the start; none where the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
         Some((self.limits.checker()?, self.last_joints()?))
     }
 
-    /// The first cycle is due now: what was computed after servo mode was entered is not late.
+    /// Makes the first cycle due now, so that computing after servo mode was entered does not make it late.
     pub(crate) fn begin_pace(&mut self) {
         self.pace = Pace::new(self.arm.clock(), self.config.period(), self.config.busy_wait);
     }
 
-    /// Where the joints are to be at the last set-point, where that is known.
+    /// Joint positions of the last set-point, where they are known.
     pub(crate) fn last_joints(&self) -> Option<JointPosition> {
         self.course.last_joints().map(|[_, last]| last)
     }

@@ -1,4 +1,4 @@
-//! By how much an arm lags behind its set-points, and how far it is from them apart from that.
+//! Lag of an arm behind its set-points, and its distance from them apart from that.
 
 use std::time::{Duration, Instant};
 
@@ -14,7 +14,7 @@ const FEWEST_PACKETS: u32 = 10;
 /// Joints that have moved less than this, in degrees, say nothing about a delay.
 const MOVED_DEG: f64 = 0.5;
 
-/// The set-points of the last time, and how well each delay fits.
+/// The set-points of the last time, and the fit of each delay.
 #[derive(Debug)]
 pub(crate) struct LagFit {
     /// A ring, with when each was sent.
@@ -26,7 +26,7 @@ pub(crate) struct LagFit {
     most: JointPosition,
 }
 
-/// How well a delay fits, of each joint.
+/// Fit of a delay, for each joint.
 #[derive(Debug, Clone, Copy, Default)]
 struct Fit {
     squares: [f64; 6],

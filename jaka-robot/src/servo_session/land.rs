@@ -15,7 +15,7 @@ use crate::arm::{Sending, Stillness};
 use crate::cause::Occurrence;
 use crate::{Cause, Error, ErrorKind, Rest};
 
-/// How long the last set-point is held where no packets come that could show rest. Ours: an arm that follows its
+/// Time for which the last set-point is held where no packets come that could show rest. Ours: an arm that follows its
 /// set-points is at rest by then.
 const BLIND: Duration = Duration::from_millis(200);
 
@@ -43,7 +43,7 @@ struct Begun {
     given: u32,
 }
 
-/// How a step becomes smaller.
+/// Decrease of a step to rest.
 #[derive(Debug, Clone, Copy)]
 enum StepsToRest {
     /// Evenly, in so many periods.
@@ -52,7 +52,7 @@ enum StepsToRest {
 }
 
 impl StraightOn {
-    /// In how many periods the arm is braked from the last set-point.
+    /// Number of periods in which the arm is braked from the last set-point.
     pub(crate) fn periods(&self, course: &Course) -> u32 {
         match self.begin(course).braking {
             StepsToRest::Even(count) => count,
@@ -119,7 +119,7 @@ impl ServoSession<'_> {
         came
     }
 
-    /// Where the last set-point is so long ago that the arm has none, it stands.
+    /// Brakes the arm. If the last set-point is so long ago that the arm has none, the arm is stationary.
     fn brake(&mut self, braking: BrakingPath<'_>, refused: u64) -> Result<(), Error> {
         let late = self.begun.map_or_else(|| self.pace.late(), |cycle| self.arm.clock().elapsed(cycle.due));
         if late >= self.config.gap() {
@@ -205,7 +205,7 @@ impl ServoSession<'_> {
             self.look_at_frames();
             self.check_frames()?;
         }
-        // What was computed since takes its time, too.
+        // Computing since then takes its time, too.
         let cycle = self.begun.take().unwrap_or_else(|| self.pace.wait());
         let late = self.arm.clock().elapsed(cycle.due);
         if late >= self.config.gap() {
@@ -231,10 +231,10 @@ impl ServoSession<'_> {
     }
 }
 
-/// What ended a session, and that the arm was not seen at rest after it.
+/// Error of a session that has ended, and after which the arm was not seen at rest.
 pub(super) fn not_seen(first: Error, landing: Error) -> Error {
     match landing.into_kind() {
-        // That the status is not known says so.
+        // An error of an unknown status says so itself.
         ErrorKind::RestNotSeen { after, .. } if !matches!(first.kind(), ErrorKind::StatusUnknown { .. }) => {
             ErrorKind::RestNotSeen { first: Some(first), after }.into()
         }

@@ -17,10 +17,10 @@ use super::pace::{CYCLE, Pace};
 use crate::error::SessionEnd;
 use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Report};
 
-/// How long the last replies may take, and the end of servo mode after set-points that were not answered.
+/// Timeout for the last replies, and for the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How long the packet may take that shows why a set-point was refused: packets come each 100 ms or sooner.
+/// Timeout for the packet that shows why a set-point was refused: packets come each 100 ms or sooner.
 const SETTLING: Duration = Duration::from_millis(250);
 
 impl ServoSession<'_> {
@@ -40,7 +40,8 @@ impl ServoSession<'_> {
         Ok(self.landed())
     }
 
-    /// The same, braked in another way. A guard that trips before the arm is at rest is an error, too.
+    /// Lands as [`land`](Self::land), on another braking path. A guard that trips before the arm is at rest is an
+    /// error, too.
     pub(crate) fn land_by(&mut self, braking: BrakingPath<'_>, supervision: &Supervision<'_>) -> Result<(), Error> {
         let landed = self.come_to_rest_by(braking);
         self.leave_landed(landed, supervision.check_tripped().err())
@@ -64,7 +65,7 @@ impl ServoSession<'_> {
         let left = self.leave();
         let first = answers.err().or(self.refusal.take()).or(tripped).map(|error| self.explained(error));
         let first = match (first, landed) {
-            // That of a connection that is lost says so.
+            // The error of a lost connection says so itself.
             (Some(first), Err(landing)) if !first.is_disconnected() => Some(not_seen(first, landing)),
             (first, landed) => first.or(landed.err()).map(|error| self.explained(error)),
         };
@@ -99,7 +100,7 @@ impl ServoSession<'_> {
         self.end_by(first, &mut |course| straight_on.next(course))
     }
 
-    /// The same, braked in another way.
+    /// Ends the session as [`end`](Self::end), on another braking path.
     pub(crate) fn end_by(&mut self, first: Error, braking: BrakingPath<'_>) -> Error {
         let landed = if self.is_open && Braking::after(&first) == Braking::Land {
             self.come_to_rest_by(braking)

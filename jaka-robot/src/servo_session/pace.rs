@@ -22,7 +22,7 @@ pub(super) struct Pace {
     clock: Clock,
     period: Duration,
     busy_wait: Duration,
-    /// When the next cycle is due.
+    /// Time at which the next cycle is due.
     due: Instant,
     cycles: u32,
 }
@@ -38,7 +38,7 @@ impl Pace {
         self.period.saturating_mul(self.cycles)
     }
 
-    /// How late the next cycle already is.
+    /// Present lateness of the next cycle.
     pub(super) fn late(&self) -> Duration {
         self.clock.elapsed(self.due)
     }

@@ -1,4 +1,4 @@
-//! How fast set-points may be, and how the arm is braked.
+//! Rates of set-points, by which the arm is also braked.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use super::set_point::{SetPoint, SetPointStep};
 use crate::Error;
 use crate::error::OptionName;
 
-/// How fast set-points may be, and how fast that may change: so the arm is also braked.
+/// Greatest speeds and accelerations of set-points, by which the arm is also braked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rates {
     /// False if set-points are sent as they are. The arm is braked all the same.
@@ -29,15 +29,15 @@ pub(crate) struct Rates {
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const JOINT_SPEED: f64 = 180.0;
 
-/// How fast the tool may turn, in deg/s and deg/s²: ours, as fast as three joints of the wrist turn it together.
+/// Greatest speed and acceleration of a turn of the tool, in deg/s and deg/s²: ours, as fast as three joints of the
+/// wrist turn it together.
 const TURN_SPEED: f64 = 540.0;
 const TURN_ACCELERATION: f64 = 2160.0;
 
-/// What rounding may add to a step. Where joints are a hundred degrees from zero, their differences have some 14
-/// digits.
+/// Rounding error of a step. Where joints are a hundred degrees from zero, their differences have some 14 digits.
 const ROUNDING: f64 = 1e-9;
 
-/// How large a step is: of six joints, or of the tool centre point's position and of its orientation.
+/// Sizes of a step: of six joints, or of the tool centre point's position and of its orientation.
 type Sizes = [f64; 6];
 
 /// The document advises 720 deg/s² for joints (4.7) and 8000 mm/s² for the tool centre point (4.9) at most; 3000 mm/s
@@ -56,7 +56,7 @@ impl Default for Rates {
 }
 
 impl Rates {
-    /// Checks a step, and how it differs from the one before. Each set-point is judged by its nominal period, as the
+    /// Checks a step, and its difference from the one before. Each set-point is judged by its nominal period, as the
     /// controller does (4.15).
     pub(super) fn check(
         &self,
@@ -111,7 +111,7 @@ impl Rates {
         Err(InvalidArgument::new(command, field, value, allowed))
     }
 
-    /// Whether the arm can be as fast as a step asks.
+    /// True if the arm can be as fast as a step asks.
     pub(super) fn is_reachable(&self, step: &SetPointStep, period: Duration) -> bool {
         let (speeds, _) = self.of(step);
         first_beyond(&sizes(step), &speeds.map(|speed| speed * period.as_secs_f64())).is_none()
@@ -130,8 +130,8 @@ impl Rates {
         })
     }
 
-    /// In how many periods the arm is braked from this step: the n-th set-point of them goes on by `1 - n / count` of
-    /// it.
+    /// Number of periods in which the arm is braked from this step: the n-th set-point of them goes on by
+    /// `1 - n / count` of it.
     pub(super) fn periods_to_brake(&self, step: &SetPointStep, period: Duration) -> u32 {
         let time = period.as_secs_f64();
         let (_, accelerations) = self.of(step);

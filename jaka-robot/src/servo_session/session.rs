@@ -63,15 +63,15 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 /// is held until status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A
 /// stop of the program's own brakes, and then sends `stop_program`.
 ///
-/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing.
-/// What an arm does that is at speed then, or whose program is killed, is not known from any source.
+/// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. No
+/// source says how an arm behaves that is at speed then, or whose program is killed.
 ///
 /// # A link that stalls
 /// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and
 /// the call fails with [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second,
 /// the connection is reset, which discards the set-points that the system has not sent, and the error is
-/// [`ErrorKind::ServoModeNotLeft`]. What the network or the controller has taken already may still move the arm: at
-/// most the set-points that were unanswered.
+/// [`ErrorKind::ServoModeNotLeft`]. Set-points that the network or the controller has taken already may still move the
+/// arm: at most those that were unanswered.
 ///
 /// ```no_run
 /// # use jaka_robot::{Robot, ServoConfig};
@@ -93,7 +93,7 @@ pub struct ServoSession<'r> {
     pub(super) config: ServoConfig,
     pub(super) rates: Rates,
     pub(super) pace: Pace,
-    /// The last set-points: what the next one is compared with, and from which the arm is braked.
+    /// The last set-points, by which the next one is checked, and from which the arm is braked.
     pub(super) course: Course,
     pub(crate) report: Report,
     pub(super) under_way: UnderWay,
@@ -106,9 +106,9 @@ pub struct ServoSession<'r> {
     pub(super) begun: Option<Cycle>,
     /// True while servo mode is to be left.
     pub(super) is_open: bool,
-    /// Why no more set-points go out, if so.
+    /// Reason why no more set-points go out, if so.
     pub(super) ended: Option<SessionEnd>,
-    /// That of this thread, until the session ends.
+    /// Real-time priority of this thread, until the session ends.
     pub(super) priority: Option<RealtimePriority>,
 }
 
@@ -275,7 +275,7 @@ impl ServoSession<'_> {
         !self.course.has_begun() || self.course.step_of_joints().is_some_and(brakes_at_once)
     }
 
-    /// Where the joints are at the set-point, if that is known.
+    /// Checks a set-point, and returns the joint positions at it, if they are known.
     fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
         let period = self.config.period();
         // Limits say more of a pose: what the joints do.
@@ -390,7 +390,7 @@ impl ServoSession<'_> {
         self.report.accepted += answers.accepted;
         for error in answers.failed {
             if matches!(error.kind(), jaka_sync::ErrorKind::ReplyLost { .. }) {
-                // Whether the controller took it is not known.
+                // The controller may have taken it.
                 self.course.lost();
                 self.report.unanswered += 1;
             } else {

@@ -3,8 +3,8 @@
 use super::ServoConfig;
 use super::rates::Rates;
 
-/// How a [`ServoSession`](crate::ServoSession) runs: how its set-points go out, and how far they may be from each
-/// other.
+/// Options of a [`ServoSession`](crate::ServoSession): those of its set-points, and the greatest distances between
+/// them.
 ///
 /// A [`ServoConfig`] is one, with the defaults for the rest: [`enter_servo_mode`](crate::Robot::enter_servo_mode) takes
 /// both.

@@ -12,7 +12,7 @@ pub(crate) enum SetPoint {
     PoseOffset(Pose),
 }
 
-/// How far a set-point is from the one before.
+/// Step from one set-point to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SetPointStep {
     /// Of the joints, in degrees.
@@ -50,7 +50,7 @@ impl SetPointStep {
         parts.iter().all(|part| *part == 0.0)
     }
 
-    /// How far this is from another one of the same kind; none for another kind.
+    /// Difference from another step of the same kind; none for another kind.
     pub(super) fn change_from(&self, before: &Self) -> Option<Self> {
         match (self, before) {
             (Self::Joints(now), Self::Joints(before)) => Some(Self::Joints(difference(now, before))),

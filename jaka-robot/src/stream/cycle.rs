@@ -105,7 +105,7 @@ fn not_generated(error: GeneratorError) -> Error {
     }
 }
 
-/// What the generator makes of the orders of the handles.
+/// Set-points that the generator makes from the orders of the handles.
 struct StreamSetPoints<'s> {
     generator: &'s mut Generator,
     targets: &'s Targets,
@@ -115,7 +115,7 @@ struct StreamSetPoints<'s> {
     last: Option<(Goal, Step)>,
 }
 
-/// How far from its target a joint may be that has reached it, in degrees.
+/// Tolerance of a joint that has reached its target, in degrees.
 const THERE_DEG: f64 = 1e-4;
 
 impl SetPoints for StreamSetPoints<'_> {

@@ -18,11 +18,11 @@ use crate::servo_session::beyond_limit;
 #[derive(Debug, Clone)]
 pub struct StreamHandle {
     pub(super) targets: Arc<Targets>,
-    /// What goals are checked by; it makes no set-points.
+    /// Generator that checks goals; it makes no set-points.
     pub(super) desk: Arc<Generator>,
 }
 
-/// For how long a velocity may be given.
+/// Longest time for which a velocity may be given.
 const LONGEST: Duration = Duration::from_millis(500);
 
 impl StreamHandle {
@@ -90,8 +90,8 @@ impl StreamHandle {
         self.targets.joints()
     }
 
-    /// What slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the stream: why
-    /// it does not go where, or as fast as, it was told. None if nothing does.
+    /// Bound that slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the
+    /// stream: the reason why the arm does not go to its goal, or not as fast as it was told. None if nothing does.
     pub fn bound(&self) -> Option<Bound> {
         self.targets.bound()
     }

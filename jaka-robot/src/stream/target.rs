@@ -1,4 +1,4 @@
-//! What the arm is to do next, shared by the handles and the cycle's thread.
+//! Orders for the arm, shared by the handles and the cycle's thread.
 
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -12,17 +12,17 @@ use crate::Cause;
 use crate::error::SessionEnd;
 use crate::place::Quantity;
 
-/// What the arm is to do next, and how far it is.
+/// Order for the arm, and the arm's progress with it.
 #[derive(Debug)]
 pub(super) struct Targets {
     /// Locked alone, and only for as long as it takes to copy: the cycle's thread never waits for it. Waited for until
     /// the arm has come to rest, or the stream has ended.
     state: Watched<TargetState>,
-    /// Why the stream lands, once it does.
+    /// Reason why the stream lands, once it does.
     landing: OnceLock<SessionEnd>,
 }
 
-/// What the arm is to do, until when, and the number of that.
+/// Goal of the arm, its deadline, and its number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Order {
     goal: Goal,
@@ -56,10 +56,10 @@ impl Order {
 struct TargetState {
     /// Numbered by how many were given.
     order: Order,
-    /// Where the joints are to be, and whether that is where the last order leads.
+    /// Joint positions of the last set-point; `is_at_rest` is true if the last order ends there.
     joints: JointPosition,
     is_at_rest: bool,
-    /// What slowed the last set-point.
+    /// Bound that slowed the last set-point.
     bound: Option<Bound>,
     ended: Option<SessionEnd>,
 }
@@ -71,7 +71,7 @@ impl Targets {
         Self { state: Watched::new(clock, state), landing: OnceLock::new() }
     }
 
-    /// Gives another goal; fails with why the stream lands or has ended, if so.
+    /// Gives another goal. Fails if the stream lands or has ended, with the reason.
     pub(super) fn give(
         &self,
         (given_in, goal): (Quantity, Goal),
@@ -109,17 +109,17 @@ impl Targets {
         }
     }
 
-    /// Why the stream takes no more goals, if so.
+    /// Reason why the stream takes no more goals, if so.
     fn ends_because(&self, state: &TargetState) -> Option<SessionEnd> {
         state.ended.as_ref().or_else(|| self.landing.get()).cloned()
     }
 
-    /// Where the joints are to be at the last set-point.
+    /// Joint positions of the last set-point.
     pub(super) fn joints(&self) -> JointPosition {
         self.state.lock().joints
     }
 
-    /// What slowed the last set-point, if something did.
+    /// Bound that slowed the last set-point, if one did.
     pub(super) fn bound(&self) -> Option<Bound> {
         self.state.lock().bound.clone()
     }
@@ -134,12 +134,12 @@ impl Targets {
         found.unwrap_or(Ok(false))
     }
 
-    /// What to do in this cycle; none while a handle changes it: then as in the cycle before.
+    /// Order for this cycle. None while a handle changes it: the cycle then goes on as the one before.
     pub(super) fn order(&self) -> Option<Order> {
         self.state.try_lock().map(|state| state.order)
     }
 
-    /// What an order is now: rest, after a velocity that has ended.
+    /// Present goal of an order: rest, after a velocity that has ended.
     pub(super) fn goal(&self, order: &Order) -> Goal {
         order.goal(self.state.clock().now())
     }

@@ -32,7 +32,7 @@ fn set_point(world: &mut World, target: Joints, space: Space, step_count: Option
     Outcome::Accepted
 }
 
-/// Where the set-points so far lead to.
+/// Joint position to which the set-points so far lead, in degrees.
 fn tail(world: &World) -> Joints {
     world.engine.servo.as_ref().map_or(world.drives.commanded, Servo::tail)
 }

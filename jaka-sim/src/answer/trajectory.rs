@@ -6,7 +6,7 @@ use super::is_on;
 use crate::programs::replay;
 use crate::world::World;
 
-/// How many trajectory files a controller keeps.
+/// Greatest number of trajectory files that a controller keeps.
 const MOST_FILES: usize = 1000;
 
 /// Starts a recording, or keeps what has been recorded; false if there are too many files.

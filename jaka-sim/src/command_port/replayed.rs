@@ -44,11 +44,11 @@ struct Player<'p> {
     session: &'p ReplaySession,
     shared: &'p Shared,
     requests: RequestReader<'p>,
-    /// When the last request came, or the connection began, and when it did in the recording.
+    /// Times of the last request, or of the beginning of the connection: now and in the recording.
     since: (Instant, Duration),
-    /// How many requests have come.
+    /// Number of requests received.
     came: usize,
-    /// The last one.
+    /// Text of the last request.
     last: String,
 }
 

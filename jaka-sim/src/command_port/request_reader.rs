@@ -19,7 +19,7 @@ pub(super) struct RequestReader<'s> {
     framer: Framer,
 }
 
-/// What comes next.
+/// Next event on the connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum NextRequest {
     Incoming(Incoming),
@@ -29,12 +29,12 @@ pub(super) enum NextRequest {
     End,
 }
 
-/// What a client has sent.
+/// Input from a client.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Incoming {
     /// Text with the outline of a request.
     Request(String),
-    /// The same, but not valid UTF-8; invalid bytes are replaced.
+    /// Text with the outline of a request that is not valid UTF-8; invalid bytes are replaced.
     NoText(String),
     /// Bytes that begin no request.
     Garbage,

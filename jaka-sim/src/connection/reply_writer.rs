@@ -13,11 +13,11 @@ use crate::fault::Delivery;
 use crate::link::Wire;
 use crate::world::Wait;
 
-/// How many replies may be late, and how many bytes may be held back. Without a limit, a client could fill the memory.
+/// Greatest number of late replies, and of bytes held back. Without a limit, a client could fill the memory.
 const MAX_LATE: usize = 10_000;
 const MAX_HELD: usize = 1 << 20;
 
-/// How often to check whether the wait for the arm is over.
+/// Time between two checks whether the wait for the arm is over.
 const WAIT_CHECK: Duration = Duration::from_millis(2);
 
 /// Replies that have not been written yet.
@@ -39,7 +39,7 @@ struct LateReply {
     sequel: Sequel,
 }
 
-/// When a late reply goes out.
+/// Time at which a late reply goes out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Due {
     At(Instant),
@@ -108,7 +108,7 @@ impl<'l> ReplyWriter<'l> {
         NextStep::Continue
     }
 
-    /// How long to wait until the next check whether a late reply is due; `None` if no time makes one due.
+    /// Time until the next check whether a late reply is due; `None` if no time makes one due.
     pub(crate) fn wait_for_due(&self) -> Option<Duration> {
         match self.pending.late.front()?.due {
             Due::At(time) => Some(self.time().left(time)),

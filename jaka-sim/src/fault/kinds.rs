@@ -87,7 +87,7 @@ macro_rules! kinds {
 
 pub(crate) use kinds;
 
-/// What follows the word of a kind in its text form.
+/// Argument that follows the word of a kind in its text form.
 pub(crate) trait Argument {
     /// Writes it, after a blank.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;

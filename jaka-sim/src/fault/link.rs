@@ -1,10 +1,10 @@
-//! What can be wrong with a link between a port and its clients.
+//! Faults of a link between a port and its clients.
 
 use std::time::Duration;
 
 use super::kinds::kinds;
 
-/// Whether bytes pass on a link.
+/// Passage of bytes on a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Passage {
     /// All that waits passes now.
@@ -32,7 +32,7 @@ kinds! {
     #[non_exhaustive]
     pub enum LinkFault("a fault of a link", |_| "unknown fault of a link");
 
-    /// Whether bytes pass, if the first of them has waited for `age`.
+    /// Passage of the bytes that wait, the first of them for `age`.
     pub(crate) fn passage(&self, age: Duration) -> Passage;
 
     /// Nothing: what is sent passes at once, and so does all that is held. `none` in a script.

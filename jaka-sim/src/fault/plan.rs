@@ -1,10 +1,10 @@
-//! Which replies have which faults.
+//! Plan of the faults of replies.
 
 use std::collections::VecDeque;
 
 use super::{Fault, SplitMix64, StatusFault};
 
-/// Which replies have which faults, as a script or by chance.
+/// Plan of the faults of replies, as a script or by chance.
 ///
 /// [`Builder::faults`](crate::Builder::faults) gives a plan to a controller. Each reply takes the first of these: the
 /// next fault for its command, the next fault of the script, one by chance, the one that all have.
@@ -24,7 +24,7 @@ use super::{Fault, SplitMix64, StatusFault};
 /// # As a text
 ///
 /// `Display` writes a plan as a text, and `FromStr` reads it. Faults are written as at each [`Fault`], with commas or
-/// on lines of their own. A line, which ends at its end or at a semicolon, can begin with what its faults are for:
+/// on lines of their own. A line, which ends at its end or at a semicolon, can begin with the target of its faults:
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -122,7 +122,7 @@ impl FaultPlan {
         *self = Self { status: self.status.clone(), ..Self::new() };
     }
 
-    /// What is wrong with the next reply, which is to this command, where it is to one.
+    /// Takes the fault of the next reply; `command` is the command that it answers, if it answers one.
     pub(crate) fn next(&mut self, command: Option<&str>) -> Fault {
         let due = self.next_for(command).or_else(|| self.script.pop_front()).or_else(|| self.draw());
         due.or_else(|| self.always.clone()).unwrap_or(Fault::None)

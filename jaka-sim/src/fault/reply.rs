@@ -1,4 +1,4 @@
-//! What can be wrong with a reply.
+//! Faults of a reply.
 
 use std::time::Duration;
 
@@ -9,14 +9,14 @@ use super::kinds::kinds;
 use super::rename::rename;
 use super::{MOST_BYTES, garbage};
 
-/// What becomes of a reply on its way to the client.
+/// Delivery of a reply to the client.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Delivery {
     /// Nothing is written.
     Nothing,
     /// The bytes are written in pieces of these sizes, and the rest as the last piece.
     Write(Vec<u8>, Vec<usize>),
-    /// The same in one piece, and the connection is closed.
+    /// The bytes are written in one piece, and the connection is closed.
     WriteAndClose(Vec<u8>),
     /// The bytes are written this much later.
     Later(Duration, Vec<u8>),
@@ -62,7 +62,7 @@ kinds! {
     #[non_exhaustive]
     pub enum Fault("a fault", unknown);
 
-    /// What becomes of a reply with this fault.
+    /// Delivery of a reply with this fault.
     pub(crate) fn delivery(&self, reply: &str) -> Delivery;
 
     /// Nothing: this reply is as it should be. `none` in a script.
@@ -114,9 +114,9 @@ kinds! {
 
     /// Random bytes come in place of the reply. `garbage 40 7` in a script; without the seed it is 0.
     Garbage {
-        /// How many; at most 256 MiB.
+        /// Number of bytes; at most 256 MiB.
         bytes: usize as count = 500,
-        /// The same seed gives the same bytes.
+        /// Seed of the random bytes. Equal seeds give equal bytes.
         seed: u64 as seed = 7,
     }: "garbage" => Delivery::write(garbage(*bytes, *seed));
 

@@ -1,11 +1,11 @@
-//! What can be wrong on the status port.
+//! Faults of the status port.
 
 use std::time::Duration;
 
 use super::garbage;
 use super::kinds::kinds;
 
-/// What has been sent to a reader since its fault was set.
+/// Counts of the packets and bytes sent to a reader since its fault was set.
 #[derive(Debug, Default)]
 pub(crate) struct Sent {
     /// Packets, with the one that is being sent.
@@ -14,10 +14,10 @@ pub(crate) struct Sent {
     pub(crate) bytes: usize,
 }
 
-/// What is written for a packet.
+/// Writes for one packet.
 #[derive(Debug, Default)]
 pub(crate) struct PacketWrites {
-    /// What each write writes.
+    /// Bytes of each write.
     pub(crate) pieces: Vec<Vec<u8>>,
     /// Whether the connection is closed then.
     pub(crate) close: bool,
@@ -42,7 +42,7 @@ kinds! {
     #[non_exhaustive]
     pub enum StatusFault("a fault of the status port", |_| "unknown fault of the status port");
 
-    /// What is written for a packet with this fault.
+    /// Writes for a packet with this fault.
     pub(crate) fn writes(&self, packet: &[u8], sent: &Sent) -> PacketWrites;
 
     /// Nothing: packets are as they should be. `none` in a script.
@@ -66,9 +66,9 @@ kinds! {
     ///
     /// Braces and quotes among them hide the packets that follow from a reader that counts braces.
     Garbage {
-        /// How many before each packet; at most 256 MiB.
+        /// Number of bytes before each packet; at most 256 MiB.
         bytes: usize as count = 300,
-        /// The same seed gives each reader the same bytes, which differ from packet to packet.
+        /// Seed of the random bytes. Equal seeds give each reader equal bytes, which differ from packet to packet.
         seed: u64 as seed = 3,
     }: "garbage" => PacketWrites::one([&garbage(*bytes, seed.wrapping_add(sent.packets)), packet].concat());
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::ScriptError;
 
-/// What ends a token, besides white space.
+/// Characters that end a token, besides white space.
 const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 
 /// A word, as it is written and as it is meant.
@@ -12,7 +12,7 @@ const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 pub(crate) struct Token<'s> {
     pub(super) line: usize,
     pub(crate) text: &'s str,
-    /// What is in the quotes, without escapes.
+    /// Bytes in the quotes, without escapes.
     pub(super) quoted: Option<Vec<u8>>,
 }
 

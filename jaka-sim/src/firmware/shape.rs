@@ -1,4 +1,4 @@
-//! What a firmware's messages look like, and what it does.
+//! Form of a firmware's messages, and its behaviour.
 
 use std::time::Duration;
 
@@ -8,11 +8,11 @@ use jaka_proto::messages::status::TaskState;
 use super::{Firmware, Writing};
 use crate::{Habit, State};
 
-/// What a firmware's messages look like, and what it does: one row of the table of [`Firmware`].
+/// Form of a firmware's messages, and its behaviour: one row of the table of [`Firmware`].
 #[derive(Debug)]
 pub(crate) struct Shape {
     pub(crate) name: &'static str,
-    /// What `get_version` answers.
+    /// Version that `get_version` answers.
     pub(crate) version: &'static str,
     pub(crate) status_period: Duration,
     pub(crate) writing: Writing,
@@ -33,7 +33,7 @@ pub(crate) struct Shape {
     pub(crate) functions: usize,
     /// True where no function has an input to begin with.
     pub(crate) no_function_input: bool,
-    /// What `task_state` says of an arm that has power and is disabled.
+    /// `task_state` of an arm that has power and is disabled.
     pub(crate) disabled: TaskState,
     /// Decimals of poses in packets: 13 give the 13 to 17 digits of 311 packets of a newer controller.
     pub(crate) pose_decimals: usize,
@@ -46,7 +46,8 @@ pub(crate) struct Shape {
     pub(crate) monitor_tail: &'static str,
     /// Lists of readings that the torque sensor has.
     pub(crate) torque_readings: usize,
-    /// What ends the setup of an extension I/O module; its connection then has the Modbus slave's id.
+    /// Module id at the end of the setup of an extension I/O module, where the firmware sends one; the connection then
+    /// has the Modbus slave's id.
     pub(crate) extio_module_id: Option<&'static str>,
 }
 

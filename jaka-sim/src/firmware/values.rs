@@ -146,7 +146,7 @@ impl<'s> Values<'s> {
         Some(())
     }
 
-    /// How false and true are written.
+    /// Forms in which false and true are written.
     fn forms<'f>(&'f self, name: &str, printed: [&'f str; 2]) -> [&'f str; 2] {
         match self.writing {
             Writing::Document | Writing::Capture => printed,
@@ -164,7 +164,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// How status packets write false and true of the value with this name, if they have it.
+    /// Forms of false and true of the value with this name in status packets, if packets have the value.
     fn packet_forms(&self, name: &str) -> Option<[&str; 2]> {
         match &self.spec.status_fields().iter().find(|field| field.name == name)?.ty {
             Type::Scalar(Scalar::Bool { off, on }) => Some([off, on]),

@@ -16,15 +16,15 @@ pub(crate) enum Writing {
     Document,
     /// As captures have it: numbers that may have a fraction with one, positions with few decimals.
     Capture,
-    /// The same, with the controller's event, and with truth values in replies as in packets: `"True"` and `"False"`
-    /// where the document has words as `robot_enabled`.
+    /// Form of captures, with the controller's event, and with truth values in replies as in packets: `"True"` and
+    /// `"False"` where the document has words as `robot_enabled`.
     AsPackets,
     /// In the other forms that were seen, all at once.
     Odd,
 }
 
 impl Writing {
-    /// What stands between the parts.
+    /// Separators between the parts.
     pub(crate) fn separators(self) -> Separators {
         if self == Self::Document { Separators::Compact } else { Separators::Spaced }
     }

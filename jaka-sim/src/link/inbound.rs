@@ -1,4 +1,4 @@
-//! What a client sends, as its link lets it pass.
+//! Input from a client, as its link lets it pass.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind};
@@ -12,17 +12,17 @@ use crate::fault::{LinkFault, Passage};
 /// The least time that a socket can be waited for.
 const LEAST_WAIT: Duration = Duration::from_millis(1);
 
-/// How long a socket is waited for at most while something else is due: a link can change meanwhile.
+/// Longest wait for a socket while something else is due: a link can change meanwhile.
 const MOST_WAIT: Duration = Duration::from_millis(10);
 
-/// How many bytes may be on their way on a slow link. The client's system keeps what is more.
+/// Greatest number of bytes on their way on a slow link. The client's system keeps the others.
 const MOST: usize = 4 << 20;
 
 /// Reads from a connection, as its link lets bytes pass.
 #[derive(Debug)]
 pub(crate) struct Inbound<'w> {
     wire: &'w Wire,
-    /// What was read from the socket and has not passed the link yet. Only the end is empty.
+    /// Bytes read from the socket that have not passed the link yet, with their times. Only the end is empty.
     waiting: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
     /// Whether the end was read from the socket.
@@ -32,7 +32,7 @@ pub(crate) struct Inbound<'w> {
     hurried: bool,
 }
 
-/// What has arrived.
+/// Result of a wait for input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Received {
     Bytes(usize),
@@ -41,7 +41,7 @@ pub(crate) enum Received {
     End,
 }
 
-/// What to do next on a link that has or had a fault.
+/// Next step on a link that has or had a fault.
 #[derive(Debug, PartialEq, Eq)]
 enum ReceiveStep {
     /// Something arrives; at most this many bytes of it.

@@ -1,4 +1,4 @@
-//! What waits to be sent on a connection.
+//! Queue of the bytes to be sent on a connection.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -7,17 +7,17 @@ use jaka_clock::Clock;
 
 use crate::fault::{LinkFault, Passage};
 
-/// How many bytes may wait.
+/// Greatest number of bytes in the queue.
 const MOST: usize = 16 << 20;
 
-/// What waits to be sent, in order.
+/// Queue of the bytes to be sent, in order.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     time: Clock,
-    /// What was sent when.
+    /// Writes that wait, each with the time at which it was queued.
     writes: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
-    /// What becomes of the connection after the last byte.
+    /// End of the connection after the last byte, with the time at which it was requested.
     end: Option<(Instant, End)>,
     pace: Pace,
     /// Whether a thread sends what waits.
@@ -27,7 +27,7 @@ pub(super) struct Queue {
     fate: Fate,
 }
 
-/// What has become of a connection.
+/// Fate of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Fate {
     #[default]
@@ -38,7 +38,7 @@ enum Fate {
     Aborted,
 }
 
-/// How a connection ends.
+/// Kind of end of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
     Close,
@@ -46,7 +46,7 @@ pub(super) enum End {
     Drop,
 }
 
-/// What the thread that sends does next.
+/// Next step of the thread that sends.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum SendStep {
     Send(Vec<u8>),
@@ -106,7 +106,7 @@ impl Queue {
         self.bytes = 0;
     }
 
-    /// What to do next on a link with this fault.
+    /// Takes the next step on a link with this fault.
     pub(super) fn next(&mut self, fault: LinkFault) -> SendStep {
         self.is_sending = false;
         match self.end {
@@ -165,12 +165,12 @@ impl Pace {
     /// By how much a write may be late and still be caught up with.
     const SLACK: Duration = Duration::from_millis(100);
 
-    /// How many bytes pass at once: those of 10 ms, or a single one.
+    /// Number of bytes that pass at once: those of 10 ms, or a single one.
     pub(super) fn portion(per_second: u64) -> usize {
         usize::try_from(per_second / 100).unwrap_or(usize::MAX).max(1)
     }
 
-    /// How long nothing more passes; `None` where something does.
+    /// Time for which nothing more passes; `None` where something does.
     pub(super) fn left(&self, now: Instant) -> Option<Duration> {
         let left = self.free_at?.saturating_duration_since(now);
         (!left.is_zero()).then_some(left)

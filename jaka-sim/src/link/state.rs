@@ -14,7 +14,7 @@ pub(super) struct LinkStates {
 #[derive(Debug, Default)]
 pub(super) struct LinkState {
     fault: LinkFault,
-    /// How many times it has been cut. A connection that is older than the last of these is cut.
+    /// Number of times that the link has been cut. A connection that is older than the last cut is cut.
     cuts: u64,
 }
 
@@ -40,12 +40,12 @@ impl LinkState {
         }
     }
 
-    /// What a connection that is made now remembers, to know whether it has been cut.
+    /// Generation of a connection that is made now, which tells later whether it has been cut.
     pub(super) fn generation(&self) -> u64 {
         if self.fault == LinkFault::Cut { self.cuts.saturating_sub(1) } else { self.cuts }
     }
 
-    /// What is wrong for a connection of this generation.
+    /// Fault of the link for a connection of this generation.
     pub(super) fn fault(&self, generation: u64) -> LinkFault {
         if self.cuts > generation { LinkFault::Cut } else { self.fault }
     }

@@ -25,7 +25,7 @@ pub(crate) struct Wire {
     socket: Socket,
     port: Port,
     links: Arc<Links>,
-    /// What the links had gone through when this was connected, by direction.
+    /// Generations of the links when this was connected, by direction.
     generations: [u64; 2],
     closed: AtomicBool,
     /// True while a thread writes to the socket past the queue.
@@ -76,7 +76,7 @@ impl Wire {
         self.closed.load(Ordering::SeqCst)
     }
 
-    /// What is wrong in a direction.
+    /// Fault in a direction.
     pub(super) fn fault(&self, state: &LinkStates, direction: Direction) -> LinkFault {
         state.link(self.port, direction).fault(self.generations[direction as usize])
     }

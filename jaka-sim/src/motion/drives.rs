@@ -14,13 +14,13 @@ const NEAR: f64 = 1e-6;
 pub(crate) struct Drives {
     /// The time constant, in seconds.
     lag: f64,
-    /// Where the joints are to be.
+    /// Commanded positions of the joints, in degrees.
     pub(crate) commanded: Joints,
-    /// Where the joints are.
+    /// Actual positions of the joints, in degrees.
     pub(crate) actual: Joints,
-    /// How fast the joints were to be in the last cycle, in deg/s.
+    /// Commanded speeds of the joints in the last cycle, in deg/s.
     commanded_speed: Joints,
-    /// How fast the joints were in the last cycle, in deg/s.
+    /// Actual speeds of the joints in the last cycle, in deg/s.
     pub(crate) speed: Joints,
 }
 
@@ -31,12 +31,12 @@ impl Drives {
         Self { lag: lag.as_secs_f64(), commanded: at, actual: at, commanded_speed: rest, speed: rest }
     }
 
-    /// How far the joints are from where they are to be, in degrees.
+    /// Commanded positions of the joints minus their actual ones, in degrees.
     pub(crate) fn deviation(&self) -> Joints {
         minus(self.commanded, self.actual)
     }
 
-    /// How much faster than they are the joints were to be in the last cycle, in deg/s.
+    /// Commanded speeds of the joints minus their actual ones in the last cycle, in deg/s.
     pub(crate) fn speed_deviation(&self) -> Joints {
         minus(self.commanded_speed, self.speed)
     }
@@ -61,7 +61,7 @@ impl Drives {
         self.speed = minus(self.actual, before).map(|way| way / CYCLE.as_secs_f64());
     }
 
-    /// Where a joint is after a cycle in which it is commanded evenly from one position to another.
+    /// Position of a joint after a cycle in which it is commanded evenly from one position to another.
     fn lagged(&self, from: f64, to: f64, actual: f64) -> f64 {
         let cycle = CYCLE.as_secs_f64();
         // The response of a first-order lag to a ramp: in the end it is behind by the speed times the time constant.

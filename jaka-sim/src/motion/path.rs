@@ -22,7 +22,7 @@ impl ArmPath {
         Arc::through(from, middle, to).map(|arc| Self::Arc { arc: Box::new(arc), tool })
     }
 
-    /// How long the way is: in degrees of the joint that turns furthest, or in millimetres of the tool centre point.
+    /// Length of the path: in degrees of the joint that turns furthest, or in millimetres of the tool centre point.
     ///
     /// Where the tool turns further in degrees than it moves in millimetres, the turn counts, so that a turn on the
     /// spot takes its time.

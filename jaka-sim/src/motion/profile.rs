@@ -21,12 +21,12 @@ impl Profile {
         self.peak / self.acceleration
     }
 
-    /// How long the way takes.
+    /// Duration of the motion along the path, in seconds.
     pub(crate) fn duration(&self) -> f64 {
         if self.length > 0.0 { self.length / self.peak + self.ramp() } else { 0.0 }
     }
 
-    /// How far the way is done after `time`, and at what speed.
+    /// Distance covered after `time`, and the speed there.
     pub(crate) fn at(&self, time: f64) -> Along {
         let left = self.duration() - time;
         if left <= 0.0 {
@@ -64,7 +64,7 @@ impl Brake {
         Self { from, deceleration }
     }
 
-    /// How long it takes.
+    /// Duration of the braking, in seconds.
     pub(crate) fn duration(&self) -> f64 {
         self.from.speed / self.deceleration
     }

@@ -13,16 +13,16 @@ pub(crate) struct Planned {
     pub(crate) profile: Profile,
     pub(crate) deceleration: f64,
     pub(crate) end: Joints,
-    /// Where the next motion may begin before this has ended; at its end if none.
+    /// Zone in which the next motion may begin before this one has ended; it begins at the end if there is none.
     pub(crate) zone: Option<Zone>,
 }
 
-/// Where a motion may go over into the next one.
+/// Zone in which a motion may go over into the next one.
 #[derive(Debug, Clone)]
 pub(crate) struct Zone {
     /// The tool on the flange.
     tool: Transform,
-    /// Where the tool is at the end of the motion, and how near to it the next may begin, in millimetres.
+    /// Pose of the tool at the end of the motion, and the distance from it at which the next may begin, in millimetres.
     end: Transform,
     radius: f64,
 }
@@ -74,7 +74,7 @@ impl Running {
         }
     }
 
-    /// Where it ends, by the brake if it does.
+    /// Joint position at the end of the motion, or at the end of its braking if it brakes.
     pub(super) fn stop(&self, model: &Model, reference: Joints) -> Joints {
         let Some(brake) = self.brake else { return self.planned.end };
         self.planned.path.at(self.share(brake.at(brake.duration())), model, reference).unwrap_or(reference)

@@ -20,7 +20,7 @@ use crate::underrun::Underrun;
 /// The greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
 
-/// How many set-points may wait. A client that keeps the pace has one or two.
+/// Greatest number of set-points that may wait. A client that keeps the pace has one or two.
 const MOST: usize = 1000;
 
 /// The acceleration of a set-point that comes this long after the one before is that from rest. No period is as long.
@@ -40,19 +40,19 @@ pub(crate) struct Servo {
     left: u32,
     reference: ServoReference,
     filter: Filter,
-    /// Where the joints are commanded to be.
+    /// Commanded joint positions, in degrees.
     commanded: Joints,
     underrun: Underrun,
     /// For how long set-points have been missing while there was speed.
     dry: Duration,
     trips: Vec<Trip>,
-    /// When the last set-point came.
+    /// Time of arrival of the last set-point.
     last: Duration,
-    /// What has ended servo mode, as a code of the vendor's table.
+    /// Error that has ended servo mode, as a code of the vendor's table.
     error: Option<u32>,
 }
 
-/// Where the set-points have led to by now.
+/// Position and speed to which the set-points have led by now.
 #[derive(Debug, Clone, Copy)]
 struct ServoReference {
     joints: Joints,
@@ -61,7 +61,7 @@ struct ServoReference {
     space: Space,
 }
 
-/// What a set-point is given in.
+/// Space in which a set-point is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Space {
     Joints,
@@ -74,11 +74,11 @@ pub(crate) struct SetPoint {
     pub(crate) target: Joints,
     pub(crate) space: Space,
     pub(crate) cycles: u32,
-    /// When it came.
+    /// Time of arrival of the set-point.
     pub(crate) time: Duration,
 }
 
-/// What servo mode is like.
+/// Options of servo mode.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ServoOptions<'a> {
     pub(crate) filter: &'a SetServoMoveFilter,
@@ -104,7 +104,7 @@ impl Servo {
         }
     }
 
-    /// Where the set-points lead to.
+    /// Joint position to which the set-points lead, in degrees.
     pub(crate) fn tail(&self) -> Joints {
         self.waiting.back().map_or(self.reference.joints, |last| last.target)
     }
@@ -136,7 +136,7 @@ impl Servo {
         !self.waiting.is_empty() || is_dry || !self.filter.is_settled(self.commanded, &self.reference)
     }
 
-    /// What has ended servo mode.
+    /// Takes the error that has ended servo mode, as a code of the vendor's table.
     pub(crate) fn take_error(&mut self) -> Option<u32> {
         self.error.take()
     }
@@ -230,7 +230,7 @@ impl SetPoint {
         CYCLE.as_secs_f64() * f64::from(self.cycles.max(1))
     }
 
-    /// How fast the joints are to be on the way from a place, in deg/s.
+    /// Speeds of the joints on the path from a position to the set-point, in deg/s.
     fn speed(&self, from: Joints) -> Joints {
         std::array::from_fn(|i| (self.target[i] - from[i]) / self.period())
     }

@@ -17,7 +17,7 @@ use crate::{Port, StatusFault};
 #[derive(Debug)]
 pub(crate) struct Reader {
     wire: Arc<Wire>,
-    /// What is wrong with the first packets.
+    /// Fault of the first packets.
     fault: StatusFault,
     outbox: Mutex<Outbox>,
     changed: Signal,
@@ -33,7 +33,7 @@ struct Outbox {
     closed: bool,
 }
 
-/// What a reader's thread does between the periodic packets.
+/// Message to a reader's thread, which the thread handles between the periodic packets.
 #[derive(Debug, Clone)]
 pub(super) enum Message {
     /// Packets are written with this from now on.

@@ -19,7 +19,7 @@ pub(crate) struct RecordedPackets {
     time: Clock,
 }
 
-/// What comes next on a connection.
+/// Next step on a connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum RecordedStep {
     Packet(Vec<u8>),
@@ -38,7 +38,7 @@ impl RecordedPackets {
         }
     }
 
-    /// When the next step is due; `None` if that is not known yet, or there is none.
+    /// Time at which the next step is due; `None` if that is not known yet, or there is none.
     pub(super) fn due(&self, session: &ReplaySession) -> Option<Instant> {
         let next = match self.last {
             Some(last) => last.checked_add(self.period)?,

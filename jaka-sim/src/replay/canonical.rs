@@ -1,4 +1,4 @@
-//! Whether two messages are the same JSON.
+//! Comparison of messages as JSON.
 
 use jaka_proto::wire::{Decode, Reader, Value};
 

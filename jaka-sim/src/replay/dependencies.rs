@@ -1,4 +1,4 @@
-//! Which requests were received: status packets wait for those that were sent before them in the recording.
+//! Arrival of requests: status packets wait for the requests that were sent before them in the recording.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -16,13 +16,13 @@ pub(super) struct Dependencies {
 
 #[derive(Debug)]
 struct Arrivals {
-    /// When each request came.
+    /// Time of arrival of each request.
     came: Vec<Option<Instant>>,
     /// So many have come without one missing between them.
     whole: usize,
 }
 
-/// What a packet waits for.
+/// Request for which a packet waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dependency {
     /// Nothing: no request was sent before it.
@@ -55,7 +55,7 @@ impl Dependencies {
         }
     }
 
-    /// What something that was recorded at this time waits for.
+    /// Dependency of a message that was recorded at this time.
     pub(super) fn before(&self, recorded: Duration) -> Dependency {
         let count = self.recorded.partition_point(|time| *time < recorded);
         let Some(last) = count.checked_sub(1) else { return Dependency::None };

@@ -1,9 +1,9 @@
-//! Where a client deviates from the recording.
+//! Deviations of a client from the recording.
 
 use jaka_proto::recording::Port;
 
 jaka_proto::worded! {
-    /// Where a client deviates from the recording, so that it has no answer.
+    /// Deviation of a client from the recording, for which the recording has no answer.
     #[derive(Debug, Clone, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum Deviation {
@@ -31,14 +31,14 @@ jaka_proto::worded! {
         } => "the recording has no unused reply to `{received}`",
         /// The recording lacks entries, since its file could not be written as fast. The connection was closed there.
         Gap {
-            /// How many entries are missing.
+            /// Number of missing entries.
             count: u64,
         } => "{count} entries are missing in the recording at this point",
         /// A connection was made that the recording does not have. It was closed.
         Connection {
             /// The port.
             port: Port,
-            /// How many connections to it the recording has.
+            /// Number of connections to the port in the recording.
             recorded: usize,
         } => "a connection to the {port} port, of which the recording has {recorded}",
     }

@@ -1,4 +1,4 @@
-//! What happens on one connection of a recording.
+//! Script of one connection of a recording.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -9,7 +9,7 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port, Recording};
 /// Events on one connection of a recording, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Script {
-    /// When the connection began in the recording.
+    /// Beginning of the connection in the recording.
     pub(crate) start: Duration,
     pub(crate) steps: Vec<ScriptStep>,
     /// The last of the messages that are JSON objects: the status that stays.
@@ -77,7 +77,7 @@ impl Script {
         }
     }
 
-    /// What came in one piece is sent in one piece.
+    /// Adds bytes to send. Bytes that were recorded at the same time form one piece.
     fn send(&mut self, more: &[u8], time: Duration) {
         match self.steps.last_mut() {
             Some(ScriptStep::Send { bytes, at }) if *at == time => bytes.extend_from_slice(more),

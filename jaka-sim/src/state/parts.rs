@@ -16,12 +16,12 @@ pub struct Frame {
     pub name: String,
 }
 
-/// What the arm does when the network fails.
+/// Reaction of the arm to a failure of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NetworkException {
-    /// How long after the failure the arm acts, in milliseconds.
+    /// Time from the failure to the reaction, in milliseconds.
     pub delay_ms: i64,
-    /// What the arm does.
+    /// Action of the arm.
     pub action: NetworkExceptionAction,
 }
 
@@ -47,7 +47,7 @@ pub struct TorqueSensor {
     /// N and Nm, of which the document says nothing. Follows from a [`Contact`](crate::Contact), and stays as it is set
     /// without one.
     pub contact_force: [f64; 6],
-    /// How the sensor is reached.
+    /// Connection to the sensor.
     pub communication: TorqueSensorCommunication,
     /// IP address of the sensor.
     pub address: String,
@@ -55,9 +55,9 @@ pub struct TorqueSensor {
     pub port: i64,
     /// Payload at the sensor.
     pub payload: GetToolPayloadReply,
-    /// How far the identification of the payload is.
+    /// Progress of the identification of the payload.
     pub identify_status: IdentifyStatus,
-    /// What the identification found, or will find.
+    /// Result of the identification, past or to come.
     pub identified: GetTorqSensorPayloadIdentifyResultReply,
 }
 

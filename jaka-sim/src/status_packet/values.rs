@@ -133,8 +133,8 @@ fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Vec<f6
     (0..).map(|index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// Whether the sensor works does not follow from its mode, of which the sources disagree what is on. The raw reading is
-/// taken to be the contact force.
+/// Value of the torque sensor. The raw reading is taken to be the contact force. The sensor's mode does not tell that
+/// it works, since sources disagree on the mode that is on.
 fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
     let payload = json!([sensor.payload.mass, <[f64; 3]>::from(sensor.payload.centroid)]);
     // No command sets the parameters of a serial line, and nothing prints any.

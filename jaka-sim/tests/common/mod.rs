@@ -132,7 +132,7 @@ impl<S: Read + Write> Peer<S> {
         self.ask(&request(command))
     }
 
-    /// What comes before the end of the connection.
+    /// Bytes before the end of the connection.
     pub(crate) fn read_to_end(&mut self) -> Vec<u8> {
         let mut rest = self.framer.partial().to_vec();
         match self.stream.read_to_end(&mut rest) {

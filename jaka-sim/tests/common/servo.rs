@@ -84,12 +84,12 @@ pub(crate) fn ramp(speed: f64, cycles: u32) -> impl Iterator<Item = f64> {
     (1..=cycles).map(move |n| f64::from(n) * speed * CYCLE.as_secs_f64())
 }
 
-/// Where the first joint is.
+/// Actual position of the first joint, in degrees.
 pub(crate) fn actual(state: &State) -> f64 {
     state.joint_position.0[0]
 }
 
-/// Where the first joint is to be.
+/// Commanded position of the first joint, in degrees.
 pub(crate) fn commanded(state: &State) -> f64 {
     state.joint_commanded_position.0[0]
 }

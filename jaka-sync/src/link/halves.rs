@@ -19,7 +19,7 @@ use crate::recorder::Tap;
 /// About how much goes out in one write: after it a stop can go out.
 const PIECE: usize = 4096;
 
-/// How long a write blocks at most: then it looks at its deadline, and at the connection.
+/// Longest time for which a write blocks. Afterwards the thread checks its deadline and the connection.
 const SLICE: Duration = Duration::from_millis(50);
 
 /// The shortest timeout of a write.
@@ -29,7 +29,7 @@ const SHORTEST: Duration = Duration::from_millis(1);
 #[derive(Debug, Default)]
 pub(super) struct Outbound {
     pub(super) out: Writer,
-    /// Where each request ends, and what it is in the exchange.
+    /// End of each request in `out`, and its id in the exchange.
     pub(super) requests: Vec<(usize, RequestId)>,
     pub(super) timeout: WriteTimeout,
 }
@@ -82,7 +82,7 @@ impl WriteTimeout {
     }
 }
 
-/// What a panic leaves.
+/// Payload of a panic.
 type Panic = Box<dyn Any + Send>;
 
 /// The receiving half: the reading thread takes it out of the state.
@@ -165,7 +165,7 @@ fn deliver(
     Ok(panic::catch_unwind(AssertUnwindSafe(log)).err())
 }
 
-/// The same cause, unless what came shows that this is another port.
+/// Returns `cause`, or [`Disconnect::StatusPort`] if the message shows that this is the status port.
 fn explained(cause: Disconnect, text: &str) -> Disconnect {
     if matches!(cause, Disconnect::OutOfSync(OutOfSync::Nameless)) && receive::is_status(text) {
         return Disconnect::StatusPort;

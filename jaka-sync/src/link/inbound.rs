@@ -148,7 +148,7 @@ impl Link {
             drop(stream);
             return self.state.wait(state, left);
         };
-        // What has been read before comes first: it may be all that anybody waits for.
+        // Bytes that have been read before come first: they may be all that anybody waits for.
         let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
         if matches!(attributed, Ok(0)) {
             attributed = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);

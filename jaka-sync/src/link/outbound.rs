@@ -27,14 +27,14 @@ impl Drop for Unawaited<'_> {
     }
 }
 
-/// What went out.
+/// Commands that went out.
 #[derive(Debug)]
 pub(crate) struct Dispatched {
     /// The last of the commands.
     pub(super) last: RequestId,
-    /// How many commands were sent.
+    /// Number of commands sent.
     pub(crate) sent: usize,
-    /// How many posted commands are outstanding.
+    /// Number of outstanding posted commands.
     pub(crate) outstanding: usize,
 }
 
@@ -150,7 +150,7 @@ impl Link {
         Self::switch(&mut state, Mode::Blocking)
     }
 
-    /// The outcome of a write. What was written in part cannot be taken back, and nothing can be sent after it.
+    /// The outcome of a write. A request written in part cannot be taken back, and nothing can be sent after it.
     fn written(
         &self,
         state: &mut LinkState,

@@ -1,4 +1,4 @@
-//! What goes out, and until when.
+//! Outgoing commands and their deadlines.
 
 use std::borrow::Cow;
 use std::convert::Infallible;
@@ -12,7 +12,7 @@ use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
 use super::not_sent_in_time;
 use crate::{Error, ErrorKind};
 
-/// Who goes first where several wait for their turn to send.
+/// Right of way where several threads wait for their turn to send.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Right {
     Usual,
@@ -25,14 +25,14 @@ pub(crate) enum Right {
 pub struct Handle(pub(super) u64);
 
 impl Handle {
-    /// That of the first client.
+    /// Handle of the first client.
     pub(crate) const FIRST: Self = Self(0);
 }
 
-/// What other handles of a connection may send while one has it for itself.
+/// Reservation of a connection by one handle: decides which commands of other handles may be sent.
 #[derive(Debug, Clone, Copy)]
 pub struct Reservation {
-    /// Reason for the error of what is kept back.
+    /// Reason for the error of a command that is kept back.
     pub because: &'static str,
     /// Decides whether a command passes; none for a command that neither the spec nor its caller knows.
     pub lets_pass: fn(Option<&CommandInfo>) -> bool,
@@ -93,13 +93,13 @@ impl<C: Command> Written for C {
     }
 }
 
-/// What goes out: commands of one name, and until when.
+/// Outgoing commands of one name, and their deadline.
 pub(crate) struct Outgoing<'o> {
     /// The command as its caller names it.
     pub(super) command: &'o str,
     /// The name that replies to it have.
     pub(super) name: Cow<'static, str>,
-    /// When its time began: the wait for the turn, and the sending, count towards it.
+    /// Start of the timeout: the wait for the turn, and the sending, count towards it.
     pub(super) since: Stopwatch,
     pub(super) timeout: Duration,
     pub(super) right: Right,
@@ -152,11 +152,12 @@ impl<'o> Outgoing<'o> {
         }
     }
 
-    /// The same by another right of way.
+    /// Sets the handle that sends the command.
     pub(crate) fn of_handle(self, by: Handle) -> Self {
         Self { by, ..self }
     }
 
+    /// Sets the right of way of the command.
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
     }

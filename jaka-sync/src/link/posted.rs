@@ -9,14 +9,14 @@ use super::state::LinkState;
 use super::{Link, Transmission, failed, not_sent_in_time};
 use crate::{Disconnect, Error};
 
-/// How many requests may be outstanding on a connection when a command is posted, with those that were given up: a stop
-/// after more than that would be of little use, since the controller works off what came before it.
+/// Greatest number of outstanding requests on a connection to which commands are posted, including requests that were
+/// given up. A stop after more requests would be of little use, since the controller processes them first.
 pub(crate) const MOST_OUTSTANDING: usize = 256;
 
 /// The outcomes of commands that were posted, since this was last asked for.
 #[derive(Debug, Default)]
 pub struct Answers {
-    /// How many were accepted.
+    /// Number of accepted commands.
     pub accepted: u64,
     /// The outcomes of the others, in the order in which they were learnt.
     pub failed: Vec<Error>,
@@ -50,8 +50,8 @@ impl Link {
         (self.take_answers(&mut state), checked)
     }
 
-    /// How many more commands may be posted: none where too many requests are outstanding, also those that were given
-    /// up.
+    /// Number of further commands that may be posted: zero where too many requests are outstanding, including requests
+    /// that were given up.
     pub(crate) fn room(&self) -> usize {
         MOST_OUTSTANDING.saturating_sub(self.state.lock().exchange.outstanding())
     }
@@ -71,7 +71,7 @@ impl Link {
         Ok(())
     }
 
-    /// How many posted commands are outstanding.
+    /// Number of outstanding posted commands.
     pub fn outstanding(&self) -> usize {
         self.state.lock().exchange.posted_outstanding()
     }

@@ -1,4 +1,4 @@
-//! What the threads of a connection share.
+//! State that the threads of a connection share.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,9 +25,9 @@ pub(super) struct LinkState {
     pub(super) inbound: Option<Box<Inbound>>,
     pub(super) mode: Mode,
     pub(super) broken: Option<Arc<Disconnect>>,
-    /// How often commands have gone out that change what poses refer to.
+    /// Number of sent commands that change the frames or the tool to which poses refer.
     pub(super) frame_changes: u64,
-    /// How many stops have gone out.
+    /// Number of sent stops.
     pub(super) stops: u64,
     /// Reservations by their numbers, and the handles that have the connection for themselves.
     pub(super) reservations: Vec<(u64, Handle, Reservation)>,
@@ -38,7 +38,7 @@ pub(super) struct LinkState {
     pub(super) changes_of: BTreeMap<Handle, u64>,
 }
 
-/// Whether the socket blocks.
+/// Blocking mode of the socket.
 #[derive(Debug, PartialEq, Eq, Clone, Copy)]
 pub(super) enum Mode {
     Blocking,

@@ -74,7 +74,7 @@ fn until(mut holds: impl FnMut() -> bool) {
     }
 }
 
-/// How many requests are outstanding, and how many of them are posted.
+/// Numbers of outstanding requests, and of posted ones among them.
 fn outstanding(link: &Link) -> (usize, usize) {
     let state = link.state.lock();
     (state.exchange.outstanding(), state.exchange.posted_outstanding())

@@ -13,7 +13,7 @@ use super::{Board, BoardState, Monitor};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Reconnect, Snapshot};
 
-/// How many schedules are tried of each test: at random, and such that a few switches of threads are put anywhere.
+/// Number of schedules that each test tries at random, and again with a few switches of threads at any place.
 const SCHEDULES: usize = 5000;
 const SWITCHES: usize = 3;
 

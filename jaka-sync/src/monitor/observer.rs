@@ -20,7 +20,7 @@ pub enum StatusNews<'n, S> {
         /// False where a newer one had come by the time at which it could be told.
         is_newest: bool,
     },
-    /// What was told is what the monitor shows from now on: a listener that takes its time does so now.
+    /// The monitor shows the news from now on: a listener that takes its time does so now.
     Shown,
     /// The newest packet cannot be decoded.
     Unreadable(&'n DecodeError),
@@ -45,7 +45,7 @@ pub(super) type UserCallback<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlo
 
 /// Listeners and observers.
 pub(super) struct Observers<S> {
-    /// Those of another layer, which are short and keep the arm from moving: no user's observer may hold them up.
+    /// Listeners of another layer, which are short and keep the arm from moving: no user's observer may delay them.
     pub(super) listeners: Vec<Listener<S>>,
     pub(super) users: Vec<UserCallback<S>>,
 }
@@ -63,7 +63,7 @@ impl<S> Observers<S> {
 
     /// Calls the users' observers, and forgets those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
-        // What a panic leaves half done is the observer's own.
+        // Only the observer's own state can be left half done by a panic.
         let flow = |call: &mut UserCallback<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
         self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
     }

@@ -1,9 +1,9 @@
-//! How regularly packets come.
+//! Statistics on the regularity of packets.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
-/// How many status packets have come since the monitor began, and how regularly.
+/// Number of the status packets since the monitor began, and their regularity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct MonitorStatistics {
@@ -18,9 +18,9 @@ pub struct MonitorStatistics {
     pub skipped: u64,
     /// Bytes that did not belong to a packet, or belonged to an incomplete one.
     pub dropped_bytes: u64,
-    /// How often the beginning of a packet had to be searched for.
+    /// Number of searches for the beginning of a packet.
     pub resyncs: u64,
-    /// How often the monitor has reconnected.
+    /// Number of times that the monitor has reconnected.
     pub reconnects: u64,
     /// Mean time between packets; `None` before the second.
     pub period: Option<Duration>,
@@ -32,10 +32,10 @@ pub struct MonitorStatistics {
     pub recent_gap: Option<Duration>,
 }
 
-/// What is counted while packets come.
+/// Counts kept while packets come.
 #[derive(Debug, Default)]
 pub(super) struct Counters {
-    /// What is counted as it is; what is computed is absent.
+    /// Statistics that are counted directly; computed ones are absent.
     pub(super) counted: MonitorStatistics,
     last: Option<(Instant, Duration)>,
     gaps: u32,
@@ -45,7 +45,7 @@ pub(super) struct Counters {
     recent: VecDeque<Duration>,
 }
 
-/// How many gaps are kept, and how many there must be.
+/// Number of gaps kept, and number needed for [`recent_gap`](MonitorStatistics::recent_gap).
 const RECENT: usize = 32;
 const ENOUGH: usize = 10;
 

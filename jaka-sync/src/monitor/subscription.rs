@@ -16,7 +16,7 @@ pub struct Subscription<S> {
     pub(super) queue: Arc<Queue<S>>,
 }
 
-/// What a subscription and the monitor's thread share.
+/// Queue that a subscription and the monitor's thread share.
 pub(super) type Queue<S> = Watched<Items<S>>;
 
 #[derive(Debug)]
@@ -67,7 +67,7 @@ impl<S> Subscription<S> {
         next.flatten()
     }
 
-    /// How many packets were dropped because the queue was full.
+    /// Number of packets dropped because the queue was full.
     pub fn dropped(&self) -> u64 {
         self.queue.lock().dropped
     }

@@ -1,4 +1,4 @@
-//! What the monitor's thread does.
+//! Work of the monitor's thread: reads, decodes and posts packets, and reconnects.
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::{Config, Disconnect, ErrorKind, Snapshot};
 /// A read waits at most this long; the end of the connection and of the monitor end it at once.
 const READ: Duration = Duration::from_secs(1);
 
-/// The same where packets wait to be posted.
+/// Longest wait of a read while packets wait to be posted.
 const REST: Duration = Duration::from_millis(1);
 
 /// For how long packets are passed over for newer ones that have come already.

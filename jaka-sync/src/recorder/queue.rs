@@ -12,10 +12,10 @@ use jaka_proto::recording::{Entry, Event};
 
 use super::RecorderReport;
 
-/// How long entries are gathered before they are written, so that the writer is not woken for each of them.
+/// Time for which entries are gathered before they are written, so that the writer is not woken for each of them.
 const GATHERING: Duration = Duration::from_millis(5);
 
-/// What an entry takes besides its message, in bytes.
+/// Size of an entry without its message, in bytes.
 const OVERHEAD: usize = 128;
 
 /// The entries that wait for the writer. Adding one never waits for the file.
@@ -34,7 +34,7 @@ struct QueueState {
     writer_sleeps: bool,
     closed: bool,
     report: RecorderReport,
-    /// How the writer has ended.
+    /// Outcome of the writer, once it has ended.
     ended: Option<Result<(), (io::ErrorKind, String)>>,
 }
 

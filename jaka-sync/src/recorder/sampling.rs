@@ -1,8 +1,9 @@
-//! Which status packets are recorded.
+//! Choice of the status packets that are recorded.
 
 use std::time::Duration;
 
-/// Which status packets are recorded. Packets of some firmware have 9 kB and come every 20 ms: 1.6 GB an hour.
+/// Choice of the status packets that are recorded. Packets of some firmware have 9 kB and come every 20 ms: 1.6 GB an
+/// hour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StatusSampling {
     /// All of them.
@@ -14,7 +15,7 @@ pub enum StatusSampling {
     AtMostEach(Duration),
 }
 
-/// Which packets of one connection have been recorded.
+/// Number of the packets of one connection, and time of the last one that was recorded.
 #[derive(Debug, Default)]
 pub(super) struct Sampler {
     packets: u64,

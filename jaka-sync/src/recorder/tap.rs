@@ -1,4 +1,4 @@
-//! What a connection reports to its recorder.
+//! Reports of a connection to its recorder.
 
 use std::collections::VecDeque;
 use std::error::Error as StdError;
@@ -32,7 +32,7 @@ struct Connection {
 #[derive(Debug, Default)]
 struct TapState {
     is_open: bool,
-    /// When the bytes came that were read last.
+    /// Arrival of the bytes that were read last.
     arrived: Duration,
     last: VecDeque<Arc<Entry>>,
 }
@@ -53,7 +53,7 @@ impl Tap {
         Self { address: address.into(), connection }
     }
 
-    /// Where the connection leads, with the port.
+    /// Address of the connection, with the port.
     pub(crate) fn address(&self) -> String {
         self.address.as_ref().to_owned()
     }
@@ -139,7 +139,7 @@ impl Tap {
         }
     }
 
-    /// The same error, with the last messages. It is recorded if no other entry shows it.
+    /// Adds the last messages to an error, and records it if no other entry shows it.
     pub(crate) fn attach(&self, error: Error) -> Error {
         let exchanges = self.note(&error, error.is_refused() || error.is_disconnected());
         error.with_exchanges(exchanges)

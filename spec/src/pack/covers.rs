@@ -1,7 +1,8 @@
-//! Whether the spec has by now what a pack has, so that a program that uses the pack can use the spec's instead.
+//! Comparison of a pack's items with those that the spec has by now.
 //!
-//! It can where its code compiles as before and means the same: where all names, types and units of the pack are there,
-//! and no argument more. What else the spec says, such as another range, counts.
+//! A program that uses the pack can use the spec's item in its place where the spec's item covers the pack's: the
+//! program's code compiles as before and means the same. That is so where the spec has all names, types and units of
+//! the pack, and no further argument. Other facts of the spec, such as another range, apply then.
 
 use crate::model::{Choice, Command, EnumValue, Field, Reply, Request, TypeDef, TypeId, TypeKind, Variant};
 use crate::spec::Spec;
@@ -9,7 +10,7 @@ use crate::spec::Spec;
 /// Nothing, or what the spec has otherwise, to be read after "there".
 type Covers = Result<(), String>;
 
-/// Whether the command `known` of the spec covers the pack's.
+/// Checks that the command `known` of the spec covers the pack's.
 pub(super) fn command(spec: &Spec, known: &Command, new: &Command) -> Covers {
     match (&known.request, &new.request) {
         (Request::Fields(known), Request::Fields(new)) => made(known, new)?,
@@ -25,7 +26,7 @@ pub(super) fn command(spec: &Spec, known: &Command, new: &Command) -> Covers {
     }
 }
 
-/// Whether the type `known` of the spec covers the pack's.
+/// Checks that the type `known` of the spec covers the pack's.
 pub(super) fn type_def(spec: &Spec, known: TypeId, new: &TypeDef) -> Covers {
     if !new.forms.is_empty() && spec[known].forms != new.forms {
         return Err("it has other forms by firmware".to_owned());
@@ -70,7 +71,7 @@ fn received(known: &[Field], new: &[Field]) -> Covers {
     })
 }
 
-/// Whether a field of the spec covers one of the pack of the same name in Rust.
+/// Checks that a field of the spec covers the pack's field of the same name in Rust.
 pub(super) fn field(known: &Field, new: &Field) -> Covers {
     let name = &new.name;
     if known.wire != new.wire {
@@ -97,7 +98,7 @@ fn choice(known: &Choice, new: &Choice) -> Covers {
     })
 }
 
-/// Whether a variant of the spec covers one of the pack of the same name.
+/// Checks that a variant of the spec covers the pack's variant of the same name.
 pub(super) fn variant(known: &Variant, new: &Variant) -> Covers {
     if known.wire != new.wire {
         return Err(format!("`{}` stands for {}", new.name, known.wire));

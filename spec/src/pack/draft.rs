@@ -27,7 +27,7 @@ pub(super) struct Draft<'s, 'r> {
     pub(super) covered: Covered,
     /// Commands of the spec to which it gives another motion.
     pub(super) motions: BTreeSet<String>,
-    /// Where it is changed: the entries, in the order of the file.
+    /// Entries that change the spec, each with its position, its name and its target, in the order of the file.
     pub(super) edits: Vec<(At<'s>, String, Target)>,
     /// Its lines and entries for what a robot needs.
     pub(super) status: Lines<'s>,

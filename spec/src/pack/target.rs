@@ -1,4 +1,4 @@
-//! What an entry of a pack changes, and the fields there.
+//! Target of an entry of a pack, and the fields there.
 
 use crate::advice;
 use crate::item::{Item, Placed};
@@ -7,14 +7,14 @@ use crate::model::{Choice, Command, Field, Reply, Request, Topic, TypeDef, TypeI
 use crate::names::nearest;
 use crate::spec::Spec;
 
-/// What an entry changes: a command by its `cmdName`, or a type by its name.
+/// Target of an entry: a command by its `cmdName`, or a type by its name.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Target {
     Command(String),
     Type(TypeId),
 }
 
-/// Where the fields stand that an entry names.
+/// Part of a target that has the fields that an entry names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     Request,
@@ -57,7 +57,7 @@ impl Target {
         if let Self::Type(id) = self { Some(*id) } else { None }
     }
 
-    /// Where its fields stand.
+    /// Parts that have fields.
     pub(super) fn parts(&self) -> &'static [Part] {
         match self {
             Self::Command(_) => &[Part::Request, Part::Reply],

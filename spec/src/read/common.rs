@@ -1,4 +1,4 @@
-//! What commands, types and fields have in common.
+//! Parts that commands, types and fields have in common.
 
 use crate::item::{Item, Placed};
 use crate::names::{is_camel, is_snake};

@@ -40,7 +40,7 @@ const LOOK_FIRST: Language = Language {
     ],
 };
 
-/// The same in Chinese.
+/// Words in Chinese that begin a remedy that acts on the arm, or on what keeps it at rest.
 const LOOK_FIRST_ZH: Language = Language {
     look: "查看过机械臂之后",
     acts: &[

@@ -164,7 +164,8 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
     field
 }
 
-/// Where sources contradict each other, a pack that chooses one says why. If they no longer do, that is not an error.
+/// Settles a disputed field: a pack that chooses one of the sources' readings says why. A reason for a field that is
+/// not disputed is not an error.
 fn settle(item: &Item<'_, '_>, field: &mut Field, base: &Field) {
     match item.text("settled") {
         Some(settled) => {

@@ -1,4 +1,4 @@
-//! What differs between two specs, and what that means for the Rust interface that is generated from them.
+//! Differences between two specs, and their impact on the Rust interface that is generated from them.
 
 use std::fmt;
 
@@ -14,7 +14,7 @@ mod types;
 
 use collect::{ADDED, Differ, Pair, REMOVED, pairs};
 
-/// What a change means for programs that use the generated Rust interface, in the terms of semantic versioning.
+/// Impact of a change on programs that use the generated Rust interface, in the terms of semantic versioning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Impact {
     /// Documentation, what the simulator answers, or the order in which keys are sent.
@@ -39,11 +39,11 @@ impl fmt::Display for Impact {
 /// One difference between two specs.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Difference {
-    /// What changed, such as ``command `joint_move`, request field `speed` ``.
+    /// Item that changed, such as ``command `joint_move`, request field `speed` ``.
     pub place: String,
-    /// How it changed, such as ``unit changed from `deg/s` to `rad/s` ``.
+    /// Description of the change, such as ``unit changed from `deg/s` to `rad/s` ``.
     pub what: String,
-    /// What that means for the Rust interface.
+    /// Impact of the change on the Rust interface.
     pub impact: Impact,
 }
 
@@ -121,8 +121,8 @@ pub fn impact(changes: &[Difference]) -> Option<Impact> {
     changes.iter().map(|change| change.impact).max()
 }
 
-/// How many changes there are and the greatest impact, such as `3 additions, 1 change, minor`; `no differences` if
-/// there are none.
+/// Number of changes and their greatest impact, such as `3 additions, 1 change, minor`; `no differences` if there are
+/// none.
 pub fn summary(changes: &[Difference]) -> String {
     let Some(impact) = impact(changes) else { return "no differences".to_owned() };
     let count = |what: &str| changes.iter().filter(|change| change.what == what).count();

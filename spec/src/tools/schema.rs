@@ -55,7 +55,7 @@ pub fn schema(spec: &Spec) -> Value {
     root(&defs.finish())
 }
 
-/// How a value is written.
+/// Direction in which a value passes, which decides the forms in which it is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Direction {
     /// In the one form in which the client sends it.

@@ -2,7 +2,7 @@
 
 use jaka_proto::framing::{FrameError, Framer};
 
-/// What a stream was cut into.
+/// Part of a stream, as the framer finds it.
 #[derive(Debug, PartialEq, Eq)]
 enum Item {
     Frame(Vec<u8>),

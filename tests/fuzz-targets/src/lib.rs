@@ -1,8 +1,7 @@
-//! What fuzzing checks: functions that take any bytes and panic where something is wrong.
+//! Targets of fuzzing: functions that take any bytes and panic if a check fails.
 //!
-//! The binaries in `fuzz/` run them on inputs that libFuzzer makes up, and `tests/tests/connection/corpora.rs` on those
-//! that are kept in
-//! `tests/corpora/`. `docs/fuzzing.md` says how.
+//! The binaries in `fuzz/` run them on inputs that libFuzzer makes up. `tests/tests/connection/corpora.rs` runs them on
+//! the inputs in `tests/corpora/`. `docs/fuzzing.md` has the commands.
 
 mod builtin;
 mod fault_plan;

@@ -55,7 +55,7 @@ impl Visit for Again<'_> {
 }
 
 impl Again<'_> {
-    /// What one pass reads is what two passes read.
+    /// Checks that one pass reads the same envelope and payload as two passes.
     fn one_pass<C: Command>(&self) {
         let Ok(reply) = read_reply::<C::Reply>(C::INFO, self.0) else {
             assert!(Envelope::read_odd(self.0).is_err());

@@ -10,10 +10,10 @@ use jaka_proto::wire::{Decode, Reader};
 use jaka_proto::{Envelope, Request};
 use jaka_sim::Controller;
 
-/// How long a reply may take on a busy machine, before the test fails.
+/// Timeout for the requests on a busy machine, after which the test fails.
 const LIMIT: Duration = Duration::from_secs(20);
 
-/// How much time passes between two lines.
+/// Time of the controller between two lines.
 const STEP: Duration = Duration::from_millis(400);
 
 /// The most bytes and lines of an input, so that it takes little time.

@@ -15,7 +15,7 @@ jaka_robot::pack!("later.toml" on "newer.toml", "changed.toml");
 use changed::ChangedCommands as _;
 use newer::NewerCommands as _;
 
-/// How many motions wait, asked through a client.
+/// Number of queued motions, queried through a client.
 pub fn queued(robot: &mut Client) -> Result<i64, Error> {
     Ok(robot.demo_motion_state()?.queue)
 }

@@ -32,7 +32,7 @@ impl CommandWire {
         Self { address, requests, replies }
     }
 
-    /// Where it listens.
+    /// Address on which the proxy listens.
     pub fn address(&self) -> SocketAddr {
         self.address
     }

@@ -17,16 +17,16 @@ pub struct SetPoints {
     seen: Arc<Mutex<SetPointsSeen>>,
 }
 
-/// What the proxy has seen. Its size does not grow.
+/// Counts and times of the set-points that the proxy has seen. Its size does not grow.
 #[derive(Debug, Clone, Default)]
 pub struct SetPointsSeen {
-    /// How many set-points came.
+    /// Number of set-points.
     pub count: u64,
-    /// The shortest and the longest time from one to the next.
+    /// Shortest time from one set-point to the next.
     pub shortest: Option<Duration>,
-    /// See [`shortest`](Self::shortest).
+    /// Longest time from one set-point to the next.
     pub longest: Option<Duration>,
-    /// How many were not the ones expected, by their number from 0.
+    /// Number of set-points that differ from the expected one of the same number from 0.
     pub unexpected: u64,
     last: Option<Duration>,
 }
@@ -49,12 +49,12 @@ impl SetPoints {
         Self { address, seen }
     }
 
-    /// Where it listens.
+    /// Address on which the proxy listens.
     pub fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// What it has seen by now.
+    /// Set-points seen so far.
     pub fn seen(&self) -> SetPointsSeen {
         lock(&self.seen).clone()
     }

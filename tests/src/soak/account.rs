@@ -1,16 +1,16 @@
-//! What a connection sent, and whether the simulator saw the same.
+//! Commands that a connection sent, compared with the commands that the simulator saw.
 
 use std::collections::VecDeque;
 
 use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::{Error, ErrorKind};
 
-/// What a call tells about its command.
+/// Fate of a command, as the result of its call tells it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fate {
     /// The controller has answered it, or a later one.
     Seen,
-    /// It went out; whether it has arrived is not known.
+    /// It went out; the client cannot know if it has arrived.
     Sent,
     /// It went out, or did not.
     Perhaps,
@@ -34,14 +34,14 @@ impl Fate {
     }
 }
 
-/// What one connection sent, in order.
+/// Commands of one connection, in the order of sending.
 #[derive(Debug, Default)]
 pub(super) struct Connection {
     /// The text of its first command, which no other connection sends.
     pub(super) first: String,
     commands: Vec<Sent>,
     pub(super) stops: Stops,
-    /// What its recorder says that it sent.
+    /// Commands in the recording of the connection, if it was recorded.
     pub(super) recorded: Option<Vec<String>>,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Connection {
 struct Sent {
     text: String,
     fate: Fate,
-    /// How often it may have been sent in a row.
+    /// Maximum number of times that it may have been sent in a row.
     most: usize,
 }
 
@@ -93,7 +93,7 @@ impl Connection {
         }
     }
 
-    /// What came must be what was sent, in order, up to some command after the last one that was answered.
+    /// Checks that the received commands are the sent ones, in order, up to some command after the last answered one.
     fn check_commands(&self, mut seen: VecDeque<&String>) -> Result<(), String> {
         let answered = self.commands.iter().rposition(|sent| sent.fate == Fate::Seen);
         for (at, sent) in self.commands.iter().enumerate() {
@@ -124,7 +124,7 @@ impl PopFrontIfEq for VecDeque<&String> {
     }
 }
 
-/// Compares all connections of an arm with what its simulator saw, and tells what differs.
+/// Compares all connections of an arm with the requests that its simulator saw, and returns the differences.
 pub(super) fn check(connections: &[Connection], seen: &[String], stop: &str) -> Vec<String> {
     let is_first = |text: &String| connections.iter().any(|connection| connection.first == *text);
     let places: Vec<usize> = (0..seen.len()).filter(|at| is_first(&seen[*at])).collect();

@@ -33,12 +33,12 @@ pub(super) struct Place {
     pub(super) peak: Arc<Peak>,
 }
 
-/// What an arm's program did in a round.
+/// Record of an arm's program in a round: its connections and counts.
 #[derive(Debug)]
 pub(super) struct Done {
     pub(super) connections: Vec<Connection>,
     pub(super) tally: Tally,
-    /// What went wrong on the status port.
+    /// Faults on the status port, by kind.
     pub(super) faults: Tally,
 }
 

@@ -16,10 +16,10 @@ use super::host::{FIRST_RATE, Ports};
 use super::orders::Orders;
 use super::tally::Tally;
 
-/// How long a reader of the status port waits before it reconnects.
+/// Pause of a reader of the status port before it reconnects.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// What is wrong, told by any thread.
+/// Findings of all threads.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Findings(Arc<Mutex<Vec<String>>>);
 

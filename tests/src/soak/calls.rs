@@ -1,4 +1,4 @@
-//! What an arm's program does.
+//! Operations of an arm's program.
 
 use std::time::Duration;
 
@@ -24,19 +24,19 @@ use super::session::Session;
 /// The first command of each connection.
 pub(super) const FIRST: &str = GetRobotState::INFO.name;
 
-/// How long a motion is waited for, its reply included.
+/// Timeout for a motion, its reply included.
 const MOTION: Duration = Duration::from_secs(1);
 
 /// The shortest time between two questions where the arm is.
 const QUESTION_PERIOD: Duration = Duration::from_millis(100);
 
-/// How long a status packet may take to show what was set, on a machine however slow.
+/// Timeout for a status packet that shows a new setting, long enough for a slow machine.
 const SHOWN: Duration = Duration::from_secs(120);
 
 /// The variable that a controller has from the start.
 const VARIABLE: i64 = 5500;
 
-/// How close an arm that has reached its target is, in degrees.
+/// Largest distance of a joint from a reached target, in degrees.
 const CLOSE: f64 = 0.1;
 
 /// The tool's turn about the vertical where joint 1 is at 0, in degrees, of the simulator's arm.
@@ -44,7 +44,7 @@ const UPRIGHT: f64 = 90.0;
 
 type Operation = fn(&mut Arm, &mut Session);
 
-/// What can be done, and how often compared with the others.
+/// Operations with their relative frequencies.
 const OPERATIONS: [(u32, Operation); 14] = [
     (16, forward_kinematics),
     (12, set_mass),
@@ -280,7 +280,7 @@ fn change_status_fault(arm: &mut Arm, _: &mut Session) {
     arm.fault(&format!("status {}", faults::kind(&faults[fault])));
 }
 
-/// Where nothing is wrong with the status port any more, its packets show what is set.
+/// Checks that the packets of a status port without faults show a new setting.
 fn status_follows(arm: &mut Arm, session: &mut Session) {
     arm.place.host.status_fault(arm.place.arm, 0);
     let rate = arm.place.rate.next();

@@ -1,4 +1,4 @@
-//! What goes wrong, as a function of the seed.
+//! Faults of a soak, as a function of the seed.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -40,7 +40,7 @@ const USUAL: [&str; 12] = [
     QueryUserDefinedVariable::INFO.name,
 ];
 
-/// How many replies to a command have faults drawn in a round; later ones have none.
+/// Number of replies to a command for which faults are drawn in a round; later replies have none.
 const REPLIES: u32 = 200;
 const SET_POINTS: u32 = 2000;
 
@@ -50,17 +50,17 @@ const RARITY: [u32; 4] = [25, 10, 60, 0];
 /// Set-points are many.
 const SET_POINT_RARITY: u32 = 5;
 
-/// Something is wrong with a link once in so long, for less than that.
+/// Time between the starts of two link faults; each lasts less than that.
 const LINK_PERIOD: Duration = Duration::from_secs(1);
 
-/// How often in a round; after that the links work.
+/// Number of link faults in a round; after them the links work.
 const LINK_FAULTS: u32 = 60;
 
-/// On which links; on both where none is given.
+/// Links that faults are drawn from; none stands for both.
 const PORTS: [Option<Port>; 3] = [None, Some(Port::Status), Some(Port::Command)];
 const DIRECTIONS: [Option<Direction>; 3] = [None, Some(Direction::ToClient), Some(Direction::ToController)];
 
-/// What is wrong with the links of an arm in a round: one after the other, by the clock.
+/// Faults of the links of an arm in a round, one after the other by the clock.
 pub(super) fn links(seed: u64, round: u32, arm: u32) -> Vec<Scheduled> {
     let mut random = Random::new(seed, [round, arm, 2]);
     if RARITY[arm as usize % RARITY.len()] == 0 {
@@ -141,7 +141,7 @@ pub(super) fn kind(fault: &impl ToString) -> String {
     fault.to_string().split(' ').next().unwrap_or_default().to_owned()
 }
 
-/// What can be wrong with status packets, from [`StatusFault::None`] on.
+/// Faults of status packets, from [`StatusFault::None`] on.
 pub(super) fn of_status() -> Vec<StatusFault> {
     let mut faults = StatusFault::one_of_each();
     faults.extend([StatusFault::CloseAfter(20_000), StatusFault::Garbage { bytes: 2000, seed: 9 }]);

@@ -1,12 +1,13 @@
-//! A value that the controller holds: what it can be, as far as the client can know.
+//! Possible values of a setting that the controller holds, as far as the client can know.
 
 use super::account::Fate;
 
-/// What a value of the controller can be. Each value that is set is new, so one that is read shows which it is.
+/// Possible values of a setting of the controller. Each set value is new, so a read value identifies the command that
+/// set it.
 #[derive(Debug)]
 pub(super) struct Held {
     possible: Vec<f64>,
-    /// Nothing has been read yet, so it can be what the controller began with.
+    /// Nothing has been read yet, so the setting can still have its initial value.
     is_unknown: bool,
     set_here: bool,
 }
@@ -16,7 +17,7 @@ impl Held {
         Self { possible: Vec::new(), is_unknown: true, set_here: false }
     }
 
-    /// A new connection: what was set on the old one and not answered may never have arrived.
+    /// Starts a new connection. Settings of the old one without an answer may never have arrived.
     pub(super) fn new_connection(&mut self) {
         self.set_here = false;
     }
@@ -39,7 +40,7 @@ impl Held {
         }
     }
 
-    /// A reply to a query of this connection says this: whether it can be its own.
+    /// Checks that a value in a reply to a query of this connection is possible.
     pub(super) fn read(&mut self, value: f64) -> Result<(), String> {
         self.answered();
         let is_possible = self.is_unknown || self.possible.iter().any(|possible| possible.to_bits() == value.to_bits());

@@ -1,5 +1,5 @@
-//! Where the simulated controllers run: in this process, or in another, so that the memory of this one is that of the
-//! clients.
+//! Host of the simulated controllers: this process, or another one, so that the memory of this process is the memory of
+//! the clients.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::SocketAddr;
@@ -14,15 +14,15 @@ use serde_json::json;
 use super::faults;
 use crate::standstill::Standstill;
 
-/// How often status packets go out.
+/// Period of status packets.
 const PERIOD: Duration = Duration::from_millis(20);
 
 /// The rate of motions in the beginning; the first of those that rise.
 pub(super) const FIRST_RATE: f64 = 0.5;
 
-/// Where the simulated controllers run.
+/// Host of the simulated controllers.
 ///
-/// It takes orders as lines of text and answers each with a line, also where it is not another process.
+/// It takes orders as lines of text and answers each with a line, in this process as well.
 #[derive(Debug)]
 pub struct Host(Mutex<Place>);
 

@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 
 use stats_alloc::StatsAlloc;
 
-/// How long threads and sockets may take to disappear after they have ended.
+/// Timeout for ended threads and closed sockets to disappear.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// What the process holds.
+/// Numbers of open files and threads of the process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Handles {
     pub(super) files: usize,
@@ -71,7 +71,7 @@ impl Peak {
     }
 }
 
-/// How many bytes are allocated and not freed.
+/// Number of bytes that are allocated and not freed.
 pub(super) fn allocated(allocator: &StatsAlloc<System>) -> u64 {
     let stats = allocator.stats();
     u64::try_from(stats.bytes_allocated - stats.bytes_deallocated).unwrap_or(u64::MAX)

@@ -16,25 +16,25 @@ use super::arm::{Arm, text};
 use super::calls::{is_ready, raw};
 use super::session::Session;
 
-/// How many set-points a session has at least, and at most.
+/// Minimum and maximum number of set-points of a session.
 const SET_POINTS: (u32, u32) = (10, 50);
 
-/// How long the arm may take to come to rest, and the controller to enter servo mode.
+/// Timeout for the arm to come to rest, and for the controller to enter servo mode.
 const ENTER: Duration = Duration::from_secs(1);
 
 /// Longer than any session: its set-points need no answers.
 const LONG: Duration = Duration::from_secs(60);
 
-/// How often the arm's position may be asked for before, until it is at rest: twice each 100 ms.
+/// Maximum number of queries of the arm's position until it is at rest: two each 100 ms.
 const QUESTIONS: usize = 30;
 
 /// The command that leaves servo mode.
 pub(super) const LEAVE: SetServoMode = SetServoMode::new(Switch::Off);
 
-/// A command, what became of it, and how often it may have been sent in a row.
+/// A command, its fate, and the maximum number of times that it may have been sent in a row.
 type Sent = (String, Fate, usize);
 
-/// What was sent, in order, and what it ended with; no report from a session that was dropped.
+/// Commands of a session in the order of sending, and its result; a dropped session has no report.
 #[derive(Debug)]
 struct Outcome {
     sent: Vec<Sent>,
@@ -93,17 +93,17 @@ fn see_that_it_was_left(arm: &mut Arm, session: &mut Session, result: &Result<Op
     }
 }
 
-/// Whether the arm is at rest is asked first.
+/// Queries of the joint position, which check that the arm is at rest before servo mode is requested.
 fn asking() -> Sent {
     (text(&GetJointPos::new()), Fate::Perhaps, QUESTIONS)
 }
 
-/// Whether servo mode is on already.
+/// Query that checks if servo mode is on already.
 fn is_on() -> Sent {
     (text(&IsInServomove::new()), Fate::Perhaps, 1)
 }
 
-/// What a session begins with.
+/// Commands at the start of a session.
 fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     vec![
         asking(),
@@ -115,13 +115,14 @@ fn entering(switched: Fate, entered: Fate) -> Vec<Sent> {
     ]
 }
 
-/// What it ends with. That servo mode was left is known by an answer. What is behind a refusal may be asked for.
+/// Commands at the end of a session. A query confirms that servo mode was left. After a refusal the session may query
+/// the robot state to explain it.
 fn leaving(fate: Fate) -> [Sent; 3] {
     let state = (text(&GetRobotState::new()), Fate::Perhaps, 1);
     [(text(&LEAVE), fate, 1), (text(&IsInServomove::new()), fate, usize::MAX), state]
 }
 
-/// What went out of a session that did not begin.
+/// Commands of a session that did not begin.
 fn not_entered(error: &Error) -> Vec<Sent> {
     // These are asked for before servo mode and in it.
     let is_asked_before = |command: &str| [GetJointPos::INFO.name, IsInServomove::INFO.name].contains(&command);
@@ -185,7 +186,7 @@ fn go_through(arm: &mut Arm, mut servo: ServoSession<'_>) -> Outcome {
     Outcome { sent, result }
 }
 
-/// Whether a set-point went out.
+/// Fate of a set-point, by the result of its call.
 fn set_point(result: &Result<(), Error>) -> Fate {
     let Err(error) = result else { return Fate::Sent };
     let error = match error.kind() {
@@ -202,7 +203,8 @@ fn set_point(result: &Result<(), Error>) -> Fate {
     }
 }
 
-/// What a session ended with, by its first error and how it was finished, if it was; and whether servo mode was left.
+/// Result of a session, by its first error and by the result of its landing, if it landed; with the fate of the command
+/// that leaves servo mode.
 fn leave(failed: Option<Error>, finished: Option<Result<Report, Error>>) -> (Result<Option<Report>, Error>, Fate) {
     let known = |error: &Error| {
         if matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }) { Fate::Perhaps } else { Fate::Seen }

@@ -17,7 +17,7 @@ const REPLY: Duration = Duration::from_millis(150);
 /// The longest message that is taken: shorter than the longest of the faults.
 const MAX_FRAME: usize = 64 << 10;
 
-/// How long connecting may take.
+/// Timeout for connecting.
 const CONNECT: Duration = Duration::from_secs(60);
 
 /// One in this many status packets is recorded.
@@ -29,14 +29,14 @@ pub(super) struct Session {
     pub(super) robot: Robot,
     pub(super) hands: Vec<Hand>,
     pub(super) connection: Connection,
-    /// How many of the commands that it sees once are still to come.
+    /// Number of calls of `calls::once`; each of the first three sends a command that the connection sees only once.
     pub(super) once: u32,
-    /// How many calls in a row have not been answered.
+    /// Number of calls in a row without an answer.
     pub(super) silent: u32,
     recording: Option<(Recorder, RecordingBuffer)>,
 }
 
-/// How all connections behave.
+/// Options of all connections.
 pub(super) fn config(ports: &Ports) -> Config {
     let reconnect =
         Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(5), longest: Duration::from_millis(100) };
@@ -71,7 +71,7 @@ impl Session {
         })
     }
 
-    /// Ends it: what it sent, for the account.
+    /// Ends the session, and returns its commands for the account.
     pub(super) fn end(mut self, place: &Place, tally: &mut Tally) -> Connection {
         for hand in self.hands.drain(..) {
             let Some((stops, counts)) = hand.end() else {

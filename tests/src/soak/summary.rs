@@ -1,4 +1,4 @@
-//! What came of it.
+//! Summary of a soak.
 
 use std::alloc::System;
 use std::fmt;
@@ -8,10 +8,10 @@ use stats_alloc::StatsAlloc;
 use super::resources::{Handles, allocated, resident};
 use super::tally::Tally;
 
-/// How many bytes more than after the first round may be allocated at rest: the figures themselves take some.
+/// Maximum growth of the memory at rest since the first round, in bytes: the figures themselves take some.
 const GROWTH: u64 = 2048;
 
-/// What came of a soak.
+/// Summary of a soak.
 #[derive(Debug, Clone)]
 pub struct Summary {
     pub(super) seed: u64,
@@ -19,7 +19,7 @@ pub struct Summary {
     pub(super) tally: Tally,
     pub(super) faults: Tally,
     pub(super) findings: Vec<String>,
-    /// What was held before the first round, at rest after the last, and at most.
+    /// Handles before the first round, at rest after the last round, and at the peak.
     pub(super) handles: [Handles; 3],
     /// Bytes that were allocated at rest after the first round, after the last, and at most.
     allocated: Option<[u64; 3]>,
@@ -53,7 +53,7 @@ impl Summary {
         self.findings.iter().cloned().chain(grown).collect()
     }
 
-    /// How often what happened, such as `commands` or `timeouts`.
+    /// Number of events of a kind, such as `commands` or `timeouts`.
     pub fn count(&self, what: &str) -> u64 {
         self.tally.get(what)
     }

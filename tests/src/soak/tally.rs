@@ -1,9 +1,9 @@
-//! What is counted.
+//! Counts of events.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// How often what happened.
+/// Number of events of each kind.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Tally(BTreeMap<String, u64>);
 

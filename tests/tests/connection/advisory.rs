@@ -1,5 +1,5 @@
-//! What needs no model of the arm is checked before a byte goes out: positions, speeds, accelerations and steps that no
-//! arm has.
+//! Checks that need no model of the arm, before a byte goes out: positions, speeds, accelerations and steps that no arm
+//! has.
 
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::{Request, Visit};
@@ -8,7 +8,7 @@ use jaka_sync::Error;
 use jaka_tests::{Arm, spec};
 use serde_json::{Map, Value};
 
-/// Requests that are refused, with the field, and what is allowed in words.
+/// Requests that are refused, with the field and its permitted range in words.
 const REFUSED: [(&str, &str, &str); 32] = [
     (
         r#"{"cmdName":"joint_move","relFlag":0,"jointPosition":[1000,0,0,0,0,0],"speed":20}"#,

@@ -1,4 +1,5 @@
-//! What a controller's firmware does not have is refused before it is sent, once the client knows the firmware.
+//! Refusal of commands that a controller's firmware does not have, before they are sent, once the client knows the
+//! firmware.
 //!
 //! The built-in spec has no command that only some firmware has, so a pack adds one.
 

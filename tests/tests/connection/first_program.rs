@@ -1,4 +1,5 @@
-//! What a newcomer copies moves an arm that may be in any position, next to somebody who has never seen it move.
+//! Code that a newcomer copies. It moves an arm that may be in any position, next to a person who has never seen it
+//! move.
 
 use std::fs;
 use std::path::Path;

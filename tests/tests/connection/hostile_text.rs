@@ -1,5 +1,5 @@
-//! What a controller says is shown in one line, with nothing in it that a terminal obeys: errors of the library. Those
-//! of the command `jaka` are in its own tests.
+//! Texts of a controller in errors of the library: on one line, without a character that a terminal obeys. The command
+//! `jaka` has its own tests for this.
 
 use std::error::Error as StdError;
 use std::sync::Arc;

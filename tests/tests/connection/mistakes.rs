@@ -15,7 +15,7 @@ use jaka_sim::Fault;
 use jaka_tests::{Arm, Configured as _, LONG, ReservedPort};
 
 const PAGE: &str = include_str!("../../../docs/troubleshooting.md");
-/// Where the simulated arm is.
+/// Joint position of the simulated arm, in degrees.
 const START: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
 
 /// An error with its causes, in one line, as `jaka` prints it.
@@ -138,7 +138,7 @@ fn fits(quotation: &str, message: &str) -> bool {
     })
 }
 
-/// What is told, line by line.
+/// Makes a mistake, and returns the messages, one a line.
 type Mistake = fn() -> Vec<String>;
 
 #[test]

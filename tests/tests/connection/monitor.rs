@@ -215,7 +215,7 @@ fn attempts_to_reconnect_come_to_an_end() {
     assert_eq!(clock.elapsed().saturating_sub(began), Duration::from_millis(100 + 200));
 }
 
-/// What a program needs of the packet, and no more.
+/// The one field of the packet that the program needs.
 #[derive(Debug, PartialEq)]
 struct Joints(Option<JointPosition>);
 
@@ -249,7 +249,7 @@ fn monitors_are_shared_between_threads() {
     assert_send_and_sync::<jaka_sync::Subscription<RobotStatus>>();
 }
 
-/// What a user keeps of a packet, with a bug in it.
+/// A user's type of a packet, with a bug in its decoder.
 #[derive(Debug)]
 struct Buggy(bool);
 

@@ -52,7 +52,7 @@ fn assert_usable(client: &mut Client) {
     assert!(client.disconnect_cause().is_none());
 }
 
-/// What replies may have that is odd: the value of a key.
+/// Odd values that a key of a reply may have.
 fn oddities() -> Vec<Vec<u8>> {
     let deep = format!("{}{}", "[".repeat(70), "]".repeat(70));
     let values = [r#""\ud83d""#, "NaN", "-Infinity", r#"{"a": [NaN, "\q"]}"#, &deep, "0x10", r#""\x""#];

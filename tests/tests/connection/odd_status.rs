@@ -26,7 +26,7 @@ fn send(mut to: &TcpStream, bytes: impl AsRef<[u8]>) {
 }
 
 jaka_sync::status_subset! {
-    /// What a stop depends on.
+    /// Fields on which a stop depends.
     pub struct Stops { protective_stop, rapid_rate }
 }
 

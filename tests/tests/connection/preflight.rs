@@ -105,7 +105,7 @@ fn a_robot_whose_connections_are_broken_is_checked_at_once() {
     assert_eq!(with(&preflight, Verdict::NothingFound), [], "{preflight}");
 }
 
-/// What the link held passes in 80 ms, while the check ends.
+/// The held packets pass the link in 80 ms, while the check ends.
 #[test]
 fn a_packet_that_a_link_may_have_held_back_is_not_told_as_the_present() {
     let controller = healthy(Firmware::default());

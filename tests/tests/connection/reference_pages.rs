@@ -84,7 +84,7 @@ impl<'l> Step<'l> {
     }
 }
 
-/// The same keys, code and refusal; numbers differ from arm to arm.
+/// Asserts equal keys, error code and refusal; numbers differ from arm to arm.
 fn assert_same_reply(expected: &Map<String, Value>, found: &Map<String, Value>) {
     let keys = |reply: &Map<String, Value>| {
         let mut keys: Vec<_> = reply.keys().cloned().collect();

@@ -1,4 +1,4 @@
-//! Sessions that are recorded and replayed: the same again, and how a program deviates.
+//! Sessions that are recorded and replayed: identical replays, and deviations of a program.
 
 use std::fmt::Debug;
 use std::net::SocketAddr;
@@ -29,7 +29,7 @@ fn replay(recording: &Recording, mode: Replay) -> ArmBuilder {
     replayed(recording, mode, ReplayTiming::Immediate)
 }
 
-/// What is said, without the address, which is another one in a replay.
+/// Text of a result without the address, which differs in a replay.
 fn without(address: SocketAddr, said: &str) -> String {
     said.replace(&address.to_string(), "ADDRESS")
 }

@@ -1,4 +1,4 @@
-//! `docs/safety.md`: each promise on it has a test that there is, and those that no other file tests.
+//! `docs/safety.md`: each promise on it names a test that exists; with tests of the promises that no other file tests.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,7 @@ fn docs() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"))
 }
 
-/// The links of a text: what is shown, and where they lead.
+/// The links of a text: their labels and their targets.
 fn links(text: &str) -> impl Iterator<Item = (&str, &str)> {
     text.split("](").zip(text.split("](").skip(1)).filter_map(|(before, after)| {
         let shown = before.rsplit('[').next()?;
@@ -34,7 +34,7 @@ fn promises(page: &str) -> Vec<(&str, &str)> {
     rows.filter(|(promise, _)| *promise != "promise").collect()
 }
 
-/// What is wrong with the tests of a promise, if something is.
+/// Finds a problem with the tests of a promise; none if they are correct.
 fn problem(cell: &str) -> Option<String> {
     if links(cell).next().is_none() {
         return Some("it has no test".to_owned());
@@ -90,7 +90,7 @@ fn all_links_lead_somewhere() {
     }
 }
 
-/// What has come since the first `before` requests, by the names of commands.
+/// Names of the commands that arrived after the first `before` requests.
 fn since(controller: &Controller, before: usize) -> Vec<String> {
     let requests = controller.requests();
     let name = |text: &String| Envelope::read(text).ok()?.command.map(std::borrow::Cow::into_owned);

@@ -22,7 +22,7 @@ use crate::model;
 use crate::outcome::Outcome;
 use crate::troubles::Trouble;
 
-/// What moves until the guard trips.
+/// Motion until the guard trips.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Motion,
@@ -30,10 +30,10 @@ enum Way {
     Stream,
 }
 
-/// How far joint 3 goes, in degrees, and in how many seconds about.
+/// Travel of joint 3 in degrees, and its approximate duration in seconds.
 const FAR: f64 = 20.0;
 const SECONDS: f64 = 2.5;
-/// When it goes wrong: the arm moves by then.
+/// Time of the fault after the start: the arm moves by then.
 const STRUCK: Duration = Duration::from_millis(700);
 /// Longer than all of it takes.
 const LONG: Duration = Duration::from_secs(20);
@@ -100,7 +100,7 @@ impl<'t> Arm<'t> {
         }
     }
 
-    /// What is held or late comes now, and for some time the arm does what it is to.
+    /// Clears all faults, releases the links, and lets the arm run for a time.
     fn lift(&self, time: Duration) {
         self.controller.clear_faults();
         self.controller.status_fault(StatusFault::None);
@@ -156,7 +156,7 @@ impl<'t> Arm<'t> {
         self.judge_set_points(&stream.land().expect_err("it was not asked to land before"));
     }
 
-    /// What is true of the end of each, whatever befell it.
+    /// Checks that the end of a motion is true, whatever the fault.
     fn judge_motion(&self, end: &End) {
         let (what, state) = (format!("{}: {:?}, {:?}", self.what(), end.cause(), end.stop), self.controller.state());
         match end.evidence() {

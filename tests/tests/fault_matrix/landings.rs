@@ -1,6 +1,7 @@
-//! Sessions and streams that land at speed while something goes wrong, by what the controller receives.
+//! Sessions and streams that land at speed during a fault, judged by the requests that the controller receives.
 //!
-//! Not cells of the table: how such a landing ends depends on the moment. What holds in each is asserted.
+//! These are not cells of the table, because the end of such a landing depends on the moment. The tests assert the
+//! properties that hold for each landing.
 
 use std::time::Duration;
 
@@ -16,7 +17,7 @@ use crate::cell::LIMIT;
 use crate::each;
 use crate::troubles::Trouble;
 
-/// What moves until it lands.
+/// Motion until the landing.
 #[derive(Debug, Clone, Copy)]
 enum Way {
     Session,
@@ -26,7 +27,7 @@ enum Way {
 /// Cycles of a set-point.
 pub(crate) const CYCLES: u32 = 4;
 pub(crate) const PERIOD: f64 = 0.032;
-/// What is allowed, and what the ramps ask for, in deg/s².
+/// Permitted acceleration, and acceleration of the ramps, in deg/s².
 pub(crate) const MOST: f64 = 720.0;
 const ASKED: f64 = 600.0;
 pub(crate) const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
@@ -91,7 +92,7 @@ fn struck(trouble: &Trouble, arm: &Arm, land: impl FnOnce() -> Result<(), Error>
     beside(arm.clock(), release, land)
 }
 
-/// What is held or late comes now.
+/// Clears the status fault, releases the links, and waits 500 ms for held or late bytes.
 fn lift(trouble: &Trouble, arm: &Arm) {
     arm.status_fault(StatusFault::None);
     if matches!(trouble, Trouble::Link(_)) {
@@ -138,7 +139,7 @@ pub(crate) fn parsed(controller: &Controller) -> Vec<Value> {
     controller.requests().iter().map(|text| serde_json::from_str(text).expect("requests are JSON")).collect()
 }
 
-/// How far joint 3 goes with each set-point.
+/// Travel of joint 3 with each set-point, in degrees.
 pub(crate) fn steps(requests: &[Value]) -> Vec<f64> {
     let mut at = START[2];
     let set_points = requests.iter().filter(|request| request["cmdName"] == "servo_j");

@@ -1,4 +1,4 @@
-//! What goes wrong on the links.
+//! Faults of the links.
 
 use std::fmt;
 use std::time::Duration;
@@ -13,19 +13,20 @@ pub(crate) struct LinkTrouble {
     /// Both if none is given.
     pub(crate) direction: Option<Direction>,
     pub(crate) fault: LinkFault,
-    /// Where it ends by itself, while the call waits.
+    /// Duration of a fault that ends while the call waits; none for a fault that stays.
     pub(crate) lasting: Option<Duration>,
 }
 
-/// What passes so late, or so slowly, passes after all calls have given up, or when the link is released.
+/// Delay, and rate in bytes a second, with which bytes pass after all calls have given up, or when the link is
+/// released.
 const LATE: Duration = Duration::from_secs(10);
 const SLOW: u64 = 10;
 
-/// What passes so late, or at this pace, is in time.
+/// Delay, and rate in bytes a second, with which bytes pass in time.
 const DELAY: Duration = Duration::from_millis(20);
 const QUICK: u64 = 1_000_000;
 
-/// How long a link is held that is released while the call waits.
+/// Duration of a hold that ends while the call waits.
 const HELD: Duration = Duration::from_millis(30);
 
 impl LinkTrouble {
@@ -64,7 +65,7 @@ impl LinkTrouble {
         }
     }
 
-    /// The same with other times, where these make no difference to what is expected.
+    /// Returns the fault with random times where the time does not change the expected outcome.
     pub(crate) fn at_random(self, mut below: impl FnMut(usize) -> usize) -> Self {
         let mut millis = |limit| Duration::from_millis(below(limit) as u64);
         match self {

@@ -1,8 +1,8 @@
-//! What each fault should lead to with each kind of call.
+//! Model of the expected outcome of each fault with each kind of call.
 //!
-//! The model looks at what a fault leaves of replies and of status packets, in the order in which a reader finds it,
-//! and follows one rule: the first thing that decides ends the call, and what is left meets the next one. What does not
-//! come in time decides nothing, and what is not known moves no arm.
+//! The model takes the replies and the status packets that a fault leaves, in the order in which a reader finds them,
+//! and follows one rule: the first decisive item ends the call, and the next call meets the remaining items. An item
+//! that is late decides nothing. An unknown status moves no arm.
 
 mod link;
 mod motion;
@@ -17,15 +17,15 @@ use crate::cell::{Kind, MAX_FRAME};
 use crate::outcome::{Cause, Outcome};
 use crate::troubles::{LATE, Trouble};
 
-/// What a cell of the matrix should show.
+/// Expected contents of a cell of the matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Expected {
     pub(crate) first: Outcome,
-    /// What a stop ends with that is sent while the call waits.
+    /// Outcome of a stop that is sent while the call waits.
     pub(crate) stop: Option<Outcome>,
-    /// What the next call ends with, if it is of another name.
+    /// Outcome of the next call, if it has another name.
     pub(crate) other: Outcome,
-    /// The same, if it is of the same name; none where that makes no difference.
+    /// Outcome of the next call, if it has the same name; none where the name makes no difference.
     pub(crate) same: Option<Outcome>,
 }
 
@@ -35,7 +35,7 @@ impl Expected {
     }
 }
 
-/// What a reader finds.
+/// Item that a reader finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Found {
     /// The reply.
@@ -49,7 +49,7 @@ enum Found {
     End,
 }
 
-/// When it is found.
+/// Time at which a reader finds it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum When {
     InTime,
@@ -57,13 +57,13 @@ enum When {
     Late,
     /// With the next reply.
     WithNext,
-    /// When the link is released, before the next call.
+    /// At the release of the link, before the next call.
     Released,
     /// Neither this nor anything else.
     Never,
 }
 
-/// What comes of a command, and when.
+/// Items that arrive after a command, and the time of their arrival.
 #[derive(Debug, Clone)]
 struct Replies {
     when: When,
@@ -84,7 +84,7 @@ pub(crate) fn expected(trouble: &Trouble, kind: Kind) -> Expected {
     }
 }
 
-/// What a fault leaves of replies and of status packets.
+/// Replies and status packets that a fault leaves.
 fn comes(trouble: &Trouble) -> (Replies, Packets) {
     let found = match trouble {
         Trouble::Link(trouble) => return link::comes(trouble),
@@ -126,7 +126,7 @@ fn of_fault(fault: &Fault) -> Replies {
 /// More than any reply of the matrix has, in bytes.
 const MAX_REPLY: usize = 1000;
 
-/// What bytes are found to be that are not a reply to the command.
+/// Items that a reader makes of bytes that are not a reply to the command.
 fn of_bytes(bytes: &[u8]) -> Vec<Found> {
     let bytes = bytes.trim_ascii();
     let Some(first) = bytes.first() else { return vec![] };
@@ -141,7 +141,7 @@ fn of_bytes(bytes: &[u8]) -> Vec<Found> {
     vec![Found::Wrong(cause)]
 }
 
-/// What ends a call with what it finds, and how much of that it takes; `None` if nothing does.
+/// Outcome of a call that finds these items, and the number of items that it takes; `None` if no item ends it.
 fn end(found: &[Found], kind: Kind) -> Option<(Outcome, usize)> {
     let outcome = match found.first()? {
         Found::Misfit if kind.has_typed_fields() => Outcome::Unexpected,
@@ -174,7 +174,7 @@ fn call(replies: &Replies, kind: Kind) -> Expected {
     Expected::new(first, next, same)
 }
 
-/// What a later call ends with, if the connection lives: nothing is wrong any more, unless nothing comes ever again.
+/// Outcome of a later call, if the connection works: a timeout if no reply comes ever again, and success otherwise.
 fn later(replies: &Replies) -> Outcome {
     if replies.when == When::Never { Outcome::Timeout } else { Outcome::Ok }
 }

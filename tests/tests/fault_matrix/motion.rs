@@ -15,10 +15,10 @@ use crate::outcome::{Cause, Outcome};
 use crate::robot::{MOTION, Witness, notice, recover, robot};
 use crate::troubles::Trouble;
 
-/// How close an arm that has reached its target is, in degrees.
+/// Largest distance of a joint from a reached target, in degrees.
 const CLOSE: f64 = 0.1;
 
-/// How far each joint goes, in degrees: for some 50 cycles.
+/// Travel of each joint, in degrees: some 50 cycles.
 const STEP: f64 = 20.0;
 
 /// A motion, where it goes wrong before it is sent.

@@ -1,4 +1,4 @@
-//! What calls end with.
+//! Outcomes of calls.
 
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
@@ -6,7 +6,7 @@ use jaka_robot::jaka_sync::ErrorKind as Failure;
 use jaka_robot::{Disconnect, Error, ErrorKind};
 
 jaka_proto::worded! {
-    /// What a call ended with.
+    /// Outcome of a call.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub(crate) enum Outcome {
         /// Success, with the data that the simulator had.
@@ -24,13 +24,13 @@ jaka_proto::worded! {
         Deadline => "deadline",
         /// Nothing that moves the arm was sent, since the status is not known.
         StatusUnknown => "status unknown",
-        /// It is not known whether servo mode was left, and the connection works on.
+        /// Cannot confirm that servo mode was left; the connection still works.
         NotLeft => "not left",
     }
 }
 
 jaka_proto::worded! {
-    /// What broke a connection.
+    /// Cause of a broken connection.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub(crate) enum Cause {
         /// Its end, or an error of the system.

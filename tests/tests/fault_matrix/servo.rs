@@ -10,22 +10,22 @@ use crate::outcome::{Cause, Outcome};
 use crate::robot::{Witness, notice, recover, robot};
 use crate::troubles::Trouble;
 
-/// How many set-points a session has that is to succeed.
+/// Number of set-points in a session that must succeed.
 const SET_POINTS: usize = 8;
 
-/// How many one has at most that is to fail.
+/// Maximum number of set-points in a session that must fail.
 const MOST_SET_POINTS: usize = 1000;
 
-/// How far a set-point moves the first joint, in degrees.
+/// Travel of the first joint with each set-point, in degrees.
 const STEP: f64 = 0.05;
 
 /// Timeout for the arm to come to rest.
 const REST: Duration = Duration::from_secs(5);
 
-/// How many set-points may be unanswered, by default: 100 ms.
+/// Default maximum number of unanswered set-points: 100 ms.
 const UNANSWERED: u32 = 12;
 
-/// Where it goes wrong before servo mode is asked for.
+/// Runs a session with a fault before servo mode is requested.
 pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
     let mut robot = robot(cell);
     let expected = cell.expected.first;
@@ -48,7 +48,7 @@ pub(crate) fn run_entering(cell: &Cell<'_>) -> Seen {
     Seen { first, stop: None, next }
 }
 
-/// Where it goes wrong in servo mode.
+/// Runs a session with a fault in servo mode.
 pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
     let mut robot = robot(cell);
     let expected = cell.expected.first;

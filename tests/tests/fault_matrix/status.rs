@@ -14,7 +14,7 @@ use crate::outcome::Outcome;
 /// Time enough for a slow packet, and for a monitor to find packets again.
 const WHILE: u32 = 25;
 
-/// Where the trouble is with replies, has one come: status packets must know nothing of it.
+/// Makes a call if the fault is one of replies: status packets must be independent of it.
 fn trouble_elsewhere(cell: &Cell<'_>) {
     if cell.trouble.is_of_replies() {
         let config = cell.config().reply_timeout(Duration::from_millis(20));

@@ -70,7 +70,7 @@ fn name(kind: Kind) -> &'static str {
     }
 }
 
-/// What the call ends with, and what the next calls do where that is not to be expected.
+/// Outcome of the call, and unusual outcomes of the next calls.
 fn text(cell: Expected) -> String {
     let (first, stop) = (Some(cell.first.to_string()), cell.stop.map(|stop| format!(" + {stop}")));
     let next = (cell.other != usual(cell.stop.unwrap_or(cell.first))).then(|| format!(", next {}", cell.other));
@@ -78,7 +78,7 @@ fn text(cell: Expected) -> String {
     [first, stop, next, again].into_iter().flatten().collect()
 }
 
-/// What the next call ends with as a rule: the same where the connection is broken, and success otherwise.
+/// Usual outcome of the next call: an equal outcome on a broken connection, and success otherwise.
 fn usual(outcome: Outcome) -> Outcome {
     if matches!(outcome, Outcome::Broken(_)) { outcome } else { Outcome::Ok }
 }

@@ -1,4 +1,4 @@
-//! What goes wrong: the rows of the matrix.
+//! Faults, which are the rows of the matrix.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ jaka_proto::worded! {
         /// The reply says that the command was accepted, and has none of its fields.
         Misfit => "a reply without its fields",
         Status(fault: StatusFault) => "status {fault}",
-        /// What passes on the links is held, late, slow or lost.
+        /// Bytes on the links are held, late, slow or lost.
         Link(link: LinkTrouble) => "{link}",
     }
 }
@@ -62,7 +62,7 @@ fn envelope(command: Option<&str>, code: ErrorCode) -> Vec<u8> {
 }
 
 impl Trouble {
-    /// What is wrong with the reply to this command, if something is.
+    /// Fault of the reply to this command, if it has one.
     pub(crate) fn fault(&self, command: &str) -> Option<Fault> {
         let instead = |code| Fault::Instead(envelope(Some(command), code));
         match self {
@@ -78,12 +78,12 @@ impl Trouble {
         matches!(self, Self::Reply(_) | Self::Refusal | Self::Misfit)
     }
 
-    /// What is wrong with status packets.
+    /// Fault of status packets.
     pub(crate) fn status(&self) -> StatusFault {
         if let Self::Status(fault) = self { fault.clone() } else { StatusFault::None }
     }
 
-    /// The same with other parameters, where these make no difference to what is expected.
+    /// Returns the fault with random parameters where they do not change the expected outcome.
     pub(crate) fn at_random(&self, random: &mut TestRng) -> Self {
         let mut below = |limit: usize| below(random, limit);
         match self {

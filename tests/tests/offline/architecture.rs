@@ -237,7 +237,7 @@ fn modules(folder: &Path) -> BTreeMap<String, String> {
     sources(folder).iter().map(|file| (path(file).expect("it is in the folder"), code(&text(file)))).collect()
 }
 
-/// What is reached from a module, by any number of arrows.
+/// Modules that are reachable from a module, by any number of arrows.
 fn reached<'g>(graph: &'g Graph, from: &str) -> BTreeSet<&'g str> {
     let mut found = BTreeSet::new();
     let mut next: Vec<&str> = graph.get(from).into_iter().flatten().map(String::as_str).collect();

@@ -23,7 +23,7 @@ fn edited(edits: &[Edit<'_>]) -> Spec {
     load(&sources).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// Where the line is that begins the item `name`, which is a wire spelling, a number or a Rust name.
+/// Position of the first line of the item `name`, which is a wire spelling, a number or a Rust name.
 fn after(text: &str, name: &str) -> usize {
     let lines = [format!("wire = \"{name}\"\n"), format!("wire = {name}\n"), format!("name = \"{name}\"\n")];
     let found = lines.iter().filter_map(|line| text.find(line)).min();
@@ -43,7 +43,7 @@ fn lines(changes: &[Difference]) -> String {
     changes.iter().map(|change| change.to_string() + "\n").collect()
 }
 
-/// What the edits change, and what undoing them changes.
+/// Checks the differences that the edits make, and the differences that their undoing makes.
 fn check(edits: &[Edit<'_>], done: &Expect, undone: &Expect) {
     let edited = edited(edits);
     done.assert_eq(&lines(&diff(&spec(), &edited)));

@@ -1,4 +1,4 @@
-//! Whether the examples of a spec fit the fields of their commands.
+//! Checks that the examples of a spec fit the fields of their commands.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
@@ -12,7 +12,7 @@ fn lines(misfits: impl IntoIterator<Item = Misfit>) -> String {
     misfits.into_iter().map(line).collect::<Vec<_>>().concat()
 }
 
-/// What does not fit in a command of a pack with these examples.
+/// Misfits in a command of a pack with these examples.
 fn check(examples: &str) -> String {
     let text = format!(
         "title = 'T'\n[[command]]\nwire = 'set_speed'\neffect = 'setting'\ndoc = 'D.'\n\

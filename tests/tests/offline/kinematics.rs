@@ -109,8 +109,8 @@ fn as_pose(frame: Frame) -> Pose {
     Pose::from_millimetres_degrees(place, [0.0; 3]).with_rotation_matrix(rows).expect("the witness gives rotations")
 }
 
-/// What is refused cannot be reached: a search by the witness alone, from many joint positions, comes to none within
-/// the joints' ranges. The same search finds what can be reached.
+/// Checks that a refused pose cannot be reached: a search by the witness alone, from many joint positions, finds no
+/// joint position within the joints' ranges. The search does find poses that can be reached.
 #[test]
 fn what_is_refused_no_search_finds() {
     let (mut reachable, mut reached) = (0, 0);

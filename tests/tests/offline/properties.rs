@@ -126,7 +126,7 @@ impl Visit for Normal<'_> {
     }
 }
 
-/// The same reply as another firmware would send it: other forms of numbers and truth values, another order of the
+/// Returns the reply as another firmware would send it: other forms of numbers and truth values, another order of the
 /// keys, unknown keys, blanks in `cmdName`, no `errorMsg`, another form of success.
 fn drift(command: &str, reply: &Map<String, Value>, forms: &[u8], seed: u64) -> String {
     let command = SPEC.command(command).expect("the name is from the spec");

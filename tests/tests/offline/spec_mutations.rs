@@ -171,7 +171,7 @@ proptest! {
     }
 }
 
-/// What others do with a spec that loaded.
+/// Uses a loaded spec as the other crates do.
 fn used(spec: &Spec) -> Result<(), TestCaseError> {
     for command in spec.commands() {
         let mut reply = jaka_dynamic::sample_reply(spec, command);

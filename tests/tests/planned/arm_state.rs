@@ -1,4 +1,4 @@
-//! The state of an arm: what gates know, and when.
+//! The state of an arm, as gates know it at each moment.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
@@ -11,7 +11,7 @@ use jaka_robot::status::RobotStatus;
 use jaka_robot::{Cause, ErrorKind, Guard, Monitor, MotionExt as _, MotionStatus, Robot, ServoConfig};
 use jaka_tests::{Arm, LONG};
 
-/// How long a state of another thread is asked for again.
+/// Pause between two looks at the state of another thread.
 const AGAIN: Duration = Duration::from_millis(2);
 
 fn to(angle: f64, speed: f64) -> JointMove {

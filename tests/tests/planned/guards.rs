@@ -24,7 +24,7 @@ use jaka_tests::{Arm, ArmBuilder, Configured as _, HandFed, LONG};
 
 const IO: Numbering = Numbering::FromOne;
 
-/// How far the motion goes: for some four seconds.
+/// Travel of the motion in degrees: some four seconds.
 const FAR: f64 = 100.0;
 
 /// Time between two packets.

@@ -1,4 +1,5 @@
-//! What a robot with limits sends, and what it keeps back: the witness is what the simulated controller received.
+//! Commands that a robot with limits sends or refuses. The witness is the list of requests that the simulated
+//! controller received.
 
 mod holes;
 mod simulated;
@@ -48,7 +49,7 @@ fn within(region: Region) -> Limits {
     limits().with_region(region).expect("the only one")
 }
 
-/// Where the tool is at the start.
+/// Pose of the tool at the start.
 fn start_pose() -> Pose {
     let tool = Pose::from_millimetres_degrees([0.0, 0.0, 120.0], [0.0; 3]);
     Frames::new().with_tool(tool).pose(model().forward(START))

@@ -30,7 +30,7 @@ const LONG: Duration = Duration::from_secs(20);
 /// The most that a joint may move in a set-point of this test, in degrees.
 const STEP: f64 = 0.12;
 
-/// How close the arm must be to a target that it has reached, in degrees and in millimetres.
+/// Largest distance of the arm from a reached target, in degrees and in millimetres.
 const CLOSE: (f64, f64) = (0.1, 0.5);
 
 struct Random(TestRng);
@@ -68,7 +68,7 @@ struct Rig {
     tally: Tally,
 }
 
-/// How often what came of a motion: a test in which nothing happens proves nothing.
+/// Number of motions and sessions with each outcome: a test without events proves nothing.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     reached: u32,
@@ -173,7 +173,7 @@ impl Trouble {
     }
 }
 
-/// Who stops the arm, and when.
+/// Origin of a stop, and its time after the start.
 #[derive(Debug, Clone, Copy)]
 enum Stop {
     Own(Duration),
@@ -341,14 +341,14 @@ impl<I: Iterator<Item = Result<(), Error>>> TakeWhileOk for I {
     }
 }
 
-/// How many motions the controller has received.
+/// Number of motions that the controller has received.
 fn motions(arm: &Arm) -> usize {
     let names = [JointMove::INFO.name, MoveL::INFO.name, MoveC::INFO.name, EndMove::INFO.name];
     let is_motion = |request: &&String| names.iter().any(|name| request.contains(&format!("\"cmdName\":\"{name}\"")));
     arm.requests().iter().filter(is_motion).count()
 }
 
-/// What an error says has not run has not been sent, also when the links have let go what they held.
+/// Checks that no motion was sent that its error excludes, also after the links have released their held bytes.
 fn check_sent(rig: &mut Rig, started: &[Result<(), Error>], before: usize, what: &str) {
     let accepted = started.iter().filter(|result| result.is_ok()).count();
     let failed = started.last().and_then(|result| result.as_ref().err());
@@ -420,7 +420,8 @@ fn go(mut session: ServoSession<'_>, count: u32) -> Result<(), Error> {
     session.land().map(drop)
 }
 
-/// How many motions a controller has before another, with other habits: it keeps the last of its requests, and not all.
+/// Number of motions of one controller, before the next with other habits. A controller keeps only the last of its
+/// requests.
 const A_RIG: u32 = 100;
 
 fn run(seed: u32, count: u32) -> Tally {

@@ -16,7 +16,7 @@ use jaka_sim::{Delays, Fault, Firmware, SimulatedClock, StatusFault};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG};
 
-/// When something befalls the long motion: it is at its full speed then.
+/// Time of the event after the start of the long motion, which is at its full speed then.
 const MIDDLE: Duration = Duration::from_millis(200);
 
 /// An arm that sends a packet each cycle, and its robot.

@@ -13,18 +13,18 @@ use jaka_tests::{ClockedSocket, HandFed, LONG};
 /// Time between two packets, and between two looks at the requests.
 const PERIOD: Duration = Duration::from_millis(10);
 
-/// What the controller received, and what it tells of the arm.
+/// Requests that the controller received, and the state of the arm that it reports.
 #[derive(Debug, Default)]
 struct Arm {
     received: Vec<String>,
     powered: bool,
     enabled: bool,
-    /// What is being switched, and how many queries that takes yet.
+    /// Command that is being carried out, and the number of queries until its effect.
     switching: Option<(String, u32)>,
 }
 
 impl Arm {
-    /// Takes a request, and replies to it. What is switched takes until the third query after it.
+    /// Takes a request, and replies to it. A switch takes effect with the third query after it.
     fn reply(&mut self, command: &str) -> String {
         match command {
             "power_on" | "enable_robot" | "disable_robot" | "power_off" => {

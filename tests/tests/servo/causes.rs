@@ -141,7 +141,7 @@ fn line(error: &Error) -> String {
     texts.join(": ")
 }
 
-/// What a line tells twice: the fact of its cause, or another clause.
+/// Text that a line repeats: the fact of its cause, or another clause.
 fn repeated(cause: Cause, line: &str) -> Option<String> {
     let fact = cause.to_string();
     if line.matches(&fact).count() > 1 {

@@ -12,7 +12,7 @@ use jaka_sync::types::JointPosition;
 use self::judge::{Judge, Moves};
 use jaka_tests::rig::{Random, Rig};
 
-/// What the random arms did.
+/// Counts of the events of the random arms.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     goals: u32,
@@ -23,7 +23,7 @@ struct Tally {
     landings: u32,
 }
 
-/// An arm, and what may be asked of it.
+/// A random arm with its generator and its judge.
 struct Run {
     random: Random,
     rig: Rig,

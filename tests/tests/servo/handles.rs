@@ -37,7 +37,7 @@ fn is_kept_back(error: &jaka_sync::Error) -> bool {
     matches!(error.kind(), jaka_sync::ErrorKind::KeptBack { .. }) && !error.may_have_run()
 }
 
-/// What may be sent, may be; what may not, is refused with the reason, and is not sent.
+/// Asserts that outputs and short queries pass, and that other commands are refused with the reason and are not sent.
 fn assert_outputs_alone_pass(arm: &Arm, other: &mut Client) {
     other.call(&output()).expect("an output passes");
     assert!(other.get_joint_pos().is_ok() && other.get_robot_state().is_ok(), "short queries pass");

@@ -24,14 +24,14 @@ use crate::stream;
 const CYCLES: u32 = 4;
 const SERVO_PERIOD: Duration = Duration::from_millis(32);
 
-/// Where a thread of set-points is held up.
+/// Place at which a set-point thread is held up.
 #[derive(Clone, Copy)]
 enum Place {
     /// Before its set-point, in a cycle that has begun in time.
     Cycle,
     /// In the logger of the wire.
     Logger,
-    /// There, by a panic after the time.
+    /// In the logger, which panics after the time.
     Panic,
 }
 
@@ -77,7 +77,7 @@ fn hold_up(arm: &Arm, time: Duration) -> Arc<AtomicBool> {
     hold_up_at(Place::Cycle, arm, time)
 }
 
-/// The same at this place. It becomes true when that has happened.
+/// Holds the set-point thread up at a place in its next cycle. The returned flag becomes true at that moment.
 fn hold_up_at(place: Place, arm: &Arm, time: Duration) -> Arc<AtomicBool> {
     static LOGGER: Once = Once::new();
     LOGGER.call_once(|| {

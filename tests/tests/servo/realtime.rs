@@ -1,5 +1,5 @@
-//! The real-time priority of the thread that sends set-points. Whether the system allows it is not known here: what
-//! follows from either answer is checked. The sessions go by simulated clocks, the priorities are the system's.
+//! The real-time priority of the thread that sends set-points. The system may allow or deny it: the tests check the
+//! consequences of either answer. The sessions go by simulated clocks, the priorities are the system's.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
@@ -14,7 +14,7 @@ use jaka_tests::simulated::beside;
 
 const PRIORITY: u8 = 7;
 
-/// How a thread is scheduled.
+/// Scheduling of a thread.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scheduling {
     nice: i32,

@@ -12,7 +12,7 @@ use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
 
-/// How long sessions last: `JAKA_SIMULATED_MINUTES`, one if it is not set.
+/// Length of sessions in minutes: `JAKA_SIMULATED_MINUTES`, one if it is not set.
 fn minutes() -> u64 {
     std::env::var("JAKA_SIMULATED_MINUTES").ok().and_then(|minutes| minutes.parse().ok()).unwrap_or(1)
 }
@@ -31,7 +31,7 @@ fn to(angle: f64, speed: f64) -> JointMove {
     JointMove::absolute([angle, START[1], START[2], START[3], START[4], START[5]], speed).acceleration(400.0)
 }
 
-/// What this process holds in memory, where the system says it.
+/// Resident memory of this process in KiB, if the system reports it.
 fn memory_kib() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;

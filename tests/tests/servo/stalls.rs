@@ -320,7 +320,7 @@ fn two_concurrent_stops_keep_the_next_motion_back_until_both_are_reported() {
     }
 }
 
-/// How far joint 1 moves after a time.
+/// Largest travel of joint 1 during a time, in degrees.
 fn moves_on(arm: &Arm, for_time: Duration) -> f64 {
     let (from, clock) = (joint_1(arm), arm.clock());
     let since = clock.now();

@@ -78,13 +78,13 @@ impl Stop {
     }
 }
 
-/// How far the joint goes that goes the furthest, with each set-point, in degrees.
+/// Travel of the furthest-moving joint with each set-point, in degrees.
 fn joint_steps(set_points: &[[f64; 6]]) -> Vec<f64> {
     let step = |two: &[[f64; 6]]| (0..6).map(|joint| (two[1][joint] - two[0][joint]).abs()).fold(0.0, f64::max);
     set_points.windows(2).map(step).collect()
 }
 
-/// How far the flange goes with each set-point, in mm.
+/// Travel of the flange with each set-point, in mm.
 fn tool_steps(set_points: &[[f64; 6]]) -> Vec<f64> {
     let arm = Witness::published("Zu 5");
     let places: Vec<_> = set_points.iter().map(|joints| arm.flange(*joints).map(|row| row[3])).collect();
@@ -124,7 +124,7 @@ fn lead(stream: &StreamHandle, time: Duration) {
     stream.set_tcp_velocity(velocity, time).expect("within its speed");
 }
 
-/// What a handle does to a trajectory of joint 6 at 100 deg/s.
+/// Stop by a handle of a trajectory of joint 6 at 100 deg/s.
 fn stop_of_trajectory(stop: impl Fn(&FollowHandle)) -> Stop {
     let (arm, mut robot) = ready(START, limits());
     let mut end = START;

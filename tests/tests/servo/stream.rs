@@ -25,7 +25,7 @@ const CYCLES: u32 = 4;
 const PERIOD: f64 = 0.032;
 const SERVO_PERIOD: Duration = Duration::from_millis(32);
 
-/// What the limits allow of each joint of a Zu 5: 180 deg/s, and accelerations and jerks that are ours.
+/// Limits of each joint of a Zu 5: 180 deg/s, with accelerations and jerks of our choice.
 const SPEED: f64 = 180.0;
 const ACCELERATION: f64 = 720.0 / 10.0;
 const JERK: f64 = ACCELERATION * 10.0;

@@ -1,7 +1,7 @@
-//! Many arms on streams at once, for long: what is on the wire, read by plain sockets, is within what was promised.
+//! Many arms on streams at once, for long: the set-points on the wire, read by plain sockets, are within the limits.
 //!
-//! By simulated clocks no set-point is late or missing. With `JAKA_STREAM_SECONDS` it is about the machine, in real
-//! time: no more cycles are lost than by bare loops that run at the same time, and memory stays what it is.
+//! By simulated clocks no set-point is late or missing. With `JAKA_STREAM_SECONDS` the test measures the machine in
+//! real time: streams lose no more cycles than bare loops that run at the same time, and memory does not grow.
 //! `JAKA_STREAM_ARMS=20 JAKA_STREAM_SECONDS=3600 cargo test --release -p jaka-tests --test servo stream_soak:: --
 //! --nocapture` is the long form.
 
@@ -30,12 +30,12 @@ use jaka_tests::rig::{Random, Rig};
 
 const LONG: Duration = Duration::from_secs(600);
 const PERIOD: Duration = Duration::from_millis(8);
-/// How long streams last in real time.
+/// Length of streams in real time.
 const STREAM: Duration = Duration::from_secs(60);
-/// How long arms and streams last in simulated time.
+/// Lengths of a run and of a stream in simulated time.
 const SIMULATED: [Duration; 2] = [Duration::from_secs(30), Duration::from_secs(7)];
 
-/// What one arm did.
+/// Counts of the events of one arm.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     goals: u64,

@@ -30,7 +30,7 @@ struct Tally {
 
 /// The most set-points of a trajectory at one period that are judged.
 const MOST: u32 = 6000;
-/// How far the tool may be off its line, in mm and degrees, and what the drawings' figures add.
+/// Largest deviation of the tool from its line, in mm and degrees, with the error of the drawings' figures.
 const OFF_LINE: (f64, f64) = (0.006, 0.0015);
 
 fn trajectories() -> u32 {
@@ -192,7 +192,7 @@ impl Case {
     }
 }
 
-/// How far a place is from the straight way between two others.
+/// Distance of a place from the straight path between two others, in mm.
 fn off_line(place: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let less = |one: [f64; 3], other: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| one[axis] - other[axis]) };
     let dot = |one: [f64; 3], other: [f64; 3]| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();

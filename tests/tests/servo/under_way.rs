@@ -23,7 +23,7 @@ const CYCLES: u32 = 4;
 const SERVO_PERIOD: Duration = Duration::from_millis(32);
 const STATUS_PERIOD: Duration = Duration::from_millis(10);
 
-/// When the frames change, after the way of moving has been called. It takes some seconds.
+/// Time from the call that moves the arm to the change of the frames. The motion takes some seconds.
 const AFTER: Duration = Duration::from_millis(900);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +55,7 @@ const WAYS: [(Way, bool); 10] = [
     (Way::TrajectoryUnknown, true),
 ];
 
-/// What the way of moving is under, besides limits of joints.
+/// Guard or limit on the motion, besides limits of joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Under {
     Nothing,
@@ -224,7 +224,7 @@ fn act(way: Way, robot: &mut Robot, arm: &Arm, guard: Option<Guard>) -> Result<E
     }
 }
 
-/// How often the controller was told to do this.
+/// Number of matching commands that the controller received.
 fn count(arm: &Arm, is_told: impl Fn(&str) -> bool) -> usize {
     names(arm).iter().filter(|name| is_told(name)).count()
 }

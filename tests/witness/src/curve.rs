@@ -17,9 +17,9 @@ pub struct Point {
     pub speeds: [f64; 6],
 }
 
-/// How far a set-point may be from the curve, in degrees.
+/// Maximum distance of a set-point from the curve, in degrees.
 const ON_CURVE: f64 = 1e-6;
-/// In which steps the curve is searched, in seconds.
+/// Step of the search along the curve, in seconds.
 const STEP_S: f64 = 1e-3;
 
 impl Curve {
@@ -122,7 +122,7 @@ fn nearest(curve: &dyn Fn(f64) -> [f64; 6], duration_s: f64, joints: &[f64; 6], 
     best
 }
 
-/// Where a function is the least between two times, if it has one least value there.
+/// Time and value of the minimum of a function between two times, if the function has one minimum there.
 fn narrowed(of: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> (f64, f64) {
     for _ in 0..40 {
         let third = (to - from) / 3.0;

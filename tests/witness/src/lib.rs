@@ -1,4 +1,4 @@
-//! Where an arm is, computed a second time: from the vendor's URDF files, by plain matrices, without jaka-motion.
+//! Kinematics of an arm, computed a second time: from the vendor's URDF files, by plain matrices, without jaka-motion.
 
 pub mod curve;
 mod urdf;
@@ -18,7 +18,7 @@ pub type Frame = [[f64; 4]; 3];
 #[derive(Debug, Clone)]
 pub struct Witness {
     joints: [Joint; 6],
-    /// Where each joint is on the link before it, at its zero.
+    /// Frame of each joint on the link before it, at its zero.
     origins: [Frame; 6],
     flange: Frame,
 }
@@ -93,7 +93,7 @@ fn origins(joints: &[Joint; 6]) -> [Frame; 6] {
     joints.map(|[x, y, z, roll, pitch, yaw, _]| pose([x * 1e3, y * 1e3, z * 1e3], [roll, pitch, yaw]))
 }
 
-/// How far two frames are apart, in mm and degrees.
+/// Distance of two frames, in mm and degrees.
 pub fn apart(one: Frame, other: Frame) -> (f64, f64) {
     let (mut moved, mut turned) = (0.0, 0.0);
     for (one, other) in one.iter().zip(other) {
@@ -161,10 +161,10 @@ pub fn inverse(arm: &Witness, target: Frame, near: [f64; 6]) -> Option<[f64; 6]>
     None
 }
 
-/// What a radian counts against a millimetre.
+/// Weight of a radian against a millimetre.
 const TURN: f64 = 1e3;
 
-/// How far one frame is from the other: mm, and radians times [`TURN`] about x, y and z.
+/// Offset from one frame to the other: mm along, and radians times [`TURN`] about x, y and z.
 fn off(here: Frame, target: Frame) -> [f64; 6] {
     let mut off = [0.0; 6];
     for row in 0..3 {

@@ -2,7 +2,7 @@
 
 use super::{Frame, Witness, inverse, product};
 
-/// What an arm may do, in plain figures.
+/// Limits of an arm, in plain figures.
 #[derive(Debug, Clone)]
 pub struct Bounds {
     /// The arm.
@@ -21,20 +21,20 @@ pub struct Bounds {
     pub least: f64,
     /// The sum of the arm's lengths, in mm.
     pub reach: f64,
-    /// Where points of the arm may be.
+    /// Zones for points of the arm.
     pub zones: Vec<Zone>,
-    /// The arm's base, seen from where poses are given.
+    /// The arm's base, seen from the frame of poses.
     pub base: Frame,
     /// The tool, seen from the flange.
     pub tool: Frame,
 }
 
-/// Where a point of the arm may be.
+/// Permitted space of a point of the arm.
 #[derive(Debug, Clone)]
 pub struct Zone {
     /// The point: 0 the elbow, 1 the wrist, 2 the tool centre point.
     pub point: usize,
-    /// Whether it is seen from where poses are given, and not from the arm's base.
+    /// Whether the shape is given in the frame of poses, and not in the frame of the arm's base.
     pub in_user: bool,
     /// The shape.
     pub shape: Shape,
@@ -51,7 +51,7 @@ pub enum Shape {
     Half([f64; 3], [f64; 3]),
 }
 
-/// By how much limits are exceeded, at most, along a way. Negative where there is room.
+/// Largest excess over each limit along a path. Negative where there is room.
 #[derive(Debug, Clone, Copy)]
 pub struct Excess {
     /// Of a joint's range, in degrees.
@@ -317,7 +317,7 @@ impl Bounds {
         excess
     }
 
-    /// By how many mm points are beyond zones.
+    /// Largest excess of points over their zones, in mm.
     fn zones_at(&self, points: &[[f64; 3]; 3], tolerance: f64) -> f64 {
         let excess = |zone: &Zone| {
             let point = points[zone.point];

@@ -1,4 +1,4 @@
-//! What the list of commands and the help of one say, from the spec.
+//! Texts of the list of commands and of the help of one command, from the spec.
 
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -13,12 +13,13 @@ use crate::arm::consent::effect;
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// What a command does, in one sentence.
+/// Description of a command, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
     visible_lines(first_sentence(&command.doc).0)
 }
 
-/// What a command does, needs and takes.
+/// Description of a command with its facts, such as its effect and the states that it needs, its errata and its
+/// evidence.
 pub(super) fn long_about(command: &Command) -> String {
     let mut text = format!("{}\n\n{}", command.doc, facts(command).join("\n"));
     for erratum in &command.errata {
@@ -46,7 +47,7 @@ fn facts(command: &Command) -> Vec<String> {
     facts
 }
 
-/// What the fields of the reply mean.
+/// Meaning of the reply's fields.
 pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     // What describes the fields of a request describes those of a reply as well.
     let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
@@ -62,7 +63,7 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     visible_lines(format!("Reply:\n{}", output::aligned(&rows)).trim_end()).into_owned()
 }
 
-/// A field's help: what it means, and where it belongs.
+/// A field's help: its meaning, and the variants to which it belongs.
 pub(super) fn field(argument: &Argument) -> String {
     let mut help = visible(&argument.help.replace('\n', " ")).into_owned();
     if !argument.variants.is_empty() {
@@ -71,7 +72,7 @@ pub(super) fn field(argument: &Argument) -> String {
     if argument.required { help + " [required]" } else { help }
 }
 
-/// How a command is used: its required fields, and a placeholder for the rest.
+/// Usage line of a command: its required fields, and a placeholder for the rest.
 pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String]) -> String {
     let mut usage = format!("jaka call {}", command.wire);
     for (argument, long) in arguments.iter().zip(longs) {

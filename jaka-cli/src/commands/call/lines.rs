@@ -66,7 +66,7 @@ struct LineSession<'s> {
 }
 
 impl LineSession<'_> {
-    /// What is printed for a line, and the failure, if it is one.
+    /// Carries out a line. Returns the value that is printed for it, and the failure, if there is one.
     fn answer(&mut self, line: &str) -> (Value, Option<Failure>) {
         let mut answer = json!({});
         if let Some(name) = named_in(line) {

@@ -24,7 +24,7 @@ pub(super) fn motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> 
     }))
 }
 
-/// The same of a request that must ask for one.
+/// The motion that the request asks for; `text` is sent. A request for anything else is an error.
 pub(super) fn must_be_motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> Result<MotionText, Failure> {
     motion(protocol, request, text)?.ok_or_else(|| {
         let motions: Vec<_> =

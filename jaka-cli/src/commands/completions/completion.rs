@@ -1,4 +1,4 @@
-//! What a word of a command line can become, from the same description as the parser's.
+//! Completions of a word of a command line, from the same description as the parser's.
 
 mod values;
 
@@ -13,7 +13,7 @@ use crate::commands::{all_of_call, protocol_of};
 use crate::terminal::output;
 use crate::words::{LastWord, Words};
 
-/// What the word at the cursor can become.
+/// Completion of the word at the cursor.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Completion {
     /// A file; shells know how.
@@ -21,7 +21,7 @@ pub(crate) enum Completion {
     Words(Vec<Candidate>),
 }
 
-/// What a word can become, and what that means.
+/// Word that the word at the cursor can become, and its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Candidate {
     pub(crate) word: String,
@@ -34,7 +34,7 @@ impl Candidate {
     }
 }
 
-/// What the word at the cursor can become, after the words before it, without that of the program.
+/// Completes the word at the cursor. `before` has the words before it, without the name of the program.
 pub(crate) fn complete(before: &[OsString], current: &str) -> Completion {
     // A shell shows what is printed on its line.
     output::be_quiet();

@@ -20,7 +20,7 @@ const SIZE: (u32, u32) = (900, 3 * PANEL + VIEWS);
 const PANEL: u32 = 260;
 const VIEWS: u32 = 430;
 
-/// Of joints 1 to 6; told apart without colours by their names at their ends.
+/// Colours of joints 1 to 6, which their names at their ends tell apart without colours.
 const COLORS: [RGBColor; 6] = [
     RGBColor(20, 50, 130),
     RGBColor(245, 130, 30),
@@ -30,16 +30,16 @@ const COLORS: [RGBColor; 6] = [
     RGBColor(20, 150, 170),
 ];
 const WIDTH: u32 = 9;
-/// Of the places at which the tool is the slowest, compared with the speed that was asked for.
+/// Colour of the places at which the tool is the slowest, compared with the speed that was asked for.
 const SLOW: RGBColor = RGBColor(110, 110, 110);
-/// What is around a chart, in the units of the page.
+/// Margins around a chart, in the units of the page.
 const MARGIN: u32 = 48;
 const RIGHT: u32 = 120;
 const LEFT: u32 = 420;
 const BELOW: u32 = 150;
-/// How many samples are drawn: as many as can be seen.
+/// Number of samples that are drawn: as many as can be seen.
 const SAMPLES: u32 = 1000;
-/// What the axis of the tool's way to the right shows, and how its ends are marked.
+/// Label of the horizontal axis of the tool's path, which explains the marks at the path's ends.
 const ALONG: &str = "x in mm; a circle at the start, a square at the end";
 
 /// The picture, as SVG.
@@ -102,7 +102,7 @@ fn draw_panel(
     Ok(())
 }
 
-/// How many decimals tell the numbers at an axis apart.
+/// Number of decimals that tells the numbers at an axis apart.
 fn decimals(span: f64) -> usize {
     match span {
         16.0.. => 0,

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::target::packs;
 use crate::text::number::six;
 
-/// How a trajectory is planned along points without times.
+/// Options for planning a trajectory along points without times.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Points without times")]
 pub(super) struct PlanArgs {
@@ -34,14 +34,14 @@ pub(super) struct PlanArgs {
     near: Option<[f64; 6]>,
 }
 
-/// Points of a file, and what is made of them.
+/// Points of a file, and the kind of trajectory that is planned from them.
 pub(super) enum Plan {
     Timed(String, Vec<TimedPoint>),
     Curve(String, jaka_motion::Curve, Points),
     Through(String, jaka_motion::Through, Points),
 }
 
-/// What is known of points without times.
+/// Properties of points without times.
 pub(super) struct Points {
     count: usize,
     in_poses: bool,
@@ -145,7 +145,7 @@ impl Plan {
         }
     }
 
-    /// What it is, in words.
+    /// Description of the plan, in words.
     pub(super) fn told(&self) -> String {
         match self {
             Self::Timed(_, points) => format!("{} points", points.len()),

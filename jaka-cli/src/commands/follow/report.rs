@@ -1,4 +1,4 @@
-//! What is said of a trajectory before it is followed, and of how it ended.
+//! Report on a trajectory before it is followed, and on its end.
 
 use std::fmt::Write;
 
@@ -10,14 +10,14 @@ use crate::failure::Failure;
 use crate::terminal::output;
 use crate::text::number::{fixed, milliseconds, seconds};
 
-/// In which steps peaks are searched, in seconds, and how many steps are made at most.
+/// Step in which peaks are searched, in seconds, and greatest number of steps.
 const STEP_S: f64 = 0.001;
 const MOST_STEPS: f64 = 1e6;
 
 /// Slow places that are printed at most.
 pub(super) const SLOW_PLACES: usize = 5;
 
-/// What a trajectory reaches.
+/// Greatest speeds of a trajectory, in deg/s, and its greatest accelerations, in deg/s².
 #[derive(Debug)]
 pub(super) struct Peaks {
     pub(super) speeds: [f64; 6],
@@ -51,12 +51,12 @@ impl Peaks {
     }
 }
 
-/// Where the tool centre point is, in mm.
+/// Position of the tool centre point, in mm.
 pub(super) fn tool_at(sample: &Sample, checker: &Checker) -> [f64; 3] {
     checker.frames().pose(checker.limits().model().forward(sample.joints)).position_mm()
 }
 
-/// What was checked, and what the trajectory reaches, for people.
+/// Report for people on the checks and on the peaks of the trajectory.
 pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> String {
     let (count, duration_s, limits) = (trajectory.way_points().len(), trajectory.duration_s(), checker.limits());
     let name = limits.model().name();
@@ -83,7 +83,7 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     out
 }
 
-/// The same for programs.
+/// Report for programs on the checks and on the peaks of the trajectory.
 pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> Value {
     json!({
         "way_points": trajectory.way_points().len(),

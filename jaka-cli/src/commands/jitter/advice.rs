@@ -1,4 +1,4 @@
-//! What to change on a machine, by what was measured. The thresholds are ours.
+//! Advice on changes to a machine, from the measurements. The thresholds are ours.
 
 use std::time::Duration;
 
@@ -7,18 +7,18 @@ use crate::text::number::count;
 
 /// The period of a servo session.
 const PERIOD: Duration = Duration::from_millis(8);
-/// Where 99 of 100 cycles begin within this time, spinning is not worth its CPU time: 3 % of the period.
+/// Greatest lateness of 99 of 100 cycles at which spinning is not worth its CPU time: 3 % of the period.
 const EXACT: Duration = Duration::from_micros(250);
 /// A cycle that begins so late is late, as in a session's report.
 const LATE: Duration = Duration::from_millis(4);
 /// The controller had no set-point for so long that the arm is taken to have stood.
 const GAP: Duration = Duration::from_millis(24);
-/// Where this much of set-points is not answered, a session ends.
+/// Time of unanswered set-points after which a session ends.
 const UNANSWERED: Duration = Duration::from_millis(100);
 /// Of fewer cycles, one in a hundred says little.
 const FEWEST: usize = 1000;
 
-/// What to do about one item.
+/// Advice on one item.
 #[derive(Debug, PartialEq)]
 pub(super) struct Advice {
     pub(super) item: &'static str,
@@ -32,7 +32,7 @@ type Verdict = (&'static str, String);
 const LEAVE: &str = "leave";
 const CHANGE: &str = "change";
 
-/// What to do, item by item.
+/// Advice, item by item.
 pub(super) fn on(measured: &Measured) -> Vec<Advice> {
     let lateness = &measured.lateness;
     let items = [
@@ -131,7 +131,7 @@ fn seconds(waits: &Waits) -> Option<Verdict> {
     (cycles < FEWEST).then_some((CHANGE, text))
 }
 
-/// How many cycles were late, in words.
+/// Number of late cycles, in words.
 fn late(waits: &Waits) -> String {
     format!("{} cycles began {LATE:?} late or more", counts(waits))
 }

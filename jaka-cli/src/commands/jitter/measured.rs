@@ -1,4 +1,4 @@
-//! What is measured: how late cycles begin, in each way of waiting for them, and how long a robot's replies take.
+//! Measurements: lateness of cycles, in each way of waiting for them, and reply times of a robot.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -8,20 +8,20 @@ use jaka_robot::{Error, ErrorKind, ServoConfig};
 use crate::failure::{Failure, fact, verb};
 use crate::target::Target;
 
-/// What was measured.
+/// Results of all measurements.
 #[derive(Debug)]
 pub(super) struct Measured {
     pub(super) lateness: Lateness,
     pub(super) round_trip: Option<RoundTrip>,
 }
 
-/// How long the thread spins before a cycle, where it does.
+/// Time for which a thread that spins does so before each cycle.
 pub(super) const SPIN: Duration = Duration::from_micros(200);
 
 /// The real-time priority of the thread, where it has one.
 pub(super) const PRIORITY: u8 = 20;
 
-/// How late cycles began.
+/// Lateness of cycles.
 #[derive(Debug)]
 pub(super) struct Lateness {
     pub(super) usual: Waits,
@@ -70,13 +70,13 @@ impl Waits {
         self.asleep.count() + self.spinning.count()
     }
 
-    /// How many cycles of both ways were late by so much.
+    /// Number of cycles of both ways that were late by this time or more.
     pub(super) fn at_least(&self, time: Duration) -> usize {
         self.asleep.at_least(time) + self.spinning.at_least(time)
     }
 }
 
-/// How long replies took.
+/// Reply times.
 #[derive(Debug)]
 pub(super) struct RoundTrip {
     pub(super) robot: String,
@@ -122,7 +122,7 @@ impl Times {
         self.0.get(place).copied().unwrap_or_default()
     }
 
-    /// How many are at least so long.
+    /// Number of times that are this long or longer.
     pub(super) fn at_least(&self, time: Duration) -> usize {
         self.0.len() - self.0.partition_point(|one| *one < time)
     }

@@ -1,4 +1,4 @@
-//! What was measured, for people and for programs.
+//! Results of the measurements, for people and for programs.
 
 use std::fmt::Write;
 use std::time::Duration;
@@ -37,7 +37,7 @@ fn rows(measured: &Measured) -> [LatenessRow<'_>; 4] {
     ]
 }
 
-/// Two tables, and what to change.
+/// Two tables, and advice on changes.
 pub(super) fn text(measured: &Measured) -> String {
     let period = ServoConfig::new().period();
     let mut text = format!("How late cycles of {period:?} begin on this machine, in µs\n\n");

@@ -12,9 +12,10 @@ use serde_json::Value;
 
 use super::finding::{Finding, Findings};
 
-/// A pack with the keys that the spec does not know and the types of what cannot be read; none if there is neither.
+/// A pack with the keys that the spec does not know and the types of values that cannot be read; none if there is
+/// neither.
 ///
-/// It loads as it is. What its author has to find out is marked `TODO`.
+/// It loads as it is. Entries that its author has to complete are marked `TODO`.
 pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
     let mut draft = Draft {
@@ -59,7 +60,7 @@ struct Draft<'f> {
     text: String,
     /// Lines of its `[robot_status]`.
     lines: String,
-    /// What it has entries or comments for.
+    /// Locations for which the draft has entries or comments.
     written: Vec<Location<'f>>,
     /// The arrays of fixed length that the spec has.
     known_arrays: Vec<(String, usize)>,
@@ -273,7 +274,7 @@ fn comment(line: &str) -> String {
     format!("# {}\n", visible(line))
 }
 
-/// What gives a field another type. What is not a number has no unit.
+/// Lines of a pack that give a field another type. A type that is not a number has no unit.
 fn retyped(ty: &str) -> String {
     let unit = if ty.starts_with("int") || ty.starts_with("float") { "" } else { "\nunit = \"\"" };
     format!("type = \"{ty}\"{unit}")
@@ -361,7 +362,7 @@ fn key(field: &Field) -> &str {
     if field.wire.is_empty() { &field.name } else { &field.wire }
 }
 
-/// What follows a key in a path, if the path begins with the key.
+/// Rest of a path after a key, if the path begins with the key.
 fn rest<'p>(path: &'p str, key: &str) -> Option<&'p str> {
     path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

@@ -1,4 +1,4 @@
-//! What was found.
+//! Findings of a probe.
 
 use std::path::PathBuf;
 
@@ -17,19 +17,19 @@ pub(super) struct Findings {
     pub(super) version: Option<String>,
     /// The packs that it was compared with, by their file names.
     pub(super) packs: Vec<String>,
-    /// What each query showed.
+    /// Finding of each query.
     pub(super) commands: Vec<Finding>,
-    /// What the status port showed.
+    /// Finding of the status port.
     pub(super) status: Finding,
 }
 
-/// What one message showed.
+/// Finding on one message.
 #[derive(Debug)]
 pub(super) struct Finding {
     /// `cmdName`, or the name of another question.
     pub(super) name: String,
     pub(super) outcome: Outcome,
-    /// Where the message departs from the spec.
+    /// Departures of the message from the spec.
     pub(super) departures: Vec<Departure>,
     /// The message as it came, if one did.
     pub(super) raw: Option<String>,
@@ -68,12 +68,12 @@ impl Findings {
         self.commands.iter().chain([&self.status])
     }
 
-    /// How many were asked.
+    /// Number of questions that were asked.
     pub(super) fn asked(&self) -> usize {
         self.all().filter(|finding| finding.is_asked()).count()
     }
 
-    /// How many of those depart from the spec, or were not answered.
+    /// Number of those questions whose messages depart from the spec, or that were not answered.
     pub(super) fn departing(&self) -> usize {
         self.all().filter(|finding| finding.departs()).count()
     }

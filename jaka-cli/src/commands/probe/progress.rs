@@ -1,4 +1,4 @@
-//! How far a probe has come, and whether it is to end.
+//! Progress of a probe, and its interruption.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::arm::interrupt::on_first_interrupt;
 use crate::terminal::output;
 
-/// How far a probe has come: shown on a terminal, until Ctrl-C.
+/// Progress of a probe, shown on a terminal until Ctrl-C.
 #[derive(Debug)]
 pub(super) struct ProbeProgress {
     interrupted: Arc<AtomicBool>,
@@ -27,7 +27,7 @@ impl ProbeProgress {
         self.interrupted.load(Ordering::Relaxed)
     }
 
-    /// Shows what is asked next, in place of what was shown before.
+    /// Shows the next question, in place of the last one.
     pub(super) fn show(&self, number: usize, count: usize, what: &str) {
         self.write(&format!("\r\x1b[K{}/{count} {what}", number + 1));
     }

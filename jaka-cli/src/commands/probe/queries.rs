@@ -12,14 +12,14 @@ use crate::commands::call::reply_json;
 use crate::failure::{Failure, chain, fact};
 use crate::target::Target;
 
-/// How often to reconnect at most: a controller that ends the connection on every query is not pestered.
+/// Greatest number of reconnections: a controller that ends the connection on every query is not pestered.
 const MOST_RECONNECTS: u32 = 3;
 
 /// Sends every query that needs no argument, and nothing else.
 ///
 /// # Errors
-/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. What goes
-/// wrong later is a finding.
+/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. A later
+/// error is a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) -> Result<Vec<Finding>, Failure> {
     let (client, forms) = (Ok(target.client()?), Forms::of(spec, None));
     let mut connection = ProbeConnection { target, client, forms, has_answered: false, reconnects: 0 };
@@ -39,7 +39,7 @@ pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) ->
 /// The connection to the controller, and a new one where it breaks.
 struct ProbeConnection<'t> {
     target: &'t Target,
-    /// Why there is no connection, if there is none.
+    /// The connection, or the reason for which there is none.
     client: Result<Client, String>,
     /// Forms of any firmware, where the spec has several.
     forms: Option<Forms>,
@@ -120,7 +120,7 @@ impl ProbeConnection<'_> {
     }
 }
 
-/// What an error without a reply means: bytes came that are not a message, or nothing came.
+/// Outcome of an error without a reply: bytes came that are not a message, or nothing came.
 fn unanswered(error: &Error) -> Outcome {
     match error.kind() {
         ErrorKind::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),

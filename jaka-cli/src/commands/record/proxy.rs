@@ -1,4 +1,4 @@
-//! A proxy between clients and a robot, which records what passes.
+//! A proxy between clients and a robot, which records their traffic.
 
 mod frames;
 mod pipe;
@@ -22,7 +22,7 @@ use self::recording_queue::{Passed, ProxiedConnection};
 
 pub(crate) use self::recording_queue::RecordingQueue;
 
-/// How long to wait after a connection could not be accepted, perhaps because descriptors had run out.
+/// Delay after a connection could not be accepted, perhaps because descriptors had run out.
 const REST: Duration = Duration::from_millis(20);
 
 /// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own
@@ -36,17 +36,17 @@ const MOST_READERS: usize = 64;
 /// One port of a proxy, for one port of the robot.
 #[derive(Debug)]
 pub(crate) struct ProxyPort {
-    /// Which of the robot's ports.
+    /// The robot's port.
     pub(crate) port: Port,
     /// Its address, such as `10.5.5.100:10001`.
     pub(crate) robot: String,
-    /// How long connecting to it may take.
+    /// Timeout for connecting to it.
     pub(crate) timeout: Duration,
     /// The recording of all that passes.
     pub(crate) recorder: Recorder,
     /// The thread that writes it.
     pub(crate) queue: RecordingQueue,
-    /// Which status packets are recorded.
+    /// Selection of the status packets that are recorded.
     pub(crate) sampling: StatusSampling,
 }
 

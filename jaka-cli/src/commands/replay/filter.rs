@@ -1,4 +1,4 @@
-//! Which entries of a recording are shown.
+//! Filter for the entries of a recording that are shown.
 
 use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
@@ -27,7 +27,7 @@ pub(super) struct FilterArgs {
 const PORTS: [Choice<Port>; 2] =
     [("command", "Requests and replies", Port::Command), ("status", "Status packets", Port::Status)];
 
-/// Which entries of a recording are shown: of a port, and of a command.
+/// Filter for the entries of a recording that are shown: those of a port, and those of a command.
 #[derive(Debug)]
 pub(super) struct Filter {
     port: Option<Port>,

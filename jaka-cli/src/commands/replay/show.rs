@@ -14,9 +14,9 @@ use crate::terminal::output;
 use crate::text::number::count;
 use crate::text::utc;
 
-/// How many characters of a message are shown.
+/// Greatest number of characters of a message that are shown.
 const SHOWN: usize = 160;
-/// How many requests the summary lists.
+/// Greatest number of requests in a list of the summary.
 const LISTED: usize = 5;
 
 /// Prints the entries, a line each, and a summary.
@@ -47,7 +47,7 @@ fn describe(event: &Event) -> String {
     }
 }
 
-/// What is shown in numbers: a line for each that is not 0.
+/// Summary in numbers: a line for each number that is not 0.
 fn summary(recording: &Recording, filter: &Filter) -> String {
     let (mut replies, mut unanswered, mut refused) = (Vec::new(), Vec::new(), 0);
     for Answered { request, sent, answer, .. } in filter.answers(recording) {
@@ -79,8 +79,7 @@ fn list(title: &str, lines: &[String]) -> String {
     title.iter().chain(lines.iter().take(LISTED)).chain(&more).map(|line| line.clone() + "\n").join("")
 }
 
-/// How many status packets there are, with the longest time between two of a connection, and how many entries are
-/// missing.
+/// Number of status packets, with the longest time between two of a connection, and number of missing entries.
 fn entries(recording: &Recording, filter: &Filter) -> String {
     let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
     let is_packet = |entry: &&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));

@@ -1,4 +1,4 @@
-//! HTML: what is shown of a recording is escaped here.
+//! HTML of a page, in which texts of a recording are escaped.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -14,9 +14,9 @@ use crate::text::utc;
 
 const STYLE: &str = include_str!("page/style.css");
 
-/// How many rows a table has at most.
+/// Greatest number of rows of a table.
 const MOST: usize = 100;
-/// How many messages are shown before what went wrong, and how many characters of each.
+/// Greatest number of messages that are shown before a problem, and of characters of each.
 const BEFORE: usize = 4;
 const CHARACTERS: usize = 240;
 
@@ -68,7 +68,7 @@ pub(super) fn figure(pictures: &[String]) -> String {
     if pictures.is_empty() { String::new() } else { format!("<figure>\n{}</figure>\n", pictures.concat()) }
 }
 
-/// What was recorded, in numbers.
+/// Facts of the recording, in numbers.
 pub(super) fn facts(session: &Session<'_>) -> String {
     let (packets, header) = (&session.packets, &session.recording.header);
     let entries = || session.recording.entries.iter();
@@ -117,7 +117,7 @@ fn connections<'r>(entries: impl Iterator<Item = &'r Entry>) -> String {
     }
 }
 
-/// What went wrong, with the messages before it. What happened again immediately is one row.
+/// Problems, with the messages before them. A problem that happens again immediately is in the same row.
 pub(super) fn problems(session: &Session<'_>) -> String {
     let problems = session.happenings.iter().filter(|happening| happening.is_wrong);
     let counted: Vec<_> = problems.dedup_by_with_count(|one, other| one.what == other.what).collect();
@@ -140,7 +140,7 @@ fn messages(entries: &[&Entry]) -> String {
     if lines.is_empty() { "none".to_owned() } else { format!("<pre>{lines}</pre>") }
 }
 
-/// What happened, in the order of the times.
+/// Happenings, in the order of their times.
 pub(super) fn events(session: &Session<'_>) -> String {
     let rows = session.happenings.iter().map(|event| vec![seconds(event.time), text(&event.what)]);
     list(&["time (s)", "what"], rows, "row").unwrap_or_else(|| paragraph("None."))

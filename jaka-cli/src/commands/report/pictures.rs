@@ -1,4 +1,4 @@
-//! The pictures of a page, each with what it shows.
+//! The pictures of a page, each with its text.
 
 use std::collections::BTreeMap;
 
@@ -13,18 +13,18 @@ use crate::packets::fields;
 use crate::plots::{Series, Strip, Trace, ViewAxes, calls, histogram, strips, way};
 use crate::text::number::count;
 
-/// How many strips of inputs and outputs are drawn.
+/// Greatest numbers of strips of digital and of analog inputs and outputs.
 const MOST_DIGITAL: usize = 24;
 const MOST_ANALOG: usize = 8;
-/// Strips that are drawn of what packs have.
+/// Greatest number of strips of the fields of packs.
 const MOST_PACKED: usize = 24;
-/// How many points of a way there may be: of longer ones, each of so many is left out.
+/// Greatest number of points of a path. Of a longer path, only every second, third, or later point is drawn.
 const MOST_POINTS: usize = 8000;
 
 /// An input or output: the name of its list, and its index.
 type Key = (&'static str, usize);
 
-/// What a part of the page says, and its pictures.
+/// Text of a part of the page, and its pictures.
 type Content = (String, Vec<String>);
 
 /// All parts that have pictures: each with its name in links, its title, and its HTML.
@@ -87,7 +87,7 @@ fn state(packets: &Packets) -> Vec<Strip> {
     known.map(|(name, series)| Strip { title: (*name).to_owned(), trace: Trace::Level(series.clone()) }).collect()
 }
 
-/// Those that change, and in words the others.
+/// Strips of the inputs and outputs that change, and a text on the others.
 fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     let title = |(name, at): &Key| format!("{name}[{at}]");
     let (digital, analog) = (changing(&packets.digital), changing(&packets.analog));
@@ -111,7 +111,8 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     (strips, text.join(" "))
 }
 
-/// Numbers and truth values of what packs have, and in words how many more there are.
+/// Text on the fields of packs, with the number of those that are not drawn, and strips of their numbers and truth
+/// values.
 fn packed(packets: &Packets) -> (String, Vec<Strip>) {
     let known: Vec<_> = packets.packed.iter().filter(|(_, packed)| packed.series.range().is_some()).collect();
     let strip = |(name, packed): &(&String, &Packed)| {

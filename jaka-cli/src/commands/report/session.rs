@@ -1,4 +1,4 @@
-//! What a recording tells.
+//! Contents of a recording, read for a page.
 
 mod calls;
 mod happenings;

@@ -1,4 +1,4 @@
-//! What happens to the simulated arm by single keys: the words of `--schedule` and `--stdin`, each under a key.
+//! Events at the simulated arm by single keys: the words of `--schedule` and `--stdin`, each under a key.
 
 use std::io::{IsTerminal, stdin, stdout};
 use std::sync::mpsc::Sender;
@@ -41,7 +41,7 @@ const ROWS: [KeyRow; 5] = [
     },
 ];
 
-/// What a key is for.
+/// Effect of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Effect {
     Happens(Happening),
@@ -50,7 +50,7 @@ pub(super) enum Effect {
     Nothing,
 }
 
-/// What a key does to an arm in this state.
+/// Effect of a key, for an arm in this state.
 pub(super) fn effect(key: KeyEvent, state: &State) -> Effect {
     let KeyCode::Char(sign) = key.code else { return Effect::Nothing };
     if key.kind == KeyEventKind::Release {

@@ -1,4 +1,4 @@
-//! What happens to the simulated controller, and says so.
+//! Events at the simulated controller, each of which is printed when it happens.
 
 use std::io::{BufRead, stdin};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
@@ -13,10 +13,10 @@ use crate::arm::interrupt::end_whole;
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// How often it is checked whether something is due.
+/// Interval at which the program checks whether an event is due.
 const TICK: Duration = Duration::from_millis(10);
 
-/// Has happen all that is scheduled, and what is typed, and says when; until there is nothing more to come.
+/// Runs the scheduled events and the typed ones, and prints each with its time, until no more can come.
 pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Receiver<Typed>) -> Result<(), Failure> {
     let mut ahead = Vec::new();
     for event in scheduled {
@@ -44,7 +44,8 @@ pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Re
     }
 }
 
-/// Schedules one event. What the controller does not have is told, and nothing happens.
+/// Schedules one event. An event at something that the controller does not have is an error message, and nothing
+/// happens.
 fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled>) {
     let at = event.at.max(controller.elapsed());
     match controller.at(at, event.happening) {
@@ -54,8 +55,8 @@ fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled
     ahead.sort_by_key(|event| event.at);
 }
 
-/// Sends the lines of standard input, from a thread that reads them. What is not understood is told, and nothing
-/// happens.
+/// Sends the lines of standard input, from a thread that reads them. A line that is not understood is an error message,
+/// and nothing happens.
 pub(super) fn begin_lines(sender: Sender<Typed>) {
     thread::spawn(move || read(&sender));
 }

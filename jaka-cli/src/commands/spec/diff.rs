@@ -1,4 +1,4 @@
-//! `jaka spec diff`: what differs between two specs.
+//! `jaka spec diff`: differences between two specs.
 
 use std::path::PathBuf;
 

@@ -9,7 +9,7 @@ use crate::builtin;
 use crate::failure::Failure;
 use crate::target::packs;
 
-/// What stands for the built-in spec on a command line.
+/// Word for the built-in spec on a command line.
 const BUILTIN_NAME: &str = "builtin";
 
 /// The TOML files of a folder, each with its path and text: those that the built-in spec has in its order, then the

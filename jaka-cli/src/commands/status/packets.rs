@@ -24,7 +24,7 @@ pub(super) struct Packet {
     pub(super) tree: Node<'static>,
 }
 
-/// What is due to be printed.
+/// Item that is due to be printed.
 #[derive(Debug)]
 pub(super) enum Due<T> {
     Packet(T),
@@ -36,7 +36,7 @@ pub(super) enum Due<T> {
 pub(super) struct Overdue {
     /// The Unix time at which it is told, in seconds.
     pub(super) time: f64,
-    /// That at which the last packet was read.
+    /// The Unix time at which the last packet was read, in seconds.
     since: f64,
     lasts: Duration,
     /// True if nothing was due in it before.
@@ -50,7 +50,8 @@ impl fmt::Display for Overdue {
     }
 }
 
-/// Packets from a stream, one each period, or all of them if that is zero; or the one that shows what is waited for.
+/// Packets from a stream, one each period, or all of them if that is zero; or the one that meets the condition of a
+/// wait.
 #[derive(Debug)]
 pub(super) struct PacketSource {
     stream: StatusStream,
@@ -63,10 +64,10 @@ pub(super) struct PacketSource {
     told: BTreeSet<String>,
 }
 
-/// How long packets stay away.
+/// Time without packets, and its limits.
 #[derive(Debug)]
 struct Silence {
-    /// When the last packet was read, or the connection was made.
+    /// Time at which the last packet was read, or the connection was made.
     since: Instant,
     /// The Unix time of the last packet, in seconds.
     last: Option<f64>,
@@ -74,7 +75,7 @@ struct Silence {
     was_told: bool,
     /// Age at which a packet does not tell the present.
     stale_after: Duration,
-    /// How long a packet may take.
+    /// Timeout for a packet.
     patience: Duration,
 }
 
@@ -158,8 +159,8 @@ impl PacketSource {
         }
     }
 
-    /// No packet has come for a moment: what is due because of that, if something is. Fails where that lasts for too
-    /// long.
+    /// Handles a moment without packets. Returns the item that is due because of it, if there is one. Fails where it
+    /// lasts for too long.
     fn nothing_came(&mut self, error: Error) -> Result<Option<Overdue>, Failure> {
         let ErrorKind::StatusTimeout { address, .. } = error.kind() else { return Err(error.into()) };
         let lasts = now().saturating_duration_since(self.silence.since);

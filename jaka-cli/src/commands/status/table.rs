@@ -16,7 +16,7 @@ use crate::text::utc;
 #[derive(Debug)]
 pub(super) struct StatusTable {
     fields: Vec<Field>,
-    /// What comes before and after each of several tables; none if there is only one.
+    /// Text before and after each of several tables; none if there is only one.
     around: Option<(&'static str, &'static str)>,
 }
 
@@ -38,7 +38,7 @@ impl StatusTable {
         format!("{before}{}\n{table}{after}", utc::date_and_time(Duration::from_secs_f64(packet.time)))
     }
 
-    /// What takes the place of a table where no packet is there that tells the present.
+    /// Text in place of a table while no packet tells the present.
     pub(super) fn without_packet(&self, overdue: &Overdue) -> String {
         let (before, after) = self.around.unwrap_or_default();
         format!("{before}{}\n{overdue}\n{after}", utc::date_and_time(Duration::from_secs_f64(overdue.time)))

@@ -1,4 +1,4 @@
-//! Waiting until a packet shows what is waited for.
+//! Waiting until a packet meets a condition.
 
 use std::time::{Duration, Instant};
 
@@ -8,16 +8,16 @@ use super::now;
 use crate::failure::Failure;
 use crate::packets::condition::Condition;
 
-/// How often it is checked whether the time is over while no packet comes.
+/// Interval at which the timeout is checked while no packet comes.
 pub(super) const POLL: Duration = Duration::from_millis(100);
 
-/// A condition that is waited for, and for how long.
+/// A condition that is waited for, and its timeout.
 #[derive(Debug)]
 pub(super) struct Until {
     condition: Condition,
     limit: Option<Duration>,
     since: Instant,
-    /// What the last packet says about it.
+    /// Values of the condition's fields in the last packet.
     last: Option<String>,
     /// True once a packet has shown it.
     is_met: bool,

@@ -6,7 +6,7 @@ use serde_json::{Number, Value};
 use super::{Comparison, Expression, Misread};
 use crate::packets::fields::{Field, Kind};
 
-/// How deeply parts may stand in each other.
+/// Greatest depth to which parts of a condition can be nested.
 const DEEPEST: usize = 50;
 
 /// The signs that compare, the longer ones first.
@@ -28,12 +28,12 @@ pub(super) fn condition(text: &str) -> Result<Expression, Misread> {
 
 struct ConditionParser<'t> {
     text: &'t str,
-    /// What is not read yet, without white space at its beginning.
+    /// Text that is not read yet, without white space at its beginning.
     rest: &'t str,
     depth: usize,
 }
 
-/// A part, where it begins and what it is.
+/// A part of a condition, with its kind and the column of its beginning, from 0.
 struct Part {
     expression: Expression,
     kind: Kind,

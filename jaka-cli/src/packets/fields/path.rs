@@ -7,7 +7,7 @@ use jaka_spec::words::distance;
 
 use super::Field;
 
-/// How many suggestions are made at most.
+/// Greatest number of suggestions.
 const MOST: usize = 3;
 
 /// Follows a path from the packet.
@@ -65,7 +65,7 @@ fn parse_indices(text: &str) -> Option<Vec<usize>> {
     inner.split("][").map(|index| index.parse().ok()).collect()
 }
 
-/// What to try instead.
+/// Hint at similar names, or at the command that shows all fields.
 fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
     let similar = names.filter_map(|name| Some((unlikeness(wanted, name)?, name))).sorted().dedup();
     match similar.take(MOST).map(|(_, name)| format!("`{name}`")).join(", ").as_str() {

@@ -9,9 +9,9 @@ use std::time::Duration;
 
 use crate::terminal::raw::with_returns;
 
-/// How many lines may wait; further ones are only counted.
+/// Greatest number of lines that may wait; further ones are only counted.
 const MOST: usize = 10_000;
-/// How long the end of the program waits for them.
+/// Time for which the end of the program waits for them.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 struct Backlog {

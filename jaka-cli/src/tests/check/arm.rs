@@ -19,7 +19,7 @@ fn arm(model: Model) -> Arm {
     Arm::simulated().controller(|controller| controller.model(model)).start()
 }
 
-/// What a Zu 5 answers to `get_dh_param`, with the forearm longer by so much.
+/// Reply of a Zu 5 to `get_dh_param`, with the forearm longer by this many mm.
 fn longer_by(mm: f64) -> GetDhParamReply {
     let mut reply = healthy().state().dh_parameters;
     reply.a[3] += mm;

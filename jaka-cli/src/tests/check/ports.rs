@@ -1,4 +1,4 @@
-//! What a newcomer meets: wrong addresses, ports that are mixed up, other programs, and controllers that do not answer
+//! Problems of a newcomer: wrong addresses, ports that are mixed up, other programs, and controllers that do not answer
 //! this client.
 
 use std::io::Write;

@@ -107,7 +107,7 @@ fn a_joint_that_leaves_its_range_on_the_way_is_named() {
     assert!(found.share > 0.3 && found.share < 0.7, "{found}");
 }
 
-/// How fast a tool turns in place is not known: joint speeds are not checked, and all the rest is.
+/// The speed of a tool that turns in place is not known: joint speeds are not checked, and all the rest is.
 #[test]
 fn a_line_that_only_turns_is_checked_but_for_joint_speeds() {
     let model = Model::default();
@@ -158,7 +158,7 @@ fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
     assert!(line([0.0, 0.0, 10.0], 20.0).is_err());
 }
 
-/// What is so long swallows the lengths that it is added to.
+/// So long a tolerance swallows the lengths that it is added to.
 #[test]
 fn a_tolerance_longer_than_the_arm_is_refused() {
     let floor = moved(ELBOW_UP, [0.0, 0.0, -50.0]).z;
@@ -211,7 +211,7 @@ fn a_thin_plate_in_the_way_is_not_passed() {
     }
 }
 
-/// The same line, given with a tool and in a user frame.
+/// A line that is given with a tool and in a user frame ends at the same pose.
 #[test]
 fn frames_are_taken_off() {
     let model = Model::default();

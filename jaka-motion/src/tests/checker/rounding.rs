@@ -11,7 +11,7 @@ const CYCLE: f64 = 0.008;
 const CREEP: f64 = 0.99e-5;
 const STEPS: u32 = 200;
 
-/// By how much the limit is exceeded in the end, where each motion starts at the end of the one before.
+/// Returns the excess over the limit in the end, where each motion starts at the end of the one before.
 fn crept<T: Copy>(start: T, next: impl Fn(T) -> Option<T>, excess: impl Fn(T) -> f64) -> f64 {
     let mut here = start;
     for _ in 0..STEPS {

@@ -4,7 +4,7 @@ use super::{Random, Watched, joints};
 use crate::{Checker, Dynamics, Frames, Goal, Limits, Model, TcpVelocity, VelocityFrame};
 
 const START: [f64; 6] = [0.0, 100.0, 80.0, 90.0, -90.0, 0.0];
-/// How long the way to a target would take at the permitted speed, in seconds.
+/// Duration of the way to a target at the permitted speed, in seconds.
 const SECONDS: f64 = 2.0;
 
 /// A Zu 5 whose tool may have this speed, in mm/s, and go on for this way, in mm.
@@ -43,7 +43,7 @@ impl Slow {
         assert!(way <= self.within * (1.0 + 1e-6) + 1e-8, "{way} mm of {} mm", self.within);
     }
 
-    /// How many seconds this many set-points are, as a share of the way's time at the permitted speed.
+    /// Returns the duration of this many set-points, as a share of the way's duration at the permitted speed.
     fn times(&self, set_points: u32) -> f64 {
         f64::from(set_points) * self.period_s / SECONDS
     }

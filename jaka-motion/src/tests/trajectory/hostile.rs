@@ -1,4 +1,4 @@
-//! What nobody would send.
+//! Input that nobody would send.
 
 use super::{HOME, Random, checker, slow_enough, some_points};
 use crate::{RateChange, TimedPoint, Trajectory, TrajectoryError, Via};

@@ -8,7 +8,7 @@ pub(super) use self::json::write as write_json;
 use super::TimedPoint;
 use crate::text_file::{FileErrors, Report};
 
-/// What six numbers are of.
+/// Quantity of six numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Position,
@@ -16,21 +16,21 @@ enum Kind {
     Acceleration,
 }
 
-/// In which unit an angle is.
+/// Unit of an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Unit {
     Degrees,
     Radians,
 }
 
-/// What one number is.
+/// Meaning of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Column {
     Time,
     Of(Kind, usize, Unit),
 }
 
-/// What a row or an object says, as far as it could be read.
+/// Content of a row or an object, as far as it could be read.
 #[derive(Debug, Clone, Default)]
 struct Row {
     /// The time and its place.
@@ -144,12 +144,12 @@ pub(super) fn read_json(text: &str, file_name: &str) -> Result<Vec<TimedPoint>, 
     report.finish(points)
 }
 
-/// How many kinds all points have.
+/// Returns the number of kinds that all points have.
 fn kinds(points: &[TimedPoint]) -> usize {
     points.iter().map(|point| angles(point).count()).min().unwrap_or(1)
 }
 
-/// What a point has: accelerations only with velocities.
+/// Returns the numbers that a point has, by their kinds: accelerations only with velocities.
 fn angles(point: &TimedPoint) -> impl Iterator<Item = (Kind, [f64; 6])> {
     let all = [Some(point.joints.0), point.velocity, point.velocity.and(point.acceleration)];
     Kind::ALL.into_iter().zip(all).filter_map(|(kind, angles)| Some((kind, angles?)))

@@ -80,7 +80,7 @@ fn a_packet_whose_beginning_is_missing_costs_itself_alone() {
         for start in 1..packets[cut].len() {
             let mut sent = packets.clone();
             sent[cut].drain(..start);
-            // What is left may look whole, where an object stands inside.
+            // The rest may look whole, where an object stands inside.
             let left = sent[cut].clone();
             let stream = sent.concat();
             let (found, _) = frames(&stream, stream.len());

@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// What the usual form gives, if the text is in it, and what the standard library makes of the same text.
+/// Checks that the usual form, if the text is in it, gives the same number as the standard library.
 fn check(text: &str) -> Result<(), TestCaseError> {
     let followed = format!("{text},");
     if let Some((value, len)) = f64::usual(followed.as_bytes()) {
@@ -52,7 +52,7 @@ proptest! {
         check(&(sign + &text))?;
     }
 
-    /// Where rounding is hardest: exactly in the middle between two floats, and next to it.
+    /// Numbers that are hardest to round: exactly in the middle between two floats, and next to it.
     #[test]
     fn middles_between_two_floats(odd in 1_u64 << 53..1 << 54, shift in 0..8_u32, neighbour in -1_i64..=1, point in 0..19_usize) {
         let digits = ((odd | 1) << shift).saturating_add_signed(neighbour).to_string();
@@ -61,7 +61,7 @@ proptest! {
         check(&format!("{whole}.{fraction}"))?;
     }
 
-    /// Where the quotient by whole numbers has fewest bits to spare.
+    /// Numbers for which the quotient by whole numbers has the fewest bits to spare.
     #[test]
     fn small_numbers_of_18_places(digits in 1_u64 << 53..1 << 57) {
         let text = format!("0.{digits:018}");

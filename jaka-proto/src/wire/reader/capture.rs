@@ -9,10 +9,10 @@ use super::{DecodeError, Reader};
 /// The value is not to be taken so: the caller reads the text in another way.
 pub(crate) type Take<'a> = fn(&mut Reader<'a>) -> Result<bool, DecodeError>;
 
-/// How many values can be taken.
+/// Greatest number of values that can be taken.
 const COUNT: usize = 3;
 
-/// What is taken, and what has been.
+/// Function that takes values, and the values that it has taken.
 #[derive(Debug, Clone)]
 pub(super) struct Capture<'a> {
     take: Take<'a>,

@@ -19,7 +19,7 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// How many keys a type can have whose values are read in place.
+    /// Greatest number of keys of a type whose values are read in place.
     pub const IN_PLACE: usize = 128;
 
     /// Empties the slot of a key that did not come.
@@ -86,7 +86,7 @@ impl Reader<'_> {
         self.find_field(keys)
     }
 
-    /// What both ways of going to the next key have in common.
+    /// Finds the next key for [`next_field`](Self::next_field) and [`next_wanted`](Self::next_wanted).
     #[expect(clippy::inline_always, reason = "a choice of keys out of a packet takes a tenth longer otherwise")]
     #[inline(always)]
     fn find_field(&mut self, keys: &mut Keys) -> Result<Option<usize>, DecodeError> {
@@ -221,7 +221,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The same for a field that may not be absent.
+    /// Reads the value of a field that may not be absent, as [`field_into`](Self::field_into) does.
     ///
     /// # Errors
     /// As [`field_into`](Self::field_into).

@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where the array or object ends that begins here; none if its brackets do not match.
+    /// Finds the end of the array or object that begins here; `None` if its brackets do not match.
     fn after_nested(&self) -> Option<usize> {
         let bytes = self.text.as_bytes();
         let (mut at, mut open) = (self.at, Vec::new());
@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where the number or word that begins here ends, if one does.
+    /// Finds the end of the number or word that begins here; `None` if it is empty or does not end.
     fn after_word(&self) -> Option<usize> {
         let ends = |byte: &u8| byte.is_ascii_whitespace() || b",:\"{}[]".contains(byte);
         let len = self.rest().iter().position(ends)?;
@@ -94,7 +94,7 @@ pub(crate) fn lossy_text(quoted: &str) -> Cow<'_, str> {
     text.into()
 }
 
-/// What stands for the escape whose backslash has been taken.
+/// Returns the character for the escape whose backslash has been taken.
 fn escape(rest: &mut std::str::Chars<'_>) -> char {
     match rest.next() {
         Some(plain @ ('"' | '\\' | '/')) => plain,

@@ -5,7 +5,7 @@ use crate::near::first_of;
 use crate::wire::error::DecodeError;
 use crate::wire::number;
 
-/// How deep arrays and objects may nest.
+/// Greatest depth to which arrays and objects may nest.
 pub(super) const MAX_DEPTH: u32 = 64;
 
 impl Reader<'_> {
@@ -97,7 +97,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Where the number ends that begins here, unless it goes on as something else.
+    /// Finds the end of the number that begins here; `None` if it goes on as something else.
     #[inline]
     fn after_number(&self) -> Option<usize> {
         let end = self.at + number::length(self.rest());
@@ -105,7 +105,7 @@ impl Reader<'_> {
         next.is_none_or(|next| matches!(next, b',' | b'}' | b']' | b' ' | b'\t' | b'\r' | b'\n')).then_some(end)
     }
 
-    /// Where the array or object ends that begins here.
+    /// Finds the end of the array or object that begins here.
     fn after_brackets(&self, open: u8, close: u8) -> Option<usize> {
         let bytes = self.text.as_bytes();
         let mut at = self.at + 1;
@@ -122,7 +122,7 @@ impl Reader<'_> {
     }
 }
 
-/// Where the string ends whose first character is at `at`.
+/// Finds the end of the string whose first character is at `at`.
 pub(super) fn after_string(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
         at += first_of(*b"\"\\", bytes.get(at..)?)? + 1;

@@ -1,4 +1,4 @@
-//! How Linux schedules a thread.
+//! Scheduling of a thread by Linux.
 
 use std::{fs, io};
 
@@ -25,7 +25,7 @@ struct Scheduling {
 }
 
 impl Scheduling {
-    /// That of this thread. Fails if it could not be set again.
+    /// Scheduling of this thread. Fails if it could not be set again.
     fn of_this_thread() -> io::Result<Self> {
         let (policy, parameters) = thread_schedule_policy_param(thread_native_id()).map_err(in_words)?;
         let number = match policy {

@@ -12,9 +12,9 @@ use crate::motion::vector::{minus, plus};
 pub(super) struct Cartesian {
     translation: Tracker<3>,
     rotation: Tracker<3>,
-    /// Where the tool is.
+    /// Pose of the tool.
     at: Transform,
-    /// Where it was to be in the last cycle.
+    /// Pose that the tool was to reach in the last cycle.
     before: Transform,
     /// The tool on the flange.
     tool: Transform,

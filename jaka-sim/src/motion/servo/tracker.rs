@@ -3,10 +3,10 @@
 use crate::clock::CYCLE;
 use crate::motion::vector::minus;
 
-/// What is nearer than this to the place that it follows is there: degrees or millimetres.
+/// Distance below which a tracker is at the place that it follows, in degrees or millimetres.
 const NEAR: f64 = 1e-7;
 
-/// How many cycles of braking are looked at.
+/// Greatest number of cycles of braking that are computed.
 const MOST_CYCLES: u32 = 2000;
 
 /// Limits of change in a cycle: of place, of speed, of acceleration.
@@ -29,10 +29,10 @@ pub(super) struct Tracker<const N: usize> {
     acceleration: [f64; N],
 }
 
-/// What a tracker does in a cycle.
+/// Step of a tracker in a cycle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TrackerStep<const N: usize> {
-    /// How far it goes.
+    /// Distance of the step, by coordinate.
     pub(super) by: [f64; N],
     /// True where it is then at the place that it follows.
     pub(super) arrives: bool,
@@ -114,7 +114,7 @@ impl ServoLimits {
         wanted.clamp(acceleration - self.jerk, acceleration + self.jerk)
     }
 
-    /// How far from the place it is when its speed has come to that of the place.
+    /// Distance of a coordinate from the place when its speed has come to that of the place.
     fn stop(self, mut off: f64, mut speed: f64, mut acceleration: f64) -> f64 {
         for _ in 0..MOST_CYCLES {
             if speed.abs() < 1e-12 && acceleration.abs() <= self.jerk {

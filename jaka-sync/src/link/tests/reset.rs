@@ -9,10 +9,11 @@ use jaka_proto::exchange::TextOnly;
 use super::*;
 use crate::StopHandle;
 
-/// How much is queued for sending, in commands of some 4 KB.
+/// Number of commands of some 4 KB each that are queued for sending.
 const QUEUED: usize = 40;
 
-/// What the network between the ends may have taken: the witness's receive buffer, and what its end accounts for it.
+/// Greatest number of bytes that the network between the ends may have taken: the witness's receive buffer, and what
+/// its end accounts for it.
 const TAKEN: usize = 64 << 10;
 
 /// A connection with commands that wait for the other end to read, which it does not.
@@ -23,7 +24,7 @@ fn with_a_queue() -> (Arc<Link>, TcpStream) {
     (link, server)
 }
 
-/// How many bytes arrive, and how the stream ends.
+/// Reads to the end of the stream; returns the number of bytes and the outcome of the last read.
 fn read_to_end(mut server: TcpStream) -> (usize, io::Result<()>) {
     server.set_read_timeout(Some(LONG)).expect("it is a time");
     let mut bytes = Vec::new();
@@ -99,7 +100,7 @@ fn a_reset_discards_what_is_queued_while_a_thread_writes() {
         let link = Arc::clone(&link);
         thread::spawn(move || post(&link, ENDLESS, 1000))
     };
-    // What is queued stays queued, since the other end does not read. Where the thread is held up, it does not write
+    // The queued bytes stay queued, since the other end does not read. Where the thread is held up, it does not write
     // yet, and this proves less.
     let mut last = (0, Instant::now());
     until(|| {

@@ -15,7 +15,7 @@ const SHORT: Duration = Duration::from_millis(300);
 /// More bytes than any buffer between the two ends holds.
 const HUGE: usize = 1 << 20;
 
-/// What the system said where a send failed.
+/// Kind of the system's error for a send that failed.
 fn cause<T: std::fmt::Debug>(sent: Result<T, Error>) -> io::ErrorKind {
     match sent.expect_err("it cannot be sent").kind() {
         ErrorKind::Disconnected { sent: true, cause, .. } => match &**cause {
@@ -38,7 +38,7 @@ fn fill(link: &Link) -> usize {
     let stream = link.state.lock().stream.clone().expect("it is open");
     stream.set_nonblocking(true).expect("it is open");
     let (mut filled, mut refused) = (0, 0);
-    // What is on its way makes room once more where it arrives, after a time of the system. Attempts are counted, and
+    // Bytes on their way make room once more where they arrive, after a time of the system. Attempts are counted, and
     // not the time, in which this thread may be held up; a sleep that is longer only makes it surer.
     while refused < 500 {
         match stream.system().write(&[b' '; 4096]) {

@@ -1,13 +1,13 @@
-//! How changes are found and noted.
+//! Search for changes, and notes of them.
 
 use std::fmt::Display;
 
 use super::{Difference, Impact};
 use crate::{Field, Scalar, Spec, Type, Versions};
 
-/// What is said of an item that only the new spec has.
+/// Text for an item that only the new spec has.
 pub(super) const ADDED: &str = "added";
-/// What is said of an item that only the old spec has.
+/// Text for an item that only the old spec has.
 pub(super) const REMOVED: &str = "removed";
 
 /// The two specs, and the changes noted so far.
@@ -50,7 +50,7 @@ impl<'s> Differ<'s> {
         }
     }
 
-    /// The same for a value that may be absent.
+    /// Notes that a value that may be absent changed, was added or was removed.
     pub(super) fn option<T: PartialEq + Display>(
         &mut self,
         place: &str,

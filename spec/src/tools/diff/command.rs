@@ -16,7 +16,7 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &Command, new: &Comm
     reply(d, place, old, new);
 }
 
-/// What programs read from `CommandInfo`, and what the client does by it.
+/// Compares the facts that programs read from `CommandInfo`, and those that decide the client's behaviour.
 fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.value(place, "effect", &old.effect.word(), &new.effect.word(), Impact::Minor);
     let role = |command: &Command| command.role.map(Role::word);
@@ -47,7 +47,7 @@ fn info(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     }
 }
 
-/// What stands in the docs, and what the simulator answers.
+/// Compares the texts of the docs, and the simulator's answers.
 fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.option(place, "section", (old.section.as_ref(), new.section.as_ref()), Impact::Patch);
     d.versions(place, &old.versions, &new.versions);

@@ -8,7 +8,7 @@ use super::collect::{ADDED, Differ, REMOVED};
 use crate::words::event_codes;
 use crate::{Event, Spec};
 
-/// How an event changed, and what that means.
+/// Description of the change of an event, and its impact.
 type What = (String, Impact);
 
 /// Compares the events of both specs.

@@ -4,23 +4,23 @@ use super::collect::{Differ, common, key, pairs};
 use super::{Impact, made};
 use crate::{Advice, Field, Range, Scalar, Spec, Type, is_floats, words};
 
-/// What holds the fields, as far as that decides what their changes mean.
+/// Holder of the fields, as far as it decides the impact of their changes.
 pub(super) struct Holder {
-    /// How the fields are called, such as `request field`.
+    /// Noun for the fields, such as `request field`.
     pub(super) noun: &'static str,
-    /// What an optional field that is added means.
+    /// Impact of an added field that is optional.
     pub(super) optional_added: Impact,
-    /// What a field that is added and always there means.
+    /// Impact of an added field that is always there.
     pub(super) required_added: Impact,
-    /// What another order of the fields means.
+    /// Impact of another order of the fields.
     pub(super) order: Impact,
     /// True where programs make values by constructors and setters.
     pub(super) is_made: bool,
-    /// Whether the client checks the fields.
+    /// Checks of the fields by the client.
     pub(super) checks: Checks,
 }
 
-/// Whether the client checks values against the spec.
+/// Checks of values against the spec by the client.
 #[derive(Clone, Copy)]
 pub(super) enum Checks {
     /// Before it sends them.
@@ -36,7 +36,7 @@ impl Checks {
         if is_sent { Self::Sent } else { Self::Received }
     }
 
-    /// What a change of limits means here, if it means `impact` for what is sent.
+    /// Impact of a change of limits, which is `impact` for values that are sent.
     pub(super) fn impact(self, impact: Impact) -> Impact {
         match self {
             Self::Sent => impact,
@@ -46,7 +46,7 @@ impl Checks {
 }
 
 impl Holder {
-    /// What programs make by a constructor of the required fields.
+    /// Values that programs make by a constructor of the required fields.
     const MADE: Self = Self {
         noun: "field",
         optional_added: Impact::Minor,
@@ -56,7 +56,7 @@ impl Holder {
         checks: Checks::Sent,
     };
 
-    /// What programs receive, and cannot make.
+    /// Values that programs receive and cannot make.
     const RECEIVED: Self =
         Self { required_added: Impact::Minor, is_made: false, checks: Checks::Received, ..Self::MADE };
 
@@ -100,7 +100,8 @@ impl Holder {
         Self { checks: Checks::of_type(d, name), ..holder }
     }
 
-    /// Where all fields are optional, a field that is always there takes `Default` away.
+    /// Makes an added field that is always there a major change where all fields are optional, since it removes
+    /// `Default`.
     fn with_default(self, old: &[Field]) -> Self {
         let has_default = old.iter().all(|field| field.optional);
         let required_added = if has_default { Impact::Major } else { self.required_added };
@@ -200,7 +201,7 @@ fn limits(d: &mut Differ<'_>, place: &str, checks: Checks, old: &Field, new: &Fi
     d.flag(place, (old.ascii, new.ascii), ascii, ("takes any text", checks.impact(Impact::Minor)));
 }
 
-/// What is advised, whatever the range.
+/// Advised limits of a field without its range, in words.
 fn advised(spec: &Spec, field: &Field) -> Option<String> {
     let field = Field { range: Range::default(), ..field.clone() };
     words::advised(spec, &[], &field, |other| other.name.clone())

@@ -31,7 +31,7 @@ fn items(out: &mut String, heading: &str, items: &[String]) {
     }
 }
 
-/// What can be said in a line each.
+/// Facts about the command, in a line each.
 fn facts(command: &Command) -> impl Iterator<Item = String> {
     let facts = [
         Some(format!("Effect: {}.", command.effect.word())),

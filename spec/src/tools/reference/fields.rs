@@ -41,7 +41,7 @@ pub(super) fn variants(out: &mut String, spec: &Spec, choice: &Choice) {
     }
 }
 
-/// What the first sentences in a table leave out, as a list.
+/// Lists the sentences of the docs after the first, which the tables leave out.
 pub(super) fn longer_docs<'d>(out: &mut String, docs: impl Iterator<Item = (String, &'d str)>) {
     let mut any = false;
     for (label, doc) in docs {

@@ -34,7 +34,7 @@ fn scalar_words(scalar: &Scalar) -> [String; 2] {
     }
 }
 
-/// What a named type is in JSON.
+/// JSON form of a named type, in words.
 fn shape(spec: &Spec, ty: &Type) -> String {
     let shape = match spec.shape(ty) {
         Shape::IntEnum(_) => "integer",
@@ -46,7 +46,7 @@ fn shape(spec: &Spec, ty: &Type) -> String {
     shape.to_owned()
 }
 
-/// What a wrapper is in JSON, such as `array of 6 numbers, in deg`.
+/// JSON form of a wrapper, in words, such as `array of 6 numbers, in deg`.
 pub(super) fn wrapped(spec: &Spec, ty: &Type) -> String {
     let unit = spec.unit(ty).map(|unit| format!(", in {unit}")).unwrap_or_default();
     words(spec, spec.unwrapped(ty)) + &unit

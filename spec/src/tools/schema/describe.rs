@@ -1,4 +1,4 @@
-//! What the descriptions say.
+//! Texts of the descriptions.
 
 use std::fmt::Display;
 
@@ -15,7 +15,7 @@ pub(super) fn unit(unit: Option<&str>) -> String {
     unit.map(|unit| format!("In {unit}.")).unwrap_or_default()
 }
 
-/// What a field means, in which unit, and what sources disagree on.
+/// Description of a field: its meaning, its unit, and the points on which sources disagree.
 pub(super) fn field(spec: &Spec, fields: &[Field], field: &Field) -> String {
     let python = match &field.ty {
         Type::Python(inner) => format!("The value of the Python literal is {}.", spec.notation(inner)),
@@ -36,7 +36,7 @@ pub(super) fn field(spec: &Spec, fields: &[Field], field: &Field) -> String {
     join(&[&field.doc, &unit(field.unit.as_deref()), &python, newer, &advised, shape, &disputed, &versions])
 }
 
-/// What a request does and needs.
+/// Description of a request: its effect and its requirements.
 pub(super) fn request(command: &Command) -> String {
     let needs = words::requirements(&command.requires).map(|states| format!("The robot must be {states}."));
     join(&[&command.doc, &needs.unwrap_or_default(), &words::known_to(command).unwrap_or_default()])

@@ -1,4 +1,4 @@
-//! What the tests share: an arm with its client, and the list of a topic's commands.
+//! Shared code of the tests: an arm with its client, and the list of a topic's commands.
 
 use std::time::Duration;
 
@@ -53,7 +53,7 @@ impl Arm {
         self.controller.advance(Duration::from_secs(seconds));
     }
 
-    /// What port 10000 shows.
+    /// Status on port 10000.
     pub(crate) fn status(&self) -> RobotStatus {
         self.stream().1
     }

@@ -1,4 +1,4 @@
-//! What happens when the network fails.
+//! Reaction of the controller to a failure of the network.
 
 use jaka_sync::network::{NetworkExceptionAction, SetNetworkExceptionHandle};
 

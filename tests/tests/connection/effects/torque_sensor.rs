@@ -18,7 +18,7 @@ effects! {
     get_torque_sensor_comm => the_way_to_the_sensor_is_read,
 }
 
-/// What port 10000 shows of a sensor that is reached over TCP: address, port, and mass at the sensor.
+/// Values on port 10000 of a sensor that is reached over TCP: address, port, and mass at the sensor.
 fn shown(arm: &Arm) -> (String, i64, f64) {
     let report = arm.status().torque_sensor;
     match report {

@@ -1,4 +1,4 @@
-//! What a link leaves of replies and status packets: all of it, in time, when it is released, or never.
+//! Arrival of replies and status packets on a faulty link: all in time, at the release of the link, or never.
 
 use jaka_sim::{Direction, LinkFault, Port};
 

@@ -1,4 +1,4 @@
-//! Servo sessions: how they are entered, and set-points, whose answers are counted.
+//! Servo sessions: entering servo mode, and set-points, whose answers are counted.
 
 use super::motion::unknown;
 use super::status::Packets;
@@ -6,8 +6,8 @@ use super::{Expected, Replies, When, call, end, later};
 use crate::cell::Kind;
 use crate::outcome::{Cause, Outcome};
 
-/// Where something goes wrong before servo mode is asked for. Whatever does, servo mode is left, and a query tells
-/// whether it was: a lost reply is not a reason to give up the connection, on which a stop can be sent.
+/// Outcomes of a fault before servo mode is requested. After any fault the session leaves servo mode and confirms that
+/// with a query: a lost reply is not a reason to give up the connection, on which a stop can be sent.
 pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     if !packets.are_known() {
         return unknown(replies, packets);
@@ -21,8 +21,8 @@ pub(super) fn entering(replies: &Replies, packets: Packets) -> Expected {
     }
 }
 
-/// The same where the link is as it is from before: whether the arm is at rest is asked first, and without an answer
-/// servo mode is not asked for.
+/// Outcomes of a fault before servo mode is requested, where the link was faulty before. The session first queries if
+/// the arm is at rest. Without an answer it does not request servo mode.
 pub(super) fn asking_for_rest(replies: &Replies, packets: Packets) -> Expected {
     match replies.when {
         _ if !packets.are_known() => unknown(replies, packets),
@@ -32,7 +32,7 @@ pub(super) fn asking_for_rest(replies: &Replies, packets: Packets) -> Expected {
     }
 }
 
-/// Where something goes wrong in servo mode: all that is found is read, and a lost answer is not an error.
+/// Outcomes of a fault in servo mode. The session reads all items that arrive. A lost answer is not an error.
 pub(super) fn set_points(replies: &Replies, packets: Packets) -> Expected {
     // Neither set-points nor the end of servo mode are answered, so what is queued of them is discarded.
     if matches!(replies.when, When::Released | When::Never) {

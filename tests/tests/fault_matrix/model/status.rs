@@ -1,4 +1,4 @@
-//! What comes of status packets, and what their readers make of it.
+//! Arrival of status packets, and the outcome for their readers.
 
 use jaka_sim::StatusFault;
 
@@ -6,7 +6,7 @@ use super::Expected;
 use crate::outcome::{Cause, Outcome};
 use crate::troubles::LATE;
 
-/// What a reader of status packets finds.
+/// Items that a reader of status packets finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Packets {
     /// Packets, in time.

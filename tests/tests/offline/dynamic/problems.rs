@@ -1,4 +1,4 @@
-//! What is wrong with requests, in words.
+//! Problems of requests, in words.
 
 use expect_test::{Expect, expect};
 use jaka_dynamic::AdvisoryRanges;

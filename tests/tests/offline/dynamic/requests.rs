@@ -56,7 +56,7 @@ fn same_as_generated(message: &Value) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// The same request with everything in range, listed and in ASCII.
+/// Returns the request with all numbers in range, all values from their lists, and all texts in ASCII.
 fn tamed(message: &Value) -> Value {
     let command = command_of(message);
     let mut message = object(message.clone());

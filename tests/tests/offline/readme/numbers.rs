@@ -82,7 +82,7 @@ fn no_other_number_of_commands_stands_in_the_pages() {
     assert!(count >= PHRASES.len(), "{count}");
 }
 
-/// How often a number of commands stands in a text.
+/// Number of places in a text that state a number of commands.
 fn counted(text: &str) -> usize {
     let is_number = |before: &str| before.trim_end().ends_with(|c: char| c.is_ascii_digit() || c == '}');
     let words = [" commands", " 条命令"];

@@ -95,7 +95,7 @@ fn made(spec: &Spec, command: &Command, path: &str) -> Vec<String> {
     made
 }
 
-/// What a method takes.
+/// Argument of the method of a command.
 fn argument(spec: &Spec, command: &Command) -> String {
     let required: Vec<_> = command.request.fields().filter(|field| !field.optional).collect();
     match (&command.request, required.as_slice()) {

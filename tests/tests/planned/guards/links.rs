@@ -1,4 +1,4 @@
-//! What goes wrong on a link while a motion runs under a guard.
+//! Faults of a link while a motion runs under a guard.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use jaka_tests::simulated::{beside, until};
 
 use super::{IO, count, names, simulated, wait_for_motion};
 
-/// Within which status packets are fresh, and replies come.
+/// Maximum age of a fresh status packet, and timeout for replies.
 const SHORT: Duration = Duration::from_millis(1500);
 
 /// The deadline of the motion, which takes some eight seconds.

@@ -15,7 +15,7 @@ use jaka_tests::{Arm, LONG, followed};
 
 use super::{CHANGE, IO, STIFFNESS, above_a_plane, count, lagging_above_a_plane, limited};
 
-/// How much of the permitted speed is used: what is told is about that.
+/// Share of the permitted speed that is used; the reported permitted speed is approximate.
 const USED: f64 = 0.95;
 
 /// An arm and its robot, with the limits of the arm.
@@ -53,7 +53,7 @@ fn refused(arm: &Arm, robot: &mut Robot, trajectory: &Trajectory, limit: ForceLi
     }
 }
 
-/// How deep the tool goes in, and with which speed.
+/// Penetration of the tool in mm, and its speed in mm/s.
 type Depth = (f64, f64);
 
 fn assert_rests(arm: &Arm, overtravel: f64) -> f64 {
@@ -97,7 +97,7 @@ fn downwards(speed: f64) -> TcpVelocity {
     TcpVelocity::new(VelocityFrame::ArmBase).with_linear([0.0, 0.0, -speed])
 }
 
-/// What a stream is told to do.
+/// Goal of a stream.
 #[derive(Debug, Clone, Copy)]
 enum Told {
     Velocity,

@@ -12,7 +12,7 @@ use jaka_tests::rig::{AMOUNTS, Random, Rig, WITHIN, frame};
 const STEPS: Steps = Steps { degrees: 0.05, millimetres: 0.1 };
 const FINE: Steps = Steps { degrees: 0.001, millimetres: 0.002 };
 
-/// How many ways were refused and not: a test in which nothing is refused proves nothing.
+/// Numbers of paths that passed and that were refused: a test without a refusal proves nothing.
 #[derive(Debug, Default)]
 struct Tally {
     passed: u32,

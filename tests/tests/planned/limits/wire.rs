@@ -24,7 +24,7 @@ const PERIOD: f64 = 0.008;
 const STEPS: Steps = Steps { degrees: 0.1, millimetres: 0.3 };
 const FINE: Steps = Steps { degrees: 0.002, millimetres: 0.006 };
 
-/// What became of motions and set-points.
+/// Counts of the outcomes of motions and set-points.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     sent: u32,
@@ -34,10 +34,10 @@ struct Tally {
     set_points_refused: u32,
 }
 
-/// A motion, and what the witness says of it.
+/// A motion, as the witness judges it.
 struct Judged {
     excess: Excess,
-    /// Where the arm is afterwards, if the witness can tell.
+    /// Joint position of the arm afterwards, in degrees, if the witness can tell.
     end: Option<[f64; 6]>,
     /// Its way, its speed and its tolerance, if it is one of the tool centre point.
     way: Option<(Path, f64, f64)>,

@@ -1,4 +1,4 @@
-//! How trajectories end before their end.
+//! Early ends of trajectories.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

@@ -11,7 +11,7 @@ use super::*;
 use jaka_tests::rig::Random;
 use jaka_tests::witness::curve::are_on;
 
-/// How many trajectories there are in this run.
+/// Number of trajectories in this run.
 fn count(usual: u32) -> u32 {
     std::env::var("JAKA_TRAJECTORIES").map_or(usual, |text| text.parse().expect("a number of trajectories"))
 }
@@ -98,7 +98,7 @@ fn through_bytes_in_memory_they_stay_on_the_curve_and_within_the_limits() {
     }
 }
 
-/// What is planned here leaves a share of the accelerations, so that a stop does not take long.
+/// Planning leaves a share of the accelerations unused, so that a stop does not take long.
 #[test]
 fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
     let checker = checker();
@@ -121,7 +121,7 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
     }
 }
 
-/// How many arms there are at once: each waits most of the time.
+/// Number of arms at once: each waits most of the time.
 const AT_ONCE: u32 = 10;
 
 #[test]

@@ -3,7 +3,7 @@
 use jaka_motion::Dynamics;
 use jaka_tests::witness::way::Bounds;
 
-/// How joints may move: speeds, accelerations, jerks.
+/// Limits of the joints: speeds, accelerations, jerks.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moves {
     pub(crate) limits: [[f64; 6]; 3],
@@ -30,14 +30,14 @@ pub(crate) struct Judge {
 
 /// Acceleration and jerk of stops by default, in deg/s² and deg/s³.
 const STOPS: [f64; 2] = [570.0, 5700.0];
-/// What rounding may add to a limit, as a share of it.
+/// Tolerance for rounding, as a share of a limit.
 const SHARE: f64 = 2e-9;
-/// What rounding may add to a difference, in degrees: positions of some hundred degrees have steps of 6e-14.
+/// Tolerance for rounding of a difference, in degrees: positions of some hundred degrees have steps of 6e-14.
 const DEGREES: f64 = 3e-12;
-/// By how many degrees a joint's range may be exceeded: rounding.
+/// Tolerance of a joint's range in degrees, for rounding.
 const RANGE: f64 = 2e-5;
-/// By how many mm a region may be exceeded: 0.1 between places that are computed, and half a millimetre where a way
-/// cuts the edge of a box.
+/// Tolerance of a region in mm: 0.1 between computed places, and half a millimetre where a path cuts the edge of a
+/// box.
 const REGION: f64 = 0.61;
 const NAMES: [&str; 3] = ["speed", "acceleration", "jerk"];
 
@@ -47,7 +47,7 @@ impl Judge {
         Self { bounds, moves, last: [start; 3], tool }
     }
 
-    /// What comes next starts from standstill.
+    /// Starts the next set-points from standstill.
     pub(crate) fn paused(&mut self) {
         self.last = [self.last[2]; 3];
     }
@@ -94,7 +94,7 @@ impl Judge {
         Ok(())
     }
 
-    /// Whether the arm is there, and within all zones.
+    /// Checks that the arm is at a joint position, and that this position is within all zones.
     pub(crate) fn is_at(&self, there: [f64; 6]) -> Result<(), String> {
         let off = (0..6).map(|joint| (self.last[2][joint] - there[joint]).abs()).fold(0.0, f64::max);
         let place = self.bounds.place(there);

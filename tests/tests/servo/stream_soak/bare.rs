@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// As long as one that `servo_j` has.
+/// Bytes of the length of a `servo_j` command.
 const SET_POINT: [u8; 180] = [b' '; 180];
 
 pub(super) struct BareLoops(Vec<JoinHandle<(u64, f64)>>);
@@ -26,7 +26,7 @@ impl BareLoops {
         Self((0..count).map(start).collect())
     }
 
-    /// How many set-points they wrote, and how many periods passed without.
+    /// Waits for the loops, and returns the number of set-points that they wrote and of periods without one.
     pub(super) fn join(self) -> (u64, f64) {
         let each = self.0.into_iter().map(|bare| bare.join().expect("it writes"));
         each.fold((0, 0.0), |(written, lost), (more, less)| (written + more, lost + less))

@@ -1,17 +1,17 @@
-//! What came over the wire, set-point by set-point.
+//! Judgement of the wire, set-point by set-point.
 
 use std::time::{Duration, Instant};
 
 use crate::generator::judge::Judge;
 use jaka_tests::plain_controller::{PlainController, six};
 
-/// Judges set-points by their index. Where one came late the arm may have been taken to stand, so that the motion
-/// begins again from standstill: whether it has shows with the next set-points, and how often it may have is what the
-/// reports say. When set-points came that are read together, or soon after a late one, is not known.
+/// Judges set-points by their index. After a late set-point the stream may treat the arm as stopped and begin the
+/// motion again from standstill. The next set-points show if it did. The reports give the number of times. Set-points
+/// that are read together, or soon after a late one, have no known time of arrival.
 pub(super) struct Wire {
-    /// Each with how often the motion began again; more than one until it shows.
+    /// Each with the number of restarts of the motion; more than one judge until the next set-points decide.
     judges: Vec<(Judge, u64)>,
-    /// How many set-points came since the last late one, and since judges last parted.
+    /// Number of set-points since the last late one, and since the last fork of the judges.
     since_late: u32,
     since_parted: u32,
     period: Duration,
@@ -21,7 +21,7 @@ pub(super) struct Wire {
     pub(super) lost: f64,
 }
 
-/// For how many set-points after one whose time is odd the times are not known.
+/// Number of set-points with unknown times after one at an odd time.
 const TOGETHER: u32 = 3;
 
 impl Wire {
@@ -37,7 +37,7 @@ impl Wire {
         }
     }
 
-    /// How often the motion began again.
+    /// Number of restarts of the motion from standstill.
     pub(super) fn stood(&self) -> u64 {
         self.judges[0].1
     }
@@ -47,7 +47,7 @@ impl Wire {
         self.last = None;
     }
 
-    /// What has come since.
+    /// Judges the set-points that arrived since the last call.
     pub(super) fn read(&mut self, controller: &PlainController) -> Result<(), String> {
         for (at, request) in controller.timed_motions() {
             if request["cmdName"] != "servo_j"

@@ -16,7 +16,7 @@ use crate::recordings::recorded;
 use crate::words::Words;
 use crate::{builtin, target};
 
-/// How much of a recording is read for the fields of its packets, in bytes.
+/// Number of bytes of a recording that are read for the fields of its packets.
 const GLANCE: u64 = 1 << 20;
 
 /// The values of this argument; some depend on the rest of the line, or on how the word begins.
@@ -47,7 +47,7 @@ pub(super) fn of(line: &Words<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
     }
 }
 
-/// What can be jogged.
+/// Axes that can be jogged.
 fn axes() -> Vec<Candidate> {
     let joints = (1..=6).map(|joint| Candidate::new(joint.to_string(), format!("joint {joint}, in deg")));
     let lines = ["x", "y", "z"].map(|axis| Candidate::new(axis, "axis of the selected user frame, in mm"));

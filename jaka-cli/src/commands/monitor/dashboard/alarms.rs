@@ -1,4 +1,4 @@
-//! What happened: what a packet says that the one before did not.
+//! Alarms: changes from one packet to the next.
 
 use std::collections::VecDeque;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -14,13 +14,13 @@ use crate::packets::flags::{Flags, Tone};
 
 /// An unknown event may be an error.
 const WORST_FIRST: [Severity; 3] = [Severity::Error, Severity::Unknown, Severity::Warning];
-/// How many are kept.
+/// Greatest number of alarms that are kept.
 const MOST: usize = 1000;
 
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Alarm {
-    /// When it was noticed.
+    /// Time at which it was noticed.
     pub(super) time: SystemTime,
     pub(super) tone: Tone,
     pub(super) text: String,
@@ -70,7 +70,7 @@ impl Alarms {
         self.entries.truncate(MOST);
     }
 
-    /// Adds what a packet says that the ones before did not.
+    /// Adds an alarm for each change of a packet from the ones before.
     pub(super) fn packet(&mut self, status: &RobotStatus, time: SystemTime) {
         for (tone, text) in self.flags.see(status) {
             self.add(time, tone, text);
@@ -106,7 +106,7 @@ impl Alarms {
     }
 }
 
-/// How an event of this severity is announced.
+/// Announcement of an event of this severity.
 fn label(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",

@@ -18,7 +18,7 @@ use crate::text::number::fixed;
 /// In windows lower than this the header is one line, and there is no footer.
 const LOW: u16 = 12;
 
-/// Draws the screen, and returns how far the page can be scrolled.
+/// Draws the screen, and returns the greatest number of lines by which the page can be scrolled.
 pub(crate) fn draw(frame: &mut Frame<'_>, view: &View) -> u16 {
     let (header, footer) = if frame.area().height < LOW { (1, 0) } else { (2, 1) };
     let heights = [Constraint::Length(header), Constraint::Min(0), Constraint::Length(footer)];
@@ -66,7 +66,7 @@ fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll
     most
 }
 
-/// Which robot this is, and whether its state is current.
+/// Title line: the robot, and whether its state is current.
 fn title_line(view: &View, width: u16) -> Line<'static> {
     let (state, look) = freshness(view);
     let age = view.age.map_or_else(String::new, |age| format!(" age {} ", age_text(age)));
@@ -100,7 +100,7 @@ fn age_text(age: Duration) -> String {
     if age < Duration::from_secs(1) { format!("{} ms", age.as_millis()) } else { alarms::duration(age) }
 }
 
-/// How packets come.
+/// Line on the reception of packets.
 fn link_line(link: &Link) -> Line<'static> {
     if let Some(cause) = &link.ended {
         return Line::styled(format!(" {cause}"), style::of_tone(Tone::Bad));
@@ -134,7 +134,7 @@ fn footer_line(view: &View, width: u16) -> Line<'static> {
     Line::from(spans)
 }
 
-/// The keys, and what is not shown.
+/// The keys, and notes on values that are not shown.
 fn draw_help(frame: &mut Frame<'_>) {
     let mut lines: Vec<_> = KEYS.iter().map(|(key, what)| Line::from(format!(" {key:<24} {what}"))).collect();
     lines.extend(

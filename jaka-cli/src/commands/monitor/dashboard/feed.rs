@@ -19,7 +19,7 @@ const CAPACITY: usize = 1000;
 /// The time over which the rate is taken.
 const OF_LATE: Duration = Duration::from_secs(2);
 
-/// Updates a view with what a monitor has read.
+/// Updates a view with the packets that a monitor has read.
 #[derive(Debug)]
 pub(crate) struct Feed {
     monitor: Monitor<PackedStatus>,
@@ -28,7 +28,7 @@ pub(crate) struct Feed {
     shown: Option<Arc<Snapshot<PackedStatus>>>,
     /// Whether the alarm for missing packets was raised and has not been cleared yet.
     silent: bool,
-    /// How often the monitor had reconnected when packets last came.
+    /// Number of the monitor's reconnections when packets last came.
     reconnects: u64,
     /// Fields that packs add or change.
     own_fields: Vec<Field>,

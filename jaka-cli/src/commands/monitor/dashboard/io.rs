@@ -8,11 +8,11 @@ use super::style;
 use crate::terminal::output::ABSENT;
 use crate::text::number::fixed;
 
-/// How many pins stand in a group.
+/// Number of pins in a group.
 const GROUP: usize = 8;
 /// The width of the rows' names.
 const NAME: usize = 10;
-/// The width of how many pins are on, with a sign that some are not shown: `… 144/144 on`.
+/// The width of the count of pins that are on, with a sign that some are not shown: `… 144/144 on`.
 const COUNT: usize = 13;
 
 /// The cabinet and the tool, each kind in at most `rows` lines.
@@ -80,12 +80,12 @@ fn known<T>(value: Option<&Typed<Vec<T>>>) -> Option<&[T]> {
     value.and_then(Typed::known).map(Vec::as_slice)
 }
 
-/// How many pins fit on a line.
+/// Number of pins that fit on a line.
 fn pins_per_line(width: u16) -> usize {
     usize::from(width).saturating_sub(NAME + COUNT + 2) / (GROUP + 1) * GROUP
 }
 
-/// Pins as dots, with how many are on at the end of the first line.
+/// Pins as dots, with the count of those that are on at the end of the first line.
 fn digital(name: &str, pins: Option<&[bool]>, width: u16, rows: usize) -> Vec<Line<'static>> {
     let Some(pins) = pins else { return vec![absent(name)] };
     let per_line = pins_per_line(width).max(GROUP);
@@ -119,7 +119,8 @@ fn dots(pins: &[bool]) -> Vec<Span<'static>> {
     spans
 }
 
-/// How many are on, and how many of these are not shown.
+/// Count of the pins that are on. `…` tells that some pins are not shown; the count is highlighted if one of these is
+/// on.
 fn count(pins: &[bool], shown: usize) -> Span<'static> {
     let on = |pins: &[bool]| pins.iter().filter(|pin| **pin).count();
     let hidden = pins.get(shown..).unwrap_or_default();

@@ -62,7 +62,7 @@ fn position(status: &RobotStatus, index: usize) -> Option<f64> {
     status.joint_actual_position.map(|joints| joints.0[index])
 }
 
-/// What is measured in the joints, where the packet has it in the known shape.
+/// Measurements of the joints, where the packet has them in the known shape.
 pub(super) fn measured(status: &RobotStatus) -> Option<&[JointMonitor]> {
     status.monitor_data.as_ref().and_then(Typed::known).map(|data| &*data.joints)
 }
@@ -75,7 +75,7 @@ fn bar_heading(width: usize) -> String {
     format!("{:<half$}0{:>half$}", "-360", "360")
 }
 
-/// Where a position is between a full turn one way and the other.
+/// Bar that shows a position between a full turn one way and a full turn the other way.
 fn bar(position: Option<f64>, width: usize) -> Vec<Span<'static>> {
     let (Some(position), 5..) = (position, width) else {
         return vec![Span::styled("·".repeat(width), style::faint())];

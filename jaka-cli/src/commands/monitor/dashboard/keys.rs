@@ -1,11 +1,11 @@
-//! What keys do. None sends anything to the robot.
+//! Keys of the dashboard. None sends anything to the robot.
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use super::View;
 use super::view::Page;
 
-/// Whether the dashboard continues.
+/// Outcome of a key: the dashboard continues, or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AfterKey {
     /// It continues.

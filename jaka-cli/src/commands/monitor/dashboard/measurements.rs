@@ -1,4 +1,4 @@
-//! What is measured in the cabinet, the joints and the torque sensor. The protocol's document states no units for it.
+//! Measurements in the cabinet, the joints and the torque sensor. The protocol's document states no units for them.
 
 use jaka_sync::proto::wire::Typed;
 use jaka_sync::status::{JointMonitor, RobotStatus};

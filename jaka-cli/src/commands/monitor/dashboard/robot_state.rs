@@ -17,12 +17,12 @@ struct Cell {
     value: Option<(String, Style)>,
 }
 
-/// How cells are laid out.
+/// Layout of the cells.
 struct Grid {
     columns: usize,
     cell: usize,
     name: usize,
-    /// Which of a cell's names is shown.
+    /// Index of the name that is shown, of a cell's two.
     which: usize,
 }
 

@@ -12,27 +12,27 @@ pub(super) fn faint() -> Style {
     Style::new().fg(Color::DarkGray)
 }
 
-/// What should catch the eye.
+/// Style of text that should catch the eye.
 pub(super) fn strong() -> Style {
     Style::new().add_modifier(Modifier::BOLD)
 }
 
-/// What is as it should be.
+/// Style of a value that is as it should be.
 pub(super) fn good() -> Style {
     Style::new().fg(Color::Green)
 }
 
-/// What needs attention.
+/// Style of a value that needs attention.
 pub(super) fn notable() -> Style {
     Style::new().fg(Color::Yellow)
 }
 
-/// What must not be overlooked, also without colours.
+/// Style of a value that must not be overlooked, also without colours.
 pub(super) fn bad() -> Style {
     Style::new().fg(Color::Red).add_modifier(Modifier::BOLD | Modifier::REVERSED)
 }
 
-/// What is out of date.
+/// Style of a value that is out of date.
 pub(super) fn old() -> Style {
     faint().add_modifier(Modifier::DIM).remove_modifier(Modifier::BOLD)
 }

@@ -1,4 +1,4 @@
-//! What is on the screen, for packets of the simulated controller.
+//! Contents of the screen, for packets of the simulated controller.
 
 mod pages;
 mod sizes;

@@ -1,4 +1,4 @@
-//! All that is shown.
+//! State from which the screen is drawn.
 
 use std::time::Duration;
 
@@ -11,24 +11,24 @@ use crate::packets::value_rows::Row;
 /// A packet that is older than this is out of date: several periods of any firmware.
 pub(super) const STALE: Duration = Duration::from_millis(500);
 
-/// All that is shown. What is drawn depends on nothing else, not even on a clock.
+/// State from which the screen is drawn. The drawing depends on nothing else, not even on a clock.
 #[derive(Debug, Default)]
 pub(crate) struct View {
-    /// What people call the robot.
+    /// Title of the robot, for people.
     pub(super) title: String,
     /// The packet that is shown.
     pub(super) status: Option<RobotStatus>,
     /// Rows of the fields of it that packs add or change.
     pub(super) packed: Vec<Row>,
-    /// How long ago that packet came.
+    /// Time since that packet came.
     pub(super) age: Option<Duration>,
-    /// How packets come.
+    /// Reception of packets.
     pub(super) link: Link,
-    /// What happened.
+    /// Alarms, the newest first.
     pub(super) alarms: Alarms,
     /// The page that is shown.
     pub(super) page: Page,
-    /// How many lines the page is scrolled down.
+    /// Number of lines by which the page is scrolled down.
     pub(super) scroll: u16,
     /// Whether the display is paused.
     pub(super) paused: bool,
@@ -53,7 +53,7 @@ impl View {
     }
 }
 
-/// How packets come.
+/// Reception of packets.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Link {
     /// Packets a second, over the last seconds.
@@ -66,23 +66,23 @@ pub(super) struct Link {
     pub(super) skipped: u64,
     /// Packets that did not fit the spec, and bytes in which no packet could be found.
     pub(super) unfit: u64,
-    /// How often the monitor has reconnected.
+    /// Number of the monitor's reconnections.
     pub(super) reconnects: u64,
-    /// Why the connection has ended for good, if it has.
+    /// Cause for which the connection has ended for good, if it has.
     pub(super) ended: Option<String>,
 }
 
 /// A page of the dashboard.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum Page {
-    /// What matters most.
+    /// The most important values.
     #[default]
     Overview,
     /// All inputs and outputs.
     Io,
     /// All measurements.
     Measurements,
-    /// What happened.
+    /// The alarms.
     Alarms,
 }
 

@@ -12,7 +12,7 @@ use socket2::SockRef;
 
 use super::recording_queue::{Direction, Passed, ProxiedConnection, RecordingQueue};
 
-/// How many bytes are passed on in one read and write.
+/// Greatest number of bytes that are passed on in one read and write.
 const ROOM: usize = 16 << 10;
 
 /// Passes the bytes of both directions on, unchanged, each side's end included.
@@ -27,7 +27,7 @@ pub(super) struct Pipe<'p> {
     pub(super) queue: &'p RecordingQueue,
 }
 
-/// How a direction ended.
+/// Way in which a direction ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum DirectionEnd {
     /// The sender has sent all.

@@ -1,4 +1,4 @@
-//! Records what has passed on a thread of its own: a thread that passes bytes on hands over a copy and never waits.
+//! Recording on a thread of its own: a thread that passes bytes on hands over a copy and never waits.
 
 use std::io;
 use std::mem;
@@ -12,20 +12,20 @@ use jaka_robot::recording::{Event, Message, Port};
 
 use super::frames::{MessageFrames, Piece};
 
-/// How many bytes may wait. Beyond that, pieces are missing in the recording, which says so.
+/// Greatest number of bytes that may wait. Beyond that, pieces are missing in the recording, which says so.
 const LIMIT: usize = 8 << 20;
 
-/// What a waiting piece takes in addition to its bytes.
+/// Size of a waiting piece in addition to its bytes, in bytes.
 const OVERHEAD: usize = 128;
 
-/// Records what passes on all connections, on a thread of its own.
+/// Queue of the thread that records all connections.
 #[derive(Debug, Clone)]
 pub(crate) struct RecordingQueue {
     sender: Sender<Waiting>,
     counts: Arc<Counts>,
 }
 
-/// What waits for the thread.
+/// Item that waits for the thread.
 #[derive(Debug)]
 enum Waiting {
     Passed(Arc<ProxiedConnection>, Passed),
@@ -35,10 +35,10 @@ enum Waiting {
 
 #[derive(Debug)]
 struct Counts {
-    /// How many bytes may wait, and how many do.
+    /// Limit on the bytes that wait, and their number.
     limit: usize,
     bytes: AtomicUsize,
-    /// How many pieces were not recorded.
+    /// Number of pieces that were not recorded.
     missing: AtomicU64,
 }
 
@@ -47,9 +47,9 @@ struct Counts {
 pub(super) struct ProxiedConnection {
     track: Track,
     port: Port,
-    /// What each direction has sent in part.
+    /// Messages of each direction that have been sent in part.
     frames: [Mutex<MessageFrames>; 2],
-    /// How many pieces of each direction did not fit since the last one that did.
+    /// Number of pieces of each direction that did not fit since the last one that did.
     missing: [AtomicU64; 2],
 }
 
@@ -137,7 +137,7 @@ impl RecordingQueue {
         Ok(Self { sender, counts })
     }
 
-    /// Takes what is about to pass, so that the recording has a request before its reply. Waits for nothing.
+    /// Takes a piece that is about to pass, so that the recording has a request before its reply. Waits for nothing.
     pub(super) fn take(&self, connection: &Arc<ProxiedConnection>, passed: Passed) {
         if let Passed::Bytes(direction, _) | Passed::End(direction) = passed {
             let is_full = self.counts.bytes.load(Ordering::Relaxed) + passed.size() > self.counts.limit;
@@ -158,8 +158,8 @@ impl RecordingQueue {
         self.sender.send(Waiting::Passed(Arc::clone(connection), passed)).ok();
     }
 
-    /// Waits until all that was taken is with the recorder, also what was sent in part, and takes no more. Says how
-    /// many pieces are missing.
+    /// Waits until the recorder has all pieces that were taken, incomplete messages included, and takes no more.
+    /// Returns the number of pieces that are missing.
     pub(crate) fn finish(&self) -> u64 {
         let (sender, ended) = mpsc::channel();
         self.sender.send(Waiting::Finish(sender)).ok();

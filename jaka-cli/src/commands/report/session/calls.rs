@@ -1,4 +1,4 @@
-//! Requests and what came of them.
+//! Requests and their outcomes.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -10,7 +10,7 @@ use super::milliseconds;
 use crate::plots::Latency;
 use crate::recordings::recorded::{command_of, refusal_of};
 
-/// Requests and what came of them.
+/// Requests and their outcomes.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Calls {
     /// In the order of their times, in seconds.
@@ -18,7 +18,7 @@ pub(in crate::commands::report) struct Calls {
     pub(in crate::commands::report) commands: BTreeMap<String, CommandCount>,
 }
 
-/// What came of the requests of a command.
+/// Outcomes of the requests of a command.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct CommandCount {
     pub(in crate::commands::report) refused: usize,
@@ -34,7 +34,7 @@ impl CommandCount {
 }
 
 impl Calls {
-    /// Reads the requests; what was refused or has no reply is told, too.
+    /// Reads the requests. Returns a happening for each that was refused or has no reply, too.
     pub(super) fn read(recording: &Recording) -> (Self, Vec<Happening>) {
         let mut calls = Self::default();
         let mut answers = recording.answers();
@@ -78,7 +78,7 @@ fn name(request: &Message) -> String {
     command_of(request).map_or_else(|| "a request without a name".to_owned(), |name| format!("`{name}`"))
 }
 
-/// Why the controller refused.
+/// Text of the controller's refusal, if the reply is one.
 fn refusal(reply: &Message, name: &str) -> Option<String> {
     let refusal = refusal_of(reply)?;
     let message = if refusal.message.is_empty() { String::new() } else { format!(": {}", refusal.message) };

@@ -1,4 +1,4 @@
-//! What happened at a moment.
+//! Happenings: events at one moment of a recording.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ pub(in crate::commands::report) struct Happening {
     pub(in crate::commands::report) is_wrong: bool,
 }
 
-/// What kind of thing happened.
+/// Kind of a happening.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::commands::report) enum HappeningKind {
     Connection,
@@ -44,18 +44,18 @@ impl HappeningKind {
 }
 
 impl Happening {
-    /// What is as it should be.
+    /// Creates a happening that is as it should be.
     pub(super) fn usual(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: false }
     }
 
-    /// What went wrong.
+    /// Creates a happening that is a problem.
     pub(super) fn wrong(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: true }
     }
 }
 
-/// What an entry says of its connection.
+/// Happening that an entry reports of its connection; none for entries that report none.
 pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
     let Entry { time, port, connection, event, .. } = entry;
     let time = *time;

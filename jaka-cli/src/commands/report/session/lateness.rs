@@ -1,4 +1,4 @@
-//! How regularly set-points were sent.
+//! Lateness of set-points.
 
 use std::collections::HashMap;
 use std::time::Duration;
@@ -13,7 +13,7 @@ const CYCLE: Duration = Duration::from_millis(8);
 /// The bounds of the histogram, in ms.
 const BOUNDS: [f64; 10] = [-4.0, -1.0, -0.25, 0.25, 1.0, 2.0, 4.0, 8.0, 16.0, 24.0];
 
-/// By how much each set-point came later than its period after the one before it, in ms, in increasing order.
+/// Lateness of each set-point against its period after the one before it, in ms, in increasing order.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct SetPointLateness(Vec<f64>);
 
@@ -55,7 +55,7 @@ impl SetPointLateness {
         self.0.len()
     }
 
-    /// How many were late by this many milliseconds or more.
+    /// Number of set-points that were late by this many milliseconds or more.
     pub(in crate::commands::report) fn late_by(&self, ms: f64) -> usize {
         self.0.len() - self.0.partition_point(|late| *late < ms)
     }
@@ -66,7 +66,7 @@ impl SetPointLateness {
         Some([self.0[last / 2], self.0[last - last / 100], self.0[last]])
     }
 
-    /// How many there are between two bounds, with the bounds.
+    /// Number of set-points between each two bounds, with the bounds as text.
     pub(in crate::commands::report) fn bars(&self) -> Vec<(String, usize)> {
         let mut bars = Vec::new();
         let (mut before, mut begin) = (0, None);

@@ -1,4 +1,4 @@
-//! What status packets show over time.
+//! Values of status packets over time.
 
 mod changes;
 mod speeds;
@@ -19,12 +19,12 @@ use crate::packets::packed_status::own_fields;
 use crate::plots::Series;
 use crate::recordings::recorded::{RecordedPacket, packets};
 
-/// No number of an arm is greater: what is, is not drawn.
+/// Greatest number of an arm: a greater one is not drawn.
 const GREATEST: f64 = 1e6;
 /// Packets that follow each other faster than this are not interrupted.
 const LEAST_GAP: Duration = Duration::from_millis(500);
 
-/// What status packets show over time.
+/// Values of status packets over time.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Packets {
     pub(in crate::commands::report) count: usize,
@@ -59,7 +59,7 @@ pub(in crate::commands::report) struct Packed {
 }
 
 impl Packets {
-    /// Reads the packets; what they show to have happened is told, too.
+    /// Reads the packets. Returns the happenings that they show, too.
     pub(super) fn read(recording: &Recording) -> (Self, Vec<Happening>) {
         let mut all: Vec<_> = packets(recording).collect();
         all.sort_by_key(|packet| packet.time);
@@ -88,7 +88,8 @@ impl Packets {
         (this, changes.happenings)
     }
 
-    /// What it means that a packet follows another at this time.
+    /// Takes the time of a packet that follows another. A long time between them interrupts the series, and is a
+    /// problem.
     fn follow(&mut self, last: Option<Duration>, time: Duration, gap: Duration, changes: &mut Changes) {
         let Some(last) = last else { return };
         let without = time.saturating_sub(last);
@@ -135,7 +136,7 @@ impl Packets {
         }
     }
 
-    /// Adds what packs have: numbers and truth values are drawn, and of others changes are told.
+    /// Adds the fields of packs: numbers and truth values are drawn, and changes of others are happenings.
     fn add_packed(&mut self, time: Duration, fields: &[Field], own: &Node<'_>, changes: &mut Changes) {
         let mut rest: BTreeSet<_> = self.packed.keys().cloned().collect();
         for field in fields.iter().flat_map(|field| field.clone().leaves(own)) {
@@ -191,7 +192,7 @@ fn add_list(
     all.range_mut((name, length)..=(name, usize::MAX)).for_each(|(_, series)| series.interrupt(time));
 }
 
-/// From which time on the absence of packets is a gap: five times the usual period, half a second at least.
+/// Time without packets from which on it is a gap: five times the usual period, half a second at least.
 fn gap(packets: &[RecordedPacket]) -> Duration {
     let mut periods: Vec<_> = packets.windows(2).map(|pair| pair[1].time.saturating_sub(pair[0].time)).collect();
     periods.sort_unstable();

@@ -45,7 +45,7 @@ pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     text
 }
 
-/// What the columns are, by the header; none for one that is unknown.
+/// Returns the columns that the header names; none for one that is unknown.
 fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(String, Column)>> {
     let known = Column::all();
     let mut columns: Vec<Option<(String, Column)>> = Vec::new();
@@ -96,7 +96,7 @@ fn missing(at: usize, columns: &[Option<(String, Column)>], report: &mut Report<
     }
 }
 
-/// What a line says; none where it has too many or too few fields.
+/// Returns the content of a line; none if it has too many or too few fields.
 fn row(at: usize, line: &str, columns: &[Option<(String, Column)>], report: &mut Report<'_>) -> Option<Row> {
     let count = fields((at, line)).count();
     if count != columns.len() {

@@ -37,7 +37,7 @@ pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     format!("{{\"points\": [\n{}\n]}}\n", points.iter().map(point).collect::<Vec<_>>().join(",\n"))
 }
 
-/// What a point says, and what there is of it, right or wrong.
+/// Returns the content of a point, and flags for the kinds of numbers that it has, right or wrong.
 fn row<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Option<(Row, [bool; 3])> {
     let entries = file.entries(point, "a point", report)?;
     let (mut row, mut read) = (Row::default(), [false; 3]);

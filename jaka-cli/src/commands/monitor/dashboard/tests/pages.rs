@@ -1,4 +1,4 @@
-//! What each page shows.
+//! Contents of each page.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 

@@ -1,4 +1,4 @@
-//! What windows of other sizes show.
+//! Contents of windows of other sizes.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 

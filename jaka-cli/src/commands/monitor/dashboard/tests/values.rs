@@ -1,4 +1,4 @@
-//! How values, and their absence, are shown.
+//! Display of values, and of their absence.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 

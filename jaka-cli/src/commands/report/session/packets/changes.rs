@@ -1,4 +1,4 @@
-//! What changed from one status packet to the next.
+//! Changes from one status packet to the next.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -13,7 +13,7 @@ use crate::packets::fields::plain;
 use crate::packets::flags::{Flags, Tone};
 use crate::packets::packed_status::PackedStatus;
 
-/// What changed from one status packet to the next.
+/// Changes from one status packet to the next.
 #[derive(Debug, Default)]
 pub(super) struct Changes {
     pub(super) happenings: Vec<Happening>,

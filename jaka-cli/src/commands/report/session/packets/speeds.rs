@@ -10,7 +10,7 @@ const LEAST_S: f64 = 0.1;
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Speeds {
     pub(in crate::commands::report) series: [Series; 6],
-    /// From when and where on the next mean is computed.
+    /// Time and joint positions from which on the next mean is computed.
     since: Option<(f64, [f64; 6])>,
 }
 
@@ -31,7 +31,7 @@ impl Speeds {
         self.since = Some((time, joints));
     }
 
-    /// What comes next is computed from new positions.
+    /// Interrupts the series at this time. The next speeds are computed from new positions.
     pub(super) fn interrupt(&mut self, time: f64) {
         self.since = None;
         self.series.iter_mut().for_each(|series| series.push(time, None));
