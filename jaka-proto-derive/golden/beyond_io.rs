@@ -357,16 +357,10 @@ pub mod beyond_io {
         /// Number of the Modbus slave. At least 0. It counts in the mode for Modbus alone. `slaveId` on the wire.
         pub slave_id: i64,
         /// Baud rate: one of eight values from 4800 to 230400. 4800 to 230400. `baudrate` on the wire.
-        ///
-        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub baud_rate: i64,
         /// Data bits. 7 to 8. `databit` on the wire.
-        ///
-        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub data_bits: i64,
         /// Stop bits. 1 to 2. `stopbit` on the wire.
-        ///
-        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub stop_bits: i64,
         /// Parity.
         pub parity: SerialParity,
@@ -446,8 +440,6 @@ pub mod beyond_io {
         /// Address of the signal's register, by the name. At least 0. `tio_signal_sigAddr` on the wire.
         pub address: i64,
         /// How often the signal is read, at most 10. 0 to 10. Unit not stated.
-        ///
-        /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub frequency: f64,
     }
     impl AddTioRsSignal {

@@ -36,7 +36,7 @@ pub mod collision {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetClsnSensitivity {
-        /// Collision level. 0 to 5. Newer firmware takes levels up to 7 (field notes). `sensitivityVal` on the wire.
+        /// Collision level. 0 to 5. `sensitivityVal` on the wire.
         ///
         /// 0 switches detection off. 1 is the most sensitive and stops at 25 N; each level adds 25 N; 5 is the least sensitive and
         /// stops at 125 N.

@@ -20,7 +20,7 @@ pub mod frames {
     pub struct SetToolOffsets {
         /// Offset of the tool frame. `tooloffset` on the wire.
         pub offset: super::types::Pose,
-        /// Id of the tool frame to set. 1 to 10. One client sets frames up to 15 on newer firmware.
+        /// Id of the tool frame to set. 1 to 10.
         ///
         /// Newer firmware takes more than this range, which can be switched off: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub id: i64,

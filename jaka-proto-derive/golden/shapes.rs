@@ -1361,14 +1361,12 @@ impl ::jaka_proto::ErrorCode {
         }
     }
 }
-impl ::jaka_proto::ControllerEvent {
-    /// Ranges of codes, first and last, in their order, each with its place in `EXPLANATIONS`.
-    pub(crate) const RANGES: &'static [(u32, u32, usize)] = &[(0x0F0006, 0x0F0007, 0)];
-    /// Severity, meaning, cause and remedy.
-    pub(crate) const EXPLANATIONS: &'static [::jaka_proto::controller_event::Explanation] = &[
-        (::jaka_proto::Severity::Error, Some("a joint is at its hard limit"), None, None),
-    ];
-}
+/// Ranges of codes of events, first and last, in their order, each with its place in `EVENT_EXPLANATIONS`.
+pub(crate) static EVENT_RANGES: &[(u32, u32, usize)] = &[(0x0F0006, 0x0F0007, 0)];
+/// Severity, meaning, cause and remedy.
+pub(crate) static EVENT_EXPLANATIONS: &[::jaka_proto::controller_event::Explanation] = &[
+    (::jaka_proto::Severity::Error, Some("a joint is at its hard limit"), None, None),
+];
 pub mod shapes {
     //! Shapes.
     //!
