@@ -64,7 +64,7 @@ fn no_crate_depends_upward() {
 }
 
 /// The source files below a folder, without what is built.
-fn all_sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn all_sources(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {

@@ -2,6 +2,7 @@
 
 mod architecture;
 mod command_names;
+mod comments;
 mod diff;
 mod document;
 mod dynamic;
