@@ -1,4 +1,6 @@
 #![doc = include_str!("../docs/overview.md")]
+// On the host of the documentation each item says which feature it needs.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod clock;
 mod signal;

@@ -1,4 +1,6 @@
 #![doc = include_str!("../docs/overview.md")]
+// On the host of the documentation each item says which feature it needs.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 // Generated code names this crate by its absolute path.
 extern crate self as jaka_proto;

@@ -1,5 +1,6 @@
 //! Powering and enabling the arm, and the way back.
 
+use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -27,6 +28,16 @@ pub struct PowerStep {
     /// Time from sending the command until the controller answered that the step is done (`get_robot_state`, 4.12);
     /// `None` just before the command is sent.
     pub took: Option<Duration>,
+}
+
+/// `power_on: sent`, then `power_on: done after 8.0 s`.
+impl fmt::Display for PowerStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.took {
+            None => write!(f, "{}: sent", self.command),
+            Some(took) => write!(f, "{}: done after {:.1} s", self.command, took.as_secs_f64()),
+        }
+    }
 }
 
 /// Called for each step.

@@ -1,4 +1,6 @@
 #![doc = include_str!("../README.md")]
+// On the host of the documentation each item says which feature it needs.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 /// Gives the values of an enum their words in the TOML files, and the names of their variants in Rust.
 macro_rules! toml_words {
