@@ -111,6 +111,40 @@ impl Pose {
         Ok(self.with_rotation_deg(rotation::rpy_deg_from_matrix(&matrix)))
     }
 
+    /// Pose in this frame of a pose that is given in the frame posed so: `tool_in_base * part_in_tool`.
+    ///
+    /// `a * b` is the same.
+    ///
+    /// ```
+    /// use jaka_proto::messages::types::Pose;
+    ///
+    /// // The tool points down; the part is 50 mm in front of it along its z.
+    /// let tool = Pose::from_millimetres_degrees([300.0, 0.0, 200.0], [180.0, 0.0, 0.0]);
+    /// let part = Pose::from_millimetres_degrees([0.0, 0.0, 50.0], [0.0; 3]);
+    /// assert_eq!((tool * part).position_mm().map(f64::round), [300.0, 0.0, 150.0]);
+    /// assert!((tool * tool.inverse()).distance_mm(&Pose::from([0.0; 6])) < 1e-9);
+    /// ```
+    #[must_use]
+    pub fn compose(&self, inner: &Self) -> Self {
+        let rows = rotation::product(&self.rotation_matrix(), &inner.rotation_matrix());
+        Self::from_millimetres_degrees(self.transform_point(inner.position_mm()), rotation::rpy_deg_from_matrix(&rows))
+    }
+
+    /// Pose of the outer frame in the frame posed so: `pose * pose.inverse()` is the zero pose.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        let rows = rotation::transposed(&self.rotation_matrix());
+        let position = rotation::turned(&rows, self.position_mm()).map(|part| 0.0 - part);
+        Self::from_millimetres_degrees(position, rotation::rpy_deg_from_matrix(&rows))
+    }
+
+    /// Position in this frame, in mm, of a point that is given in the frame posed so.
+    #[must_use]
+    pub fn transform_point(&self, point_mm: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = rotation::turned(&self.rotation_matrix(), point_mm);
+        [self.x + x, self.y + y, self.z + z]
+    }
+
     /// Distance between the positions, in millimetres.
     pub fn distance_mm(&self, other: &Self) -> f64 {
         (self.x - other.x).hypot(self.y - other.y).hypot(self.z - other.z)
@@ -132,6 +166,15 @@ impl Pose {
 
     const fn with_rotation_deg(self, rotation: [f64; 3]) -> Self {
         Self::from_millimetres_degrees(self.position_mm(), rotation)
+    }
+}
+
+/// [`Pose::compose`].
+impl std::ops::Mul for Pose {
+    type Output = Self;
+
+    fn mul(self, inner: Self) -> Self {
+        self.compose(&inner)
     }
 }
 

@@ -94,6 +94,21 @@ pub(super) fn rpy_deg_from_matrix(rows: &Matrix) -> [f64; 3] {
     [rx, ry, rz].map(f64::to_degrees).map(|angle| if angle <= -180.0 { 180.0 } else { angle + 0.0 })
 }
 
+/// Product of two matrices.
+pub(super) fn product(one: &Matrix, other: &Matrix) -> Matrix {
+    let columns = transposed(other);
+    one.map(|row| columns.map(|column| dot(&row, &column)))
+}
+
+pub(super) fn transposed(rows: &Matrix) -> Matrix {
+    [0, 1, 2].map(|column| rows.map(|row| row[column]))
+}
+
+/// Vector turned by a rotation.
+pub(super) fn turned(rows: &Matrix, vector: [f64; 3]) -> [f64; 3] {
+    rows.map(|row| dot(&row, &vector))
+}
+
 /// The angle in radians, 0 to pi, between the orientations of two unit quaternions; exact also where it is small.
 pub(super) fn angle_between(one: Quaternion, other: Quaternion) -> f64 {
     let (one, other) = ([one.w, one.x, one.y, one.z], [other.w, other.x, other.y, other.z]);

@@ -40,6 +40,30 @@ proptest! {
         prop_assert!(in_range(back.rotation_deg()), "{:?}", back);
     }
 
+    /// The product of the test and its own sums are the witness. Near gimbal lock angles keep some 1e-10 rad.
+    #[test]
+    fn poses_compose_as_their_matrices(
+        outer in rotation(),
+        inner in rotation(),
+        at in [-2e3..2e3, -2e3..2e3, -2e3..2e3],
+        from in [-2e3..2e3, -2e3..2e3, -2e3..2e3],
+    ) {
+        let outer = Pose::from_millimetres_degrees(at, outer);
+        let inner = Pose::from_millimetres_degrees(from, inner);
+        let both = outer * inner;
+        prop_assert!(apart(both.rotation_matrix(), product(outer.rotation_matrix(), inner.rotation_matrix())) < 1e-9);
+        let rows = outer.rotation_matrix();
+        for axis in 0..3 {
+            let expected: f64 = at[axis] + (0..3).map(|part| rows[axis][part] * from[part]).sum::<f64>();
+            prop_assert!((both.position_mm()[axis] - expected).abs() < 1e-9);
+            prop_assert!((outer.transform_point(from)[axis] - expected).abs() < 1e-9);
+        }
+        let none = Pose::from([0.0; 6]);
+        for closed in [outer * outer.inverse(), outer.inverse() * outer] {
+            prop_assert!(closed.distance_mm(&none) < 1e-5 && closed.angle_deg(&none) < 1e-6, "{:?}", closed);
+        }
+    }
+
     #[test]
     fn quaternion_there_and_back(angles in rotation(), length in 0.991..1.009, sign in prop_oneof![Just(1.0), Just(-1.0)]) {
         let pose = turned(angles);
