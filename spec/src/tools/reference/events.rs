@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::markdown::{Table, code, escape};
-use crate::words::{event_codes, list};
+use crate::words::{event_code, list};
 use crate::{Event, EventTexts, Severity, Spec};
 
 /// Edition of the page in one language.
@@ -65,7 +65,7 @@ fn page(spec: &Spec, edition: &Edition) -> String {
     events.sort_by_key(|event| event.codes().min());
     let mut table = Table::new(&edition.head);
     for event in events {
-        let codes: Vec<_> = event.codes.iter().map(|codes| code(&event_codes(codes))).collect();
+        let codes: Vec<_> = event.codes().map(|one| code(&event_code(one))).collect();
         let texts = (edition.texts)(event);
         let family = spec.family_of(event).map(edition.family_texts);
         let [cause, remedy] = [

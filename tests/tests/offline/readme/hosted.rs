@@ -52,6 +52,31 @@ fn the_readmes_of_crates_are_their_overviews() {
     }
 }
 
+/// Pages that rustdoc shows as modules, and that a forge shows in `docs/`.
+const PAGES: [(&str, &str); 2] = [("jaka-robot", "cookbook.md"), ("jaka-sync", "newer-firmware.md")];
+
+/// The page of a forge: as a README, and each block of code has its language.
+fn of_forge(page: &str) -> String {
+    let shown = hosted(page);
+    let parts = shown.split("```").enumerate().map(|(at, part)| {
+        let (info, code) = part.split_once('\n').unwrap_or((part, ""));
+        match info {
+            _ if at % 2 == 0 => part.to_owned(),
+            "" | "no_run" | "ignore" | "should_panic" => format!("rust\n{code}"),
+            _ => part.to_owned(),
+        }
+    });
+    parts.collect::<Vec<_>>().join("```")
+}
+
+#[test]
+fn pages_of_rustdoc_are_shown_by_a_forge_too() {
+    for (name, page) in PAGES {
+        let source = read(&root().join(name).join("docs").join(page));
+        expect_file![root().join("docs").join(page)].assert_eq(&of_forge(&source));
+    }
+}
+
 #[test]
 fn no_readme_has_what_only_rustdoc_understands() {
     let folders = fs::read_dir(root()).expect("it is there").map(|entry| entry.expect("it can be read").path());
