@@ -1,4 +1,5 @@
-//! `docs/safety.md`: each promise on it names a test that exists; with tests of the promises that no other file tests.
+//! `docs/promises.md`: each promise on it names a test that exists; with tests of the promises that no other file
+//! tests.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +13,7 @@ use jaka_sim::Controller;
 use jaka_tests::{Arm, LONG};
 
 fn page() -> String {
-    fs::read_to_string(docs().join("safety.md")).expect("the page is there")
+    fs::read_to_string(docs().join("promises.md")).expect("the page is there")
 }
 
 fn docs() -> &'static Path {

@@ -7,7 +7,7 @@
 //! `JAKA_RELIABILITY` above 1 all cells are gone through, and then again with other parameters of the faults and random
 //! pauses between calls, so often in all.
 //!
-//! One test, alone in its process, so that threads can be counted. `docs/reliability.md` has the table that it makes.
+//! One test, alone in its process, so that threads can be counted. `table.md` has the table that it makes.
 
 mod calls;
 mod cell;

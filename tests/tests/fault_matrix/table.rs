@@ -11,8 +11,8 @@ const BEGIN: &str =
     "<!-- The fault matrix begins. Written by `UPDATE_EXPECT=1 cargo test -p jaka-tests --test fault_matrix`. -->";
 const END: &str = "<!-- The fault matrix ends. -->";
 
-/// The document with this table.
-pub(crate) const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/reliability.md");
+/// Page with this table.
+pub(crate) const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fault_matrix/table.md");
 
 /// The cells of a row.
 type Row = [Expected; Kind::ALL.len()];
@@ -83,7 +83,7 @@ fn usual(outcome: Outcome) -> Outcome {
     if matches!(outcome, Outcome::Broken(_)) { outcome } else { Outcome::Ok }
 }
 
-/// The document as it is with this table.
+/// Page with this table in its place.
 pub(crate) fn in_document(table: &str) -> String {
     let document = std::fs::read_to_string(DOCUMENT).expect("the document is there");
     let (before, rest) = document.split_once(BEGIN).expect("the document has a place for the matrix");
