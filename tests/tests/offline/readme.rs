@@ -32,9 +32,10 @@ fn the_chinese_readme_has_the_same_code() {
 
 #[test]
 fn every_link_of_a_page_leads_somewhere() {
-    let names = ["README.md", "README.zh.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
-    let docs =
-        fs::read_dir(root().join("docs")).expect("it is there").map(|entry| entry.expect("it can be read").path());
+    let names = ["README.md", "README.zh.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"];
+    let folders = ["docs", "docs/zh"].map(|folder| fs::read_dir(root().join(folder)).expect("it is there"));
+    let docs = folders.into_iter().flatten().map(|entry| entry.expect("it can be read").path());
+    let docs = docs.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
     let pages: Vec<PathBuf> = names.map(|name| root().join(name)).into_iter().chain(docs).collect();
     assert!(pages.len() > names.len());
     let mut count = 0;
@@ -55,11 +56,45 @@ fn every_link_of_a_page_leads_somewhere() {
     assert!(count > 50, "the pages have links: {count}");
 }
 
+/// Numbers of the prose and of the tables, in the order of their digits.
+fn figures(page: &str) -> Vec<String> {
+    let text = read(&root().join(page));
+    let prose: String = text.split("```").step_by(2).collect();
+    // Targets of links and spans of code are not the page's figures.
+    let prose: String = prose.split('`').step_by(2).collect();
+    let prose: String = prose
+        .split("](")
+        .enumerate()
+        .map(|(at, part)| match (at, part.split_once(')')) {
+            (0, _) | (_, None) => part,
+            (_, Some((_, rest))) => rest,
+        })
+        .collect();
+    let is_part = |c: char| c.is_ascii_digit() || c == '.';
+    let numbers = prose.split(|c| !is_part(c)).map(|number| number.trim_matches('.').to_owned());
+    let mut numbers: Vec<_> = numbers.filter(|number| !number.is_empty()).collect();
+    numbers.sort();
+    numbers
+}
+
+#[test]
+fn the_chinese_pages_have_the_figures_and_the_code_of_the_english_ones() {
+    for page in ["safety.md", "first-robot.md", "troubleshooting.md"] {
+        let (english, chinese) = (format!("docs/{page}"), format!("docs/zh/{page}"));
+        assert!(figures(&english).len() > 3, "{page}");
+        assert_eq!(figures(&chinese), figures(&english), "{page}");
+        assert_eq!(blocks(&chinese), blocks(&english), "{page}");
+        let rows = |page: &str| read(&root().join(page)).lines().filter(|line| line.starts_with('|')).count();
+        assert_eq!(rows(&chinese), rows(&english), "{page}");
+    }
+}
+
 #[test]
 fn the_readmes_link_to_each_other_and_to_what_a_reader_must_know() {
     for (page, other) in [("README.md", "README.zh.md"), ("README.zh.md", "README.md")] {
         let text = read(&root().join(page));
-        for link in [other, "docs/safety.md", "jaka-cli/README.md", "spec/REFERENCE.md", "CONTRIBUTING.md"] {
+        let safety = if page == "README.md" { "docs/safety.md" } else { "docs/zh/safety.md" };
+        for link in [other, safety, "jaka-cli/README.md", "spec/REFERENCE.md", "CONTRIBUTING.md"] {
             assert!(text.contains(&format!("]({link})")), "{page}: {link}");
         }
     }
