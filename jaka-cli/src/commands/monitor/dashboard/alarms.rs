@@ -14,6 +14,8 @@ use crate::packets::flags::{Flags, Tone};
 
 /// An unknown event may be an error.
 const WORST_FIRST: [Severity; 3] = [Severity::Error, Severity::Unknown, Severity::Warning];
+/// Columns of the time of an alarm, and the blanks around it.
+const TIME_COLUMNS: usize = 10;
 /// Greatest number of alarms that are kept.
 const MOST: usize = 1000;
 
@@ -54,11 +56,16 @@ impl Alarms {
         self.entries.iter()
     }
 
-    /// A line for each, the newest first.
-    pub(super) fn lines(&self) -> Vec<Line<'static>> {
-        let lines = self.entries().map(|alarm| {
-            let time = Span::styled(format!(" {} ", alarm.clock()), style::faint());
-            Line::from(vec![time, Span::styled(alarm.text.clone(), style::of_tone(alarm.tone))])
+    /// Lines of this width with all of them, the newest first.
+    pub(super) fn lines(&self, width: u16) -> Vec<Line<'static>> {
+        let columns = usize::from(width).saturating_sub(TIME_COLUMNS);
+        let lines = self.entries().flat_map(|alarm| {
+            let mut time = format!(" {} ", alarm.clock());
+            let style = style::of_tone(alarm.tone);
+            pieces(&alarm.text, columns).into_iter().map(move |piece| {
+                let time = std::mem::replace(&mut time, " ".repeat(TIME_COLUMNS));
+                Line::from(vec![Span::styled(time, style::faint()), Span::styled(piece, style)])
+            })
         });
         let lines: Vec<_> = lines.collect();
         if lines.is_empty() { vec![Line::styled(" none since the start", style::faint())] } else { lines }
@@ -106,6 +113,38 @@ impl Alarms {
     }
 }
 
+/// The text in pieces of at most so many columns, cut between words where it can be. Each has the indentation of the
+/// first.
+fn pieces(text: &str, columns: usize) -> Vec<String> {
+    let indentation: String = text.chars().take_while(|c| *c == ' ').collect();
+    let columns = columns.saturating_sub(indentation.len()).max(1);
+    let (mut pieces, mut piece, mut used) = (Vec::new(), indentation.clone(), 0);
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        if used > 0 && used + 1 + width(word) > columns {
+            pieces.push(std::mem::replace(&mut piece, indentation.clone()));
+            used = 0;
+        } else if used > 0 {
+            piece.push(' ');
+            used += 1;
+        }
+        for c in word.chars() {
+            let c_columns = width(c.encode_utf8(&mut [0; 4]));
+            if used > 0 && used + c_columns > columns {
+                pieces.push(std::mem::replace(&mut piece, indentation.clone()));
+                used = 0;
+            }
+            piece.push(c);
+            used += c_columns;
+        }
+    }
+    pieces.push(piece);
+    pieces
+}
+
+fn width(text: &str) -> usize {
+    Span::raw(text).width()
+}
+
 /// Announcement of an event of this severity.
 fn label(severity: Severity) -> &'static str {
     match severity {
@@ -138,6 +177,16 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
+
+    #[test]
+    fn texts_are_cut_between_words_and_long_words_anywhere() {
+        assert_eq!(pieces("  remedy: look for obstacles", 12), ["  remedy:", "  look for", "  obstacles"]);
+        assert_eq!(pieces("remedy: look", 12), ["remedy: look"]);
+        assert_eq!(pieces("a unbreakable", 4), ["a", "unbr", "eaka", "ble"]);
+        assert_eq!(pieces("碰撞检测", 4), ["碰撞", "检测"]);
+        assert_eq!(pieces("", 4), [""]);
+        assert_eq!(pieces("ab", 0), ["a", "b"]);
+    }
 
     #[test]
     fn changes_are_reported_once() {

@@ -48,7 +48,7 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
         }
         Page::Alarms => {
             let title = style::rule("Alarms (UTC), the newest first", area.width);
-            let lines = std::iter::once(title).chain(view.alarms.lines()).collect();
+            let lines = std::iter::once(title).chain(view.alarms.lines(area.width)).collect();
             return scrolled(frame, area, lines, view.scroll);
         }
     };

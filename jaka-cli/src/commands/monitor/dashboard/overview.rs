@@ -36,7 +36,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View, status: &Robo
     part(frame, joints_area, "Joints", joints::lines(status, joints_area.width));
     part(frame, tcp, &tcp_title(status), joints::tcp_lines(status));
     frame.render_widget(Text::from(pins), io_area);
-    part(frame, alarms, "Alarms (UTC)", view.alarms.lines());
+    part(frame, alarms, "Alarms (UTC)", view.alarms.lines(alarms.width));
     if !view.is_fresh() {
         for area in [state, arm, io_area] {
             frame.buffer_mut().set_style(area, style::old());
@@ -64,7 +64,7 @@ pub(super) fn lines(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'
         values.iter_mut().flat_map(|line| &mut line.spans).for_each(|span| span.style = style::old());
     }
     values.push(style::rule("Alarms (UTC)", width));
-    values.extend(view.alarms.lines());
+    values.extend(view.alarms.lines(width));
     values
 }
 

@@ -1,6 +1,7 @@
 //! Contents of the screen, for packets of the simulated controller.
 
 mod pages;
+mod picture;
 mod sizes;
 mod values;
 

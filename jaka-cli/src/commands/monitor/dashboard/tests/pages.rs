@@ -126,11 +126,11 @@ fn the_other_pages_show_all_there_is() {
             | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
             |─ Alarms (UTC), the newest first ───────────────────────────────────────────────
             | 11:55:07 error 0x0f0034 collision
-            | 11:55:07   remedy: look for obstacles around the arm and for signs of a collisi
+            | 11:55:07   remedy: look for obstacles around the arm and for signs of a
+            |            collision; check whether the robot's serial number and model are
+            |            recognised correctly; check the settings of payload and mounting
+            |            angle
             | 11:55:07 protective stop
-            |
-            |
-            |
             |
             |
             | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms

@@ -65,8 +65,8 @@ fn stops_and_errors_stand_out() {
             | tool in    ········   out ········
             |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
             | 11:55:07 error 0x0f0034 collision
-            | 11:55:07   remedy: look for obstacles around the arm and for signs of a collisi
-            | 11:55:07 protective stop
+            | 11:55:07   remedy: look for obstacles around the arm and for signs of a
+            |            collision; check whether the robot's serial number and model are
             | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
         "#]],
     );
