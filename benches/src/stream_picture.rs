@@ -17,6 +17,8 @@ const SHOWN: (u32, u32) = (800, 840);
 const HEIGHT: f64 = 1.35;
 /// Height of the names, between the limit and the edge of the panel, in the same units.
 const NAMES: f64 = 1.17;
+/// Time for which the whole picture is shown before it begins again.
+const PAUSE_S: f64 = 3.0;
 const LIMIT: RGBColor = RGBColor(190, 30, 30);
 const MOMENT: RGBColor = RGBColor(120, 120, 120);
 /// Of each joint of the picture; told apart without colours by their widths.
@@ -44,7 +46,22 @@ pub fn svg() -> Result<String, Box<dyn Error>> {
         }
         Ok(())
     });
-    Ok(drawn?)
+    Ok(moving(&drawn?))
+}
+
+/// The picture with a cover on what is still to come, which withdraws to the right in the time that the set-points take.
+fn moving(picture: &str) -> String {
+    // Of the plots, in the picture's own units.
+    let (left, right) = (408, 4680);
+    let (width, height) = (right - left, chart::FINE * SHOWN.1);
+    let (period_s, last) = (END_S + PAUSE_S, END_S / (END_S + PAUSE_S) * 100.0);
+    let cover = format!(
+        "<style>.cover{{transform-box:fill-box;transform-origin:right;transform:scaleX(0)}}\
+         @media(prefers-reduced-motion:no-preference){{.cover{{animation:{period_s}s linear infinite cover}}}}\
+         @keyframes cover{{0%{{transform:scaleX(1)}}{last:.1}%{{transform:scaleX(0)}}}}</style>\n\
+         <rect class=\"cover\" x=\"{left}\" y=\"0\" width=\"{width}\" height=\"{height}\" fill=\"#FFFFFF\" opacity=\"0.85\"/>\n</svg>"
+    );
+    picture.replacen("</svg>", &cover, 1)
 }
 
 /// A line where the goal changes, and above the limit what to.
