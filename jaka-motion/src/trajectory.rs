@@ -72,6 +72,7 @@ struct Shared {
 
 /// Point that a trajectory was made of: the time at which it is reached, and the manner of passing it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct WayPoint {
     /// Time at which the arm is there, or nearest to it, in seconds from the start.
@@ -82,6 +83,7 @@ pub struct WayPoint {
 
 /// Manner in which the arm passes a way-point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Passing {
     /// It stops there.
@@ -340,6 +342,32 @@ impl Shared {
                 TrajectoryError::Beyond { after, time_s: Some(time_s), beyond }
             })
         })
+    }
+}
+
+/// Its model, its duration, both ends, its way-points and its [slow places](Trajectory::slow_places). It has no joint
+/// positions in between: [`at`](Trajectory::at) gives them.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Trajectory {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'t> {
+            model: &'static str,
+            duration_s: f64,
+            start_deg: [f64; 6],
+            end_deg: [f64; 6],
+            way_points: &'t [WayPoint],
+            slow_places: &'t [SlowPlace],
+        }
+        let form = Form {
+            model: self.0.checker.limits().model().name(),
+            duration_s: self.duration_s(),
+            start_deg: self.start().0,
+            end_deg: self.end().0,
+            way_points: self.way_points(),
+            slow_places: self.slow_places(),
+        };
+        form.serialize(serializer)
     }
 }
 

@@ -117,6 +117,29 @@ impl Preflight {
     }
 }
 
+/// Its verdict, its findings, the settings to look at [at the pendant](Preflight::AT_THE_PENDANT), and the
+/// [note](Preflight::NOTE).
+#[cfg(feature = "serde")]
+impl serde::Serialize for Preflight {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'p> {
+            verdict: Verdict,
+            findings: &'p [Finding],
+            at_the_pendant: Vec<Setting>,
+            note: &'static str,
+        }
+        #[derive(serde::Serialize)]
+        struct Setting {
+            item: String,
+            what: &'static str,
+        }
+        let settings = Self::AT_THE_PENDANT.iter().map(|(item, what)| Setting { item: item.replace(' ', "_"), what });
+        let (verdict, findings, at_the_pendant) = (self.verdict(), self.findings(), settings.collect());
+        Form { verdict, findings, at_the_pendant, note: Self::NOTE }.serialize(serializer)
+    }
+}
+
 /// A table of the findings, and below it the settings that no query tells, the number of findings, and the note on the
 /// verdicts.
 impl Display for Preflight {

@@ -36,6 +36,7 @@ pub struct End {
 
 /// Rest of an arm after a motion, as it was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Rest {
     /// Not seen: the arm may still brake, or move.
     NotSeen,
@@ -47,6 +48,7 @@ pub enum Rest {
 
 /// Phase in which a call or a motion ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Phase {
     /// Nothing that moves the arm was sent, or it did not run.
     NotSent,
@@ -182,6 +184,42 @@ impl End {
             line = line.followed_by("the query for its position failed", Some(error));
         }
         line.into_text()
+    }
+}
+
+/// Its [cause](End::cause), text, [phase](End::phase), rest, [evidence](End::evidence), error, stop and report. The
+/// packets are left out.
+#[cfg(feature = "serde")]
+impl serde::Serialize for End {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'e> {
+            cause: Cause,
+            text: String,
+            phase: Phase,
+            rest: Rest,
+            evidence: &'e Evidence,
+            error: Option<&'e Error>,
+            stop: Option<Stop<'e>>,
+            report: &'e Report,
+        }
+        #[derive(serde::Serialize)]
+        struct Stop<'e> {
+            is_accepted: bool,
+            error: Option<&'e Error>,
+        }
+        let stop = self.stop.as_ref();
+        let form = Form {
+            cause: self.cause(),
+            text: self.to_string(),
+            phase: self.phase(),
+            rest: self.rest,
+            evidence: self.evidence(),
+            error: self.error.as_ref(),
+            stop: stop.map(|stop| Stop { is_accepted: stop.is_ok(), error: stop.as_ref().err() }),
+            report: &self.report,
+        };
+        form.serialize(serializer)
     }
 }
 
