@@ -58,6 +58,10 @@ use crate::piece::{Piece, Sample};
 /// takes in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve near 10,000 points
 /// that takes 80 s. A piece has some 300 bytes: there is one between two points with times, and some 50 for each second
 /// of a plan. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
+///
+/// # serde
+/// With the feature `serde` a trajectory is described: `model`, `duration_s`, `start_deg`, `end_deg`, `way_points` and
+/// `slow_places`. Joint positions in between are not written: [`at`](Self::at) gives them, as a [`Sample`] that can be.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Shared>);
 
@@ -345,8 +349,6 @@ impl Shared {
     }
 }
 
-/// Its model, its duration, both ends, its way-points and its [slow places](Trajectory::slow_places). It has no joint
-/// positions in between: [`at`](Trajectory::at) gives them.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Trajectory {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

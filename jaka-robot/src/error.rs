@@ -45,6 +45,9 @@ use crate::{Cause, GuardTrip, Remedy};
 /// # Ok::<(), jaka_robot::Error>(())
 /// ```
 ///
+/// With the feature `serde` an error is written as its `cause`, the `text` of its kind, `may_have_run`, and the
+/// `evidence` for the cause.
+///
 /// An `Error` is one pointer wide. It can be made of an [`ErrorKind`], for tests of programs that handle errors.
 pub struct Error(Box<Inner>);
 
@@ -188,8 +191,6 @@ impl fmt::Display for Error {
     }
 }
 
-/// Its [cause](Error::cause), the text of its [kind](Error::kind), whether the command
-/// [may have run](Error::may_have_run), and the evidence for the cause.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Error {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

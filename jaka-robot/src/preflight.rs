@@ -27,6 +27,9 @@ use crate::arm::{ArmState, StatusPort};
 ///
 /// Displayed as a table, with the points to look at [at the pendant](Self::AT_THE_PENDANT) and the limits of the
 /// verdicts.
+///
+/// With the feature `serde` it is written as its `verdict`, its `findings` (`item`, `verdict`, `seen` and `advice`),
+/// the points `at_the_pendant` (`item` and `what`), and the `note`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use = "a check changes nothing: what it found is all that it does"]
 pub struct Preflight {
@@ -117,8 +120,6 @@ impl Preflight {
     }
 }
 
-/// Its verdict, its findings, the settings to look at [at the pendant](Preflight::AT_THE_PENDANT), and the
-/// [note](Preflight::NOTE).
 #[cfg(feature = "serde")]
 impl serde::Serialize for Preflight {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -11,6 +11,9 @@ use crate::form;
 use crate::under_way::UnderWay;
 
 /// Report of a motion, a servo session, a stream or a trajectory. A motion that the controller plans has no set-points.
+///
+/// With the feature `serde` it is written with one key more: `lateness`, with `p50_s`, `p90_s`, `p99_s` and `max_s`, or
+/// `null` without set-points.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

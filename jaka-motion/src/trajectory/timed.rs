@@ -12,6 +12,8 @@ use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
 /// Joint positions at a time, with their speeds and accelerations there, if these are known.
+///
+/// With the feature `serde` it is written with the keys that `TimedPoint::from_json` reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -13,6 +13,10 @@ use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, Tr
 ///
 /// An event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end into an
 /// error, so that `?` works from the connection to the end of a motion.
+///
+/// # serde
+/// With the feature `serde` an end is written as its `cause`, `text`, `phase`, `rest`, `evidence`, `error`, `stop` and
+/// `report`, without its packets. `stop` is `null`, or has `is_accepted` and the `error`.
 #[derive(Debug)]
 #[non_exhaustive]
 #[must_use = "a motion may have ended before its target"]
@@ -187,8 +191,6 @@ impl End {
     }
 }
 
-/// Its [cause](End::cause), text, [phase](End::phase), rest, [evidence](End::evidence), error, stop and report. The
-/// packets are left out.
 #[cfg(feature = "serde")]
 impl serde::Serialize for End {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -255,8 +255,18 @@ fn a_trajectory_is_described() {
     let aside = [5.0, 60.0, -80.0, 190.0, -90.0, 0.0];
     let points = [TimedPoint::new(0.0, START), TimedPoint::new(1.0, aside), TimedPoint::new(2.5, START)];
     let trajectory = Trajectory::timed(&points, &checker).expect("within limits");
-    check(to_string(&trajectory), &expect![[r#"{"model":"Zu 5","duration_s":2.5,"start_deg":[0.0,60.0,-80.0,190.0,-90.0,0.0],"end_deg":[0.0,60.0,-80.0,190.0,-90.0,0.0],"way_points":[{"time_s":0.0,"passing":"stops"},{"time_s":1.0,"passing":"through"},{"time_s":2.5,"passing":"stops"}],"slow_places":[]}"#]]);
-    check(to_string(&trajectory.at(2.5)), &expect![[r#"{"joints_deg":[0,60,-80,190,-90,0],"velocity_deg_s":[0.0,0.0,0.0,0.0,0.0,0.0],"acceleration_deg_s2":[0.0,0.0,0.0,0.0,0.0,0.0]}"#]]);
+    check(
+        to_string(&trajectory),
+        &expect![[
+            r#"{"model":"Zu 5","duration_s":2.5,"start_deg":[0.0,60.0,-80.0,190.0,-90.0,0.0],"end_deg":[0.0,60.0,-80.0,190.0,-90.0,0.0],"way_points":[{"time_s":0.0,"passing":"stops"},{"time_s":1.0,"passing":"through"},{"time_s":2.5,"passing":"stops"}],"slow_places":[]}"#
+        ]],
+    );
+    check(
+        to_string(&trajectory.at(2.5)),
+        &expect![[
+            r#"{"joints_deg":[0,60,-80,190,-90,0],"velocity_deg_s":[0.0,0.0,0.0,0.0,0.0,0.0],"acceleration_deg_s2":[0.0,0.0,0.0,0.0,0.0,0.0]}"#
+        ]],
+    );
 }
 
 #[test]
