@@ -38,12 +38,12 @@ use crate::model::Model;
 /// ```
 ///
 /// # serde
-/// With the feature `serde` limits are written and read in the tables and keys of `Limits::from_toml`, with
-/// the same checks and defaults; a list has six numbers. Boxes are read before half-spaces. Two keys have more:
-/// - `tcp_acceleration_mm_s2` of `stop` is `null` [without](Self::without_stop_tcp_acceleration) that bound. TOML has no
-///   `null`: such limits come back with the default bound.
+/// With the feature `serde` limits are written and read in the tables and keys of `Limits::from_toml`, with the same
+/// checks and defaults; a list has six numbers. Boxes are read before half-spaces. Two values have no place in a file:
+/// - `tcp_acceleration_mm_s2` of `stop` is `null` [without](Self::without_stop_tcp_acceleration) that bound. TOML has
+///   no `null`: such limits come back from it with the default bound.
 /// - `dh` has the parameters of a model [with other ones](Model::with_dh) than the published ones: `alpha_deg`, `a_mm`,
-///   `d_mm` and `joint_home_offset_deg`. A file of limits does not have it.
+///   `d_mm` and `joint_home_offset_deg`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     model: Model,
