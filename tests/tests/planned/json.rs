@@ -190,7 +190,7 @@ fn causes_have_their_names_and_errors_their_causes() {
     check(
         to_string(&error),
         &expect![[
-            r#"{"cause":"not_shown","text":"it is not known whether the force: the sensor does not report that it works","may_have_run":false}"#
+            r#"{"cause":"not_shown","text":"it is not known whether the force: the sensor does not report that it works","may_have_run":false,"evidence":{"kind":"none"}}"#
         ]],
     );
 }
