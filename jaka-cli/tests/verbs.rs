@@ -299,7 +299,7 @@ fn move_goes_to_joints_and_poses() {
     let pose = controller.state().tcp_pose;
     let line = format!("move --pose {},{},{},{},{},{} ", pose.x, pose.y, pose.z + 10.0, pose.rx, pose.ry, pose.rz);
     let json: Value = serde_json::from_str(&run_to(&(line + "--speed 100 --yes --json"))).expect("JSON");
-    assert_eq!(json["outcome"], "reached");
+    assert_eq!(json["end"]["cause"], "reached");
     assert!((controller.state().tcp_pose.z - pose.z - 10.0).abs() < 0.5);
 }
 

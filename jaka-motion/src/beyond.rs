@@ -17,6 +17,7 @@ use crate::model::{NoSolution, Point, Singularity};
 /// assert_eq!(beyond.to_string(), "joint 3 would be at 135.5 deg; limit 130 (MiniCobo)");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Beyond {
     /// Exceeded limit, or the reason that the check has no answer.
@@ -31,6 +32,7 @@ pub struct Beyond {
 
 /// Limit that a motion would exceed, or the reason that the check has no answer.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Exceeded {
     /// A joint would be beyond its range.
@@ -148,6 +150,7 @@ pub enum Exceeded {
 
 /// Motion or place that a check covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Way {
     /// A place, at rest.

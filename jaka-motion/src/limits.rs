@@ -4,6 +4,8 @@ mod axes;
 mod clearance;
 #[cfg(feature = "toml")]
 mod file;
+#[cfg(feature = "serde")]
+mod form;
 mod region;
 
 use std::sync::Arc;
@@ -34,6 +36,14 @@ use crate::model::Model;
 /// assert_eq!(wider.to_string(), "joint 3: -180 deg is beyond the -175 deg of the Zu 5; a limit can only be tighter");
 /// # Ok::<(), jaka_motion::InvalidLimit>(())
 /// ```
+///
+/// # serde
+/// With the feature `serde` limits are written and read in the tables and keys of `Limits::from_toml`, with the same
+/// checks and defaults; a list has six numbers. Boxes are read before half-spaces. Two values have no place in a file:
+/// - `tcp_acceleration_mm_s2` of `stop` is `null` [without](Self::without_stop_tcp_acceleration) that bound. TOML has
+///   no `null`: such limits come back from it with the default bound.
+/// - `dh` has the parameters of a model [with other ones](Model::with_dh) than the published ones: `alpha_deg`, `a_mm`,
+///   `d_mm` and `joint_home_offset_deg`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     model: Model,
@@ -49,6 +59,7 @@ pub struct Limits {
 
 /// Accelerations of motions: see [`Limits::with_preset`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Preset {
     /// A joint's highest speed in 2.5 s. The default.

@@ -46,6 +46,7 @@ pub struct Model {
 jaka_proto::worded! {
     /// A point of the arm.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum Point {
         /// The tool centre point.

@@ -8,12 +8,16 @@ use self::bernstein::{differences, largest, part, peak, sum, value, weights};
 
 /// Joint positions at one moment, with their speeds and accelerations.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sample {
     /// The joint positions.
+    #[cfg_attr(feature = "serde", serde(rename = "joints_deg"))]
     pub joints: JointPosition,
     /// The speed of each joint, in deg/s.
+    #[cfg_attr(feature = "serde", serde(rename = "velocity_deg_s"))]
     pub velocity: [f64; 6],
     /// The acceleration of each joint, in deg/s².
+    #[cfg_attr(feature = "serde", serde(rename = "acceleration_deg_s2"))]
     pub acceleration: [f64; 6],
 }
 

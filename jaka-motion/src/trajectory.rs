@@ -58,6 +58,10 @@ use crate::piece::{Piece, Sample};
 /// takes in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve near 10,000 points
 /// that takes 80 s. A piece has some 300 bytes: there is one between two points with times, and some 50 for each second
 /// of a plan. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
+///
+/// # serde
+/// With the feature `serde` a trajectory is described: `model`, `duration_s`, `start_deg`, `end_deg`, `way_points` and
+/// `slow_places`. Joint positions in between are not written: [`at`](Self::at) gives them, as a [`Sample`] that can be.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory(Arc<Shared>);
 
@@ -72,6 +76,7 @@ struct Shared {
 
 /// Point that a trajectory was made of: the time at which it is reached, and the manner of passing it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct WayPoint {
     /// Time at which the arm is there, or nearest to it, in seconds from the start.
@@ -82,6 +87,7 @@ pub struct WayPoint {
 
 /// Manner in which the arm passes a way-point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Passing {
     /// It stops there.
@@ -340,6 +346,30 @@ impl Shared {
                 TrajectoryError::Beyond { after, time_s: Some(time_s), beyond }
             })
         })
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Trajectory {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'t> {
+            model: &'static str,
+            duration_s: f64,
+            start_deg: [f64; 6],
+            end_deg: [f64; 6],
+            way_points: &'t [WayPoint],
+            slow_places: &'t [SlowPlace],
+        }
+        let form = Form {
+            model: self.0.checker.limits().model().name(),
+            duration_s: self.duration_s(),
+            start_deg: self.start().0,
+            end_deg: self.end().0,
+            way_points: self.way_points(),
+            slow_places: self.slow_places(),
+        };
+        form.serialize(serializer)
     }
 }
 

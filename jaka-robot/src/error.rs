@@ -16,6 +16,8 @@ use jaka_sync::layer::{Link, SendError, show_exchanges};
 pub use self::end::{End, Phase, Rest};
 pub use self::kind::ErrorKind;
 use self::kind::Group;
+#[cfg(feature = "serde")]
+use crate::Evidence;
 use crate::cause::Occurrence;
 use crate::{Cause, GuardTrip, Remedy};
 
@@ -42,6 +44,9 @@ use crate::{Cause, GuardTrip, Remedy};
 /// }
 /// # Ok::<(), jaka_robot::Error>(())
 /// ```
+///
+/// With the feature `serde` an error is written as its `cause`, the `text` of its kind, `may_have_run`, and the
+/// `evidence` for the cause.
 ///
 /// An `Error` is one pointer wide. It can be made of an [`ErrorKind`], for tests of programs that handle errors.
 pub struct Error(Box<Inner>);
@@ -183,6 +188,22 @@ impl fmt::Display for Error {
         write!(f, "{}", self.kind())?;
         self.remedy().append(f)?;
         if f.alternate() { show_exchanges(self.exchanges(), f) } else { Ok(()) }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Error {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form {
+            cause: Cause,
+            text: String,
+            may_have_run: bool,
+            evidence: Evidence,
+        }
+        let Occurrence { cause, evidence } = self.occurrence();
+        let (text, may_have_run) = (self.kind().to_string(), self.may_have_run());
+        Form { cause, text, may_have_run, evidence }.serialize(serializer)
     }
 }
 

@@ -6,6 +6,8 @@ mod arm;
 mod cause;
 mod error;
 mod follow;
+#[cfg(feature = "serde")]
+mod form;
 mod guard;
 mod input_wait;
 mod inputs;

@@ -27,6 +27,9 @@ use crate::arm::{ArmState, StatusPort};
 ///
 /// Displayed as a table, with the points to look at [at the pendant](Self::AT_THE_PENDANT) and the limits of the
 /// verdicts.
+///
+/// With the feature `serde` it is written as its `verdict`, its `findings` (`item`, `verdict`, `seen` and `advice`),
+/// the points `at_the_pendant` (`item` and `what`), and the `note`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use = "a check changes nothing: what it found is all that it does"]
 pub struct Preflight {
@@ -114,6 +117,27 @@ impl Preflight {
         packets::read(packet, &mut findings);
         findings.sort_by_key(Finding::item);
         Self { findings }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Preflight {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'p> {
+            verdict: Verdict,
+            findings: &'p [Finding],
+            at_the_pendant: Vec<Setting>,
+            note: &'static str,
+        }
+        #[derive(serde::Serialize)]
+        struct Setting {
+            item: String,
+            what: &'static str,
+        }
+        let settings = Self::AT_THE_PENDANT.iter().map(|(item, what)| Setting { item: item.replace(' ', "_"), what });
+        let (verdict, findings, at_the_pendant) = (self.verdict(), self.findings(), settings.collect());
+        Form { verdict, findings, at_the_pendant, note: Self::NOTE }.serialize(serializer)
     }
 }
 

@@ -6,13 +6,20 @@ use std::time::Duration;
 
 use self::histogram::Histogram;
 use crate::SelectedFrames;
+#[cfg(feature = "serde")]
+use crate::form;
 use crate::under_way::UnderWay;
 
 /// Report of a motion, a servo session, a stream or a trajectory. A motion that the controller plans has no set-points.
+///
+/// With the feature `serde` it is written with one key more: `lateness`, with `p50_s`, `p90_s`, `p99_s` and `max_s`, or
+/// `null` without set-points.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Report {
     /// Time for which the end was waited for; of set-points, the time since servo mode was entered.
+    #[cfg_attr(feature = "serde", serde(rename = "waited_s", serialize_with = "form::seconds"))]
     pub waited: Duration,
     /// Set-points sent, without those of the landing.
     pub cycles: u64,
@@ -21,6 +28,7 @@ pub struct Report {
     /// Gaps: set-points that were late by three periods or more. The arm is taken to have stood then.
     pub gaps: u64,
     /// The longest of these, by the lateness of the set-point after it; zero without a gap.
+    #[cfg_attr(feature = "serde", serde(rename = "longest_gap_s", serialize_with = "form::seconds"))]
     pub longest_gap: Duration,
     /// Set-points of the landing: those that braked the arm, and those that held it.
     pub landing_cycles: u64,
@@ -50,11 +58,14 @@ pub struct Report {
 
 /// Report of a trajectory that was followed.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct TrajectoryReport {
     /// The trajectory time of the last set-point on the trajectory.
+    #[cfg_attr(feature = "serde", serde(rename = "reached_s", serialize_with = "form::seconds"))]
     pub reached: Duration,
     /// Duration of the trajectory at its own speed.
+    #[cfg_attr(feature = "serde", serde(rename = "duration_s", serialize_with = "form::seconds"))]
     pub duration: Duration,
     /// True if the arm was braked straight on in joint space, and so off the trajectory, because braking along it would
     /// have taken too long: see [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread
@@ -70,9 +81,11 @@ pub struct TrajectoryReport {
 /// differences. It is measured from sending a set-point to receiving a packet: the link's and the packets' own delay
 /// are part of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FollowLag {
     /// The delay that fits best, in steps of 1 ms.
+    #[cfg_attr(feature = "serde", serde(rename = "delay_s", serialize_with = "form::seconds"))]
     pub delay: Duration,
     /// Distance of each joint from its delayed set-points, in degrees: the root of the mean of the squares.
     pub residual_deg: [f64; 6],

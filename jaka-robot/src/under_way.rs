@@ -9,6 +9,7 @@ use crate::Snapshot;
 
 /// Ids of the selected tool frame and user frame, as status packets show them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SelectedFrames {
     /// Id of the tool frame; none where packets do not show it.
@@ -19,6 +20,7 @@ pub struct SelectedFrames {
 
 /// Change of the selected frames since the start of a motion, as a status packet shows it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FrameChange {
     /// Frames at the start.

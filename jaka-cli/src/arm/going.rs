@@ -27,7 +27,7 @@ pub(crate) struct GoArgs {
     /// given, too, one status packet says where the arm is: that disturbs no other program.
     #[arg(long)]
     dry_run: bool,
-    /// Print one JSON object: `command`, `outcome`, `text` and `waited_s`
+    /// Print one JSON object: `command` and `end`
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -4,13 +4,12 @@ use std::time::Duration;
 
 use jaka_robot::{Cause, End, Error};
 use jaka_spec::Spec;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::arm::interrupt::{Stage, UnderWay};
 use crate::failure::Failure;
 use crate::packets::packed_status::PackedRobot;
 use crate::terminal::output;
-use crate::text::number::seconds;
 
 /// Default timeout for the end of a motion.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
@@ -27,6 +26,13 @@ impl Form {
     pub(crate) fn of(as_json: bool) -> Self {
         if as_json { Self::Json } else { Self::Text }
     }
+}
+
+/// End of a motion, for programs.
+#[derive(Serialize)]
+struct Ended<'e> {
+    command: &'e str,
+    end: &'e End,
 }
 
 /// Runs a motion.
@@ -51,22 +57,11 @@ pub(crate) fn end(
 /// It did not end at its target.
 pub(crate) fn print(command: &str, end: End, form: Form) -> Result<(), Failure> {
     match form {
-        Form::Json => {
-            let mut line = json!({"command": command});
-            describe(&end, &mut line);
-            output::json(&format!("{line}\n"))?;
-        }
+        Form::Json => output::json_line(&Ended { command, end: &end })?,
         Form::Text if end.cause() == Cause::Reached => {
             output::line(&format!("{end}, after {:.1} s", end.report.waited.as_secs_f64()))?;
         }
         Form::Text => {}
     }
     Ok(end.reached()?)
-}
-
-/// Adds how a motion ended, for programs: `outcome`, `text` and `waited_s`.
-pub(crate) fn describe(end: &End, line: &mut Value) {
-    line["outcome"] = end.cause().name().into();
-    line["text"] = end.to_string().into();
-    line["waited_s"] = seconds(end.report.waited).into();
 }

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use jaka_motion::{Limits, Model};
-use jaka_robot::preflight::{Finding, Preflight, Verdict};
-use serde_json::{Value, json};
+use jaka_robot::preflight::{Preflight, Verdict};
+use serde::Serialize;
 
 use crate::arm::limits;
 use crate::failure::Failure;
@@ -52,6 +52,15 @@ pub(crate) struct Check {
     robot: RobotArgs,
 }
 
+/// The shape that the README describes.
+#[derive(Serialize)]
+struct Report<'r> {
+    robot: &'r str,
+    jaka: &'static str,
+    #[serde(flatten)]
+    preflight: &'r Preflight,
+}
+
 impl Check {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let limits = match &self.limits {
@@ -66,7 +75,8 @@ impl Check {
         }
         let preflight = target.preflight::<PackedStatus>(limits.as_ref());
         if self.json {
-            output::json(&format!("{:#}\n", as_json(target.title(), &preflight)))?;
+            let (robot, jaka) = (target.title(), env!("CARGO_PKG_VERSION"));
+            output::json_lines(&Report { robot, jaka, preflight: &preflight })?;
         } else {
             output::lines(&format!("{preflight}\n"))?;
         }
@@ -76,31 +86,4 @@ impl Check {
             _ => Err(Failure::Printed(exit::LOOK)),
         }
     }
-}
-
-/// The shape that the README describes.
-fn as_json(robot: &str, preflight: &Preflight) -> Value {
-    let pendant = Preflight::AT_THE_PENDANT.iter().map(|(item, what)| json!({"item": key(item), "what": what}));
-    json!({
-        "robot": robot,
-        "jaka": env!("CARGO_PKG_VERSION"),
-        "verdict": key(&preflight.verdict()),
-        "findings": preflight.findings().iter().map(finding).collect::<Vec<_>>(),
-        "at_the_pendant": pendant.collect::<Vec<_>>(),
-        "note": Preflight::NOTE,
-    })
-}
-
-fn finding(finding: &Finding) -> Value {
-    json!({
-        "item": key(&finding.item()),
-        "verdict": key(&finding.verdict()),
-        "seen": finding.seen(),
-        "advice": finding.advice(),
-    })
-}
-
-/// A name in words as one word: `tool_frame`.
-fn key(name: &impl ToString) -> String {
-    name.to_string().to_lowercase().replace(' ', "_")
 }

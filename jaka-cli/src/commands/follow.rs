@@ -13,7 +13,7 @@ use jaka_motion::{Checker, Frames, Limits, Trajectory};
 use jaka_robot::FollowConfig;
 
 use self::plan::{Plan, PlanArgs};
-use self::report::Peaks;
+use self::report::{Checked, Peaks};
 use crate::arm::acting::ActArgs;
 use crate::arm::limits::LimitsArgs;
 use crate::failure::Failure;
@@ -55,7 +55,7 @@ pub(crate) struct Follow {
     /// Follow it at this share of its own speed, up to 1
     #[arg(long, value_name = "SHARE", default_value_t = 1.0, value_parser = share)]
     scale: f64,
-    /// Print one JSON object
+    /// Print one JSON object: its `end`; with --dry-run, the trajectory and its peaks
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -88,7 +88,7 @@ impl Follow {
         }
         let peaks = Peaks::of(trajectory, checker);
         if self.json {
-            output::json(&format!("{:#}\n", report::checked_as_json(trajectory, &peaks, checker)))
+            output::json_lines(&Checked { trajectory, peaks: &peaks })
         } else {
             output::lines(&report::checked(trajectory, &peaks, checker))
         }

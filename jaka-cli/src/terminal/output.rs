@@ -16,6 +16,7 @@ use anstream::stderr;
 use clap::builder::styling::{AnsiColor, Style};
 use itertools::Itertools as _;
 use jaka_sync::proto::text::{visible, visible_json, visible_lines};
+use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::terminal::raw::with_returns;
@@ -45,6 +46,21 @@ pub(crate) fn lines(text: &str) -> Result<(), Failure> {
 /// Writes JSON, the same JSON in characters that can be seen.
 pub(crate) fn json(text: &str) -> Result<(), Failure> {
     write(visible_json(text).as_bytes())
+}
+
+/// Writes a value as JSON on one line.
+pub(crate) fn json_line(value: &impl Serialize) -> Result<(), Failure> {
+    json(&(as_json(serde_json::to_string(value))? + "\n"))
+}
+
+/// Writes a value as JSON that people can read, too.
+pub(crate) fn json_lines(value: &impl Serialize) -> Result<(), Failure> {
+    json(&(as_json(serde_json::to_string_pretty(value))? + "\n"))
+}
+
+/// JSON that was made of a value.
+pub(crate) fn as_json<T>(made: serde_json::Result<T>) -> Result<T, Failure> {
+    made.map_err(|error| Failure::output(error.into()))
 }
 
 /// True if notes and warnings are left out.

@@ -42,24 +42,60 @@ fn a_trajectory_that_is_completed_is_reported() {
     let arm = arm();
     let run = jaka(&arm, words(1.0, "--json"));
     let mut said = said(&run);
-    let residual = said["residual_deg"].take();
+    let waited = said["end"]["report"]["waited_s"].take();
+    assert!(waited.as_f64() >= Some(2.0), "{waited}");
+    let lag = &mut said["end"]["report"]["trajectory"]["lag"];
+    let [residual, _] = ["residual_deg", "worst_deg"].map(|joints| lag[joints].take());
     let is_small = |joint: &Value| joint.as_f64().is_some_and(|residual| residual < 0.02);
     assert!(residual.as_array().is_some_and(|joints| joints.len() == 6 && joints.iter().all(is_small)), "{residual}");
     expect![[r#"
         {
-          "at_rest": true,
-          "duration_s": 2.0,
-          "gaps": 0,
-          "lag_ms": 7.0,
-          "late": 0,
-          "lateness_max_ms": 0.0,
-          "lateness_p99_ms": 0.0,
-          "left_curve": false,
-          "outcome": "reached",
-          "reached_s": 2.0,
-          "residual_deg": null,
-          "set_points": 252,
-          "text": "the motion has reached its target"
+          "end": {
+            "cause": "reached",
+            "error": null,
+            "evidence": {
+              "kind": "none"
+            },
+            "phase": "ended",
+            "report": {
+              "absent": [],
+              "accepted": 259,
+              "cycles": 252,
+              "frames": {
+                "tool": 0,
+                "user": 0
+              },
+              "gaps": 0,
+              "landing_cycles": 7,
+              "late_cycles": 0,
+              "lateness": {
+                "max_s": 0.0,
+                "p50_s": 0.0,
+                "p90_s": 0.0,
+                "p99_s": 0.0
+              },
+              "longest_gap_s": 0.0,
+              "most_outstanding": 1,
+              "rapid_rate": 1.0,
+              "refused": 0,
+              "trajectory": {
+                "duration_s": 2.0,
+                "has_left_curve": false,
+                "lag": {
+                  "delay_s": 0.007,
+                  "packets": 68,
+                  "residual_deg": null,
+                  "worst_deg": null
+                },
+                "reached_s": 2.0
+              },
+              "unanswered": 0,
+              "waited_s": null
+            },
+            "rest": "packets",
+            "stop": null,
+            "text": "the motion has reached its target"
+          }
         }"#]]
     .assert_eq(&format!("{said:#}"));
     assert_eq!(run.code, 0);
@@ -91,7 +127,7 @@ fn points_without_times_are_followed() {
     let arm = Arm::simulated().at(start).start();
     let line = format!("follow {} --model zu5 --yes --within-mm 0.2 --tool-speed 100 --json", path.display());
     let run = jaka(&arm, line.split_whitespace());
-    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"reached".into()), "{run:?}");
+    assert_eq!((run.code, &said(&run)["end"]["cause"]), (0, &"reached".into()), "{run:?}");
     let there = tool(arm.state().joint_position.0);
     let (x, y) = on_circle(100);
     assert!((there.x - x).hypot(there.y - y) < 0.3, "{there:?}");
@@ -103,7 +139,7 @@ fn an_approach_leads_to_where_the_trajectory_starts() {
     arm.set_state(|state| state.joint_position.0[3] = 91.0);
     assert_eq!(jaka(&arm, words(1.0, "")).code, 20);
     let run = jaka(&arm, words(1.0, "--approach 20 --json"));
-    assert_eq!((run.code, &said(&run)["outcome"]), (0, &"reached".into()), "{run:?}");
+    assert_eq!((run.code, &said(&run)["end"]["cause"]), (0, &"reached".into()), "{run:?}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn changes(arm: &Arm) -> Vec<String> {
 }
 
 #[test]
-fn each_outcome_has_its_exit_code() {
+fn each_end_has_its_exit_code() {
     let ends: [(&str, Happening, u8, &str); 6] = [
         ("", Controller::collide, 23, "protective stop"),
         ("", Controller::press_emergency_stop, 24, "emergency stop"),
@@ -52,15 +52,17 @@ fn each_outcome_has_its_exit_code() {
 
 #[test]
 fn json_says_how_it_ended_whatever_the_end_is() {
-    let outcome = |line: &str, meanwhile: Happening| {
+    let cause = |line: &str, meanwhile: Happening| {
         let run = run(line, meanwhile);
         let json: Value = serde_json::from_str(&run.out).expect("it is one object");
-        assert!(json["waited_s"].as_f64().is_some() && json["text"].is_string(), "{json}");
-        json["outcome"].as_str().expect("it is a text").to_owned()
+        let end = &json["end"];
+        assert_eq!(json["command"], "joint_move");
+        assert!(end["report"]["waited_s"].as_f64().is_some() && end["text"].is_string(), "{json}");
+        end["cause"].as_str().expect("it is a text").to_owned()
     };
-    assert_eq!(outcome(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
+    assert_eq!(cause(&format!("{SLOW} --json"), Controller::collide), "protective_stop");
     let fast = "call joint_move --mode absolute --joint-position 5,90,90,90,-90,0 --speed 90 --yes --wait --json";
-    assert_eq!(outcome(fast, |_| {}), "reached");
+    assert_eq!(cause(fast, |_| {}), "reached");
 }
 
 #[test]
@@ -81,7 +83,7 @@ fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
     );
     assert!(!arm.state().at_rest, "the arm goes on: {run:?}");
     let json: Value = serde_json::from_str(&run.out).expect("it is one object");
-    assert_eq!((run.code, &json["outcome"]), (4, &"commands_lost".into()), "{run:?}");
+    assert_eq!((run.code, &json["end"]["cause"]), (4, &"commands_lost".into()), "{run:?}");
     for part in [
         "the arm may still move",
         "such as the vendor's app",

@@ -14,7 +14,7 @@ pub(crate) fn seconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64())
 }
 
-/// Milliseconds to the microsecond, for JSON.
+/// Milliseconds to the microsecond.
 pub(crate) fn milliseconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64() * 1e3)
 }

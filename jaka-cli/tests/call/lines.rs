@@ -131,9 +131,9 @@ fn motions_are_waited_for() {
     assert_eq!(run.code, Some(0), "{run:?}");
     let answers: Vec<serde_json::Value> =
         run.out.lines().map(|line| serde_json::from_str(line).expect("it is JSON")).collect();
-    assert_eq!((&answers[0]["command"], &answers[0]["outcome"]), (&"joint_move".into(), &"reached".into()));
+    assert_eq!((&answers[0]["command"], &answers[0]["end"]["cause"]), (&"joint_move".into(), &"reached".into()));
     assert_eq!(answers[1]["reply"]["joint_position"][0].as_f64().map(f64::round), Some(5.0));
-    assert_eq!(answers[2]["outcome"], "reached");
+    assert_eq!(answers[2]["end"]["cause"], "reached");
     controller.collide();
     let run = lines(&controller, "--yes --wait", &to(5));
     assert_eq!(run.code, Some(20), "{run:?}");

@@ -22,16 +22,18 @@ pub struct Region {
 
 /// Frame from which a region is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum RegionFrame {
     /// The arm's own base, as [`Model::forward`](crate::Model::forward) has it: it goes where the arm is mounted.
+    #[cfg_attr(feature = "serde", serde(rename = "base"))]
     ArmBase,
     /// The frame in which poses are given: the user frame.
     User,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Shape {
+pub(super) enum Shape {
     Inside { min: Point3<f64>, max: Point3<f64> },
     Outside { min: Point3<f64>, max: Point3<f64> },
     HalfSpace { border: Point3<f64>, inward: Unit<Vector3<f64>> },
@@ -99,6 +101,12 @@ impl Region {
     /// Returns the frame from which it is seen.
     pub fn frame(&self) -> RegionFrame {
         self.frame
+    }
+
+    /// Returns the shape.
+    #[cfg(feature = "serde")]
+    pub(super) fn shape(&self) -> &Shape {
+        &self.shape
     }
 
     fn boxed(

@@ -33,6 +33,7 @@ pub struct SingularityDistance {
 jaka_proto::worded! {
     /// Singularity of the arm: joint positions at which it loses a direction.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
     pub enum Singularity {
         /// The wrist is above the shoulder.
         Shoulder => "shoulder",

@@ -2,6 +2,7 @@
 
 /// Place at which the tool is slower than the speed that was asked for, between two others at which it is faster.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SlowPlace {
     /// Trajectory time, in seconds.
@@ -15,6 +16,7 @@ pub struct SlowPlace {
 jaka_proto::worded! {
     /// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies, if it is one of a joint.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum SlowedBy {
         /// The speed of a joint.

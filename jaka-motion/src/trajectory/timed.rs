@@ -12,16 +12,22 @@ use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
 /// Joint positions at a time, with their speeds and accelerations there, if these are known.
+///
+/// With the feature `serde` it is written with the keys that `TimedPoint::from_json` reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct TimedPoint {
     /// The time in seconds from the start.
     pub time_s: f64,
     /// The joint positions.
+    #[cfg_attr(feature = "serde", serde(rename = "joints_deg"))]
     pub joints: JointPosition,
     /// The speed of each joint, in deg/s.
+    #[cfg_attr(feature = "serde", serde(rename = "velocity_deg_s", skip_serializing_if = "Option::is_none"))]
     pub velocity: Option<[f64; 6]>,
     /// The acceleration of each joint, in deg/s².
+    #[cfg_attr(feature = "serde", serde(rename = "acceleration_deg_s2", skip_serializing_if = "Option::is_none"))]
     pub acceleration: Option<[f64; 6]>,
 }
 

@@ -11,6 +11,8 @@ use jaka_sync::layer::seat_hint;
 use super::remedy::Remedy;
 use super::table::Cause;
 use super::trip::GuardTrip;
+#[cfg(feature = "serde")]
+use crate::form;
 use crate::{Disconnect, FrameChange};
 
 /// Cause of an end of moving, or of what keeps it back, with the evidence for it.
@@ -25,6 +27,7 @@ pub struct Occurrence {
 
 /// Evidence for a [`Cause`], besides packets and errors.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Evidence {
     /// None besides the cause itself: a packet, an answer of the controller or this program shows it.
@@ -35,6 +38,7 @@ pub enum Evidence {
         /// The code as the controller writes it, such as `0x0F0034`.
         code: String,
         /// The event with its severity and, if it is known, its meaning; none for a code that cannot be read.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "form::event"))]
         event: Option<ControllerEvent>,
         /// The controller's message.
         message: String,
@@ -49,13 +53,16 @@ pub enum Evidence {
         /// Address of the connection, with the port.
         address: String,
         /// Cause of its end.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "form::text"))]
         cause: Arc<Disconnect>,
     },
     /// Loss of status packets that can be read.
     Status {
         /// Cause of the end of the connection; none if it is open.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "form::some_text"))]
         cause: Option<Arc<Disconnect>>,
         /// Error of a packet that cannot be read; none if no packets come.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "form::some_text"))]
         unreadable: Option<DecodeError>,
     },
 }

@@ -6,6 +6,7 @@ use super::remedy::Remedy;
 
 /// Kinds of causes, for programs that treat the causes of a kind alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum CauseGroup {
     /// The motion has ended as it was commanded.
     Done,
@@ -160,6 +161,14 @@ impl Cause {
             | Self::Landed
             | Self::Reached => false,
         }
+    }
+}
+
+/// Its [name](Cause::name).
+#[cfg(feature = "serde")]
+impl serde::Serialize for Cause {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 

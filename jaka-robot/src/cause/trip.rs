@@ -8,9 +8,12 @@ use super::remedy::Remedy;
 use super::table::Cause;
 use super::unknown::NotShown;
 use crate::Snapshot;
+#[cfg(feature = "serde")]
+use crate::form;
 
 /// Trip of a guard, and its consequences.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct GuardTrip {
     /// Index of the guard's condition that tripped: 0 for the first.
@@ -20,10 +23,12 @@ pub struct GuardTrip {
     /// Reason for the trip: the condition holds, or it cannot be judged.
     pub reason: TripReason,
     /// The packet that tripped it.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub packet: Arc<Snapshot>,
     /// From the arrival of the packet until the stop had been written, for a motion. None where no stop was written:
     /// nothing had been sent by then ([`is_before_start`](Self::is_before_start)), it could not be written, or a stream
     /// landed.
+    #[cfg_attr(feature = "serde", serde(rename = "reaction_s", serialize_with = "form::some_seconds"))]
     pub reaction: Option<Duration>,
     /// True if nothing was sent, because the guard had tripped before the motion went out.
     pub is_before_start: bool,
@@ -37,13 +42,16 @@ pub struct GuardTrip {
 
 /// Lag of an arm that is longer than the reaction of a limit of force, or perhaps longer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct LagBeyondReaction {
     /// Delay from sending a set-point to the packet that shows the arm there.
+    #[cfg_attr(feature = "serde", serde(rename = "lag_s", serialize_with = "form::seconds"))]
     pub lag: Duration,
     /// True if the delay was at least [`lag`](Self::lag), the longest one that is measured, and may have been longer.
     pub is_lower_bound: bool,
     /// The limit's reaction ([`ForceLimit::reaction`](crate::ForceLimit::reaction)).
+    #[cfg_attr(feature = "serde", serde(rename = "reaction_s", serialize_with = "form::seconds"))]
     pub reaction: Duration,
 }
 
@@ -70,6 +78,25 @@ pub enum TripReason {
     NotShown(NotShown),
     /// The question of the user's own panicked.
     Panicked,
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for TripReason {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        #[serde(tag = "kind", rename_all = "snake_case")]
+        enum Form<'r> {
+            Holds,
+            NotShown { reason: &'r NotShown },
+            Panicked,
+        }
+        let form = match self {
+            Self::Holds => Form::Holds,
+            Self::NotShown(reason) => Form::NotShown { reason },
+            Self::Panicked => Form::Panicked,
+        };
+        form.serialize(serializer)
+    }
 }
 
 impl GuardTrip {

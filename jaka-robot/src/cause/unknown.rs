@@ -8,10 +8,13 @@ use jaka_proto::wire::DecodeError;
 
 use super::remedy::Remedy;
 use crate::Snapshot;
+#[cfg(feature = "serde")]
+use crate::form;
 
 jaka_proto::worded! {
     /// Reason why status packets do not show a fact that was asked for.
     #[derive(Debug, Clone, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum NotShown {
         /// The packet does not have the field.
@@ -22,6 +25,7 @@ jaka_proto::worded! {
         /// The packet has the field in a form that does not fit.
         Unfit {
             /// Error with the field and the reason.
+            #[cfg_attr(feature = "serde", serde(serialize_with = "form::text"))]
             source: DecodeError,
         } => "the newest status packet cannot be read: {source}",
         /// The list does not have so many elements.

@@ -13,6 +13,10 @@ use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, Tr
 ///
 /// An event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end into an
 /// error, so that `?` works from the connection to the end of a motion.
+///
+/// # serde
+/// With the feature `serde` an end is written as its `cause`, `text`, `phase`, `rest`, `evidence`, `error`, `stop` and
+/// `report`, without its packets. `stop` is `null`, or has `is_accepted` and the `error`.
 #[derive(Debug)]
 #[non_exhaustive]
 #[must_use = "a motion may have ended before its target"]
@@ -36,6 +40,7 @@ pub struct End {
 
 /// Rest of an arm after a motion, as it was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Rest {
     /// Not seen: the arm may still brake, or move.
     NotSeen,
@@ -47,6 +52,7 @@ pub enum Rest {
 
 /// Phase in which a call or a motion ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Phase {
     /// Nothing that moves the arm was sent, or it did not run.
     NotSent,
@@ -182,6 +188,40 @@ impl End {
             line = line.followed_by("the query for its position failed", Some(error));
         }
         line.into_text()
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for End {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Form<'e> {
+            cause: Cause,
+            text: String,
+            phase: Phase,
+            rest: Rest,
+            evidence: &'e Evidence,
+            error: Option<&'e Error>,
+            stop: Option<Stop<'e>>,
+            report: &'e Report,
+        }
+        #[derive(serde::Serialize)]
+        struct Stop<'e> {
+            is_accepted: bool,
+            error: Option<&'e Error>,
+        }
+        let stop = self.stop.as_ref();
+        let form = Form {
+            cause: self.cause(),
+            text: self.to_string(),
+            phase: self.phase(),
+            rest: self.rest,
+            evidence: self.evidence(),
+            error: self.error.as_ref(),
+            stop: stop.map(|stop| Stop { is_accepted: stop.is_ok(), error: stop.as_ref().err() }),
+            report: &self.report,
+        };
+        form.serialize(serializer)
     }
 }
 

@@ -6,6 +6,8 @@ use std::time::Duration;
 use super::config::check_scale;
 use super::orders::Orders;
 use crate::error::OptionName;
+#[cfg(feature = "serde")]
+use crate::form;
 use crate::{Cause, End, Error, Report, Rest, TrajectoryReport};
 
 /// Pauses, slows down and stops a [`FollowRun`](super::FollowRun), from any thread; all of it along the trajectory.
@@ -17,11 +19,14 @@ pub struct FollowHandle {
 
 /// Progress on a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FollowProgress {
     /// The trajectory time of the last set-point; the arm lags behind it.
+    #[cfg_attr(feature = "serde", serde(rename = "time_s", serialize_with = "form::seconds"))]
     pub time: Duration,
     /// Duration of the trajectory at its own speed.
+    #[cfg_attr(feature = "serde", serde(rename = "duration_s", serialize_with = "form::seconds"))]
     pub duration: Duration,
     /// Rate at which the trajectory time passes: from 0 in a pause to 1.
     pub rate: f64,

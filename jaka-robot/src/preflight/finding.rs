@@ -9,6 +9,7 @@ jaka_proto::worded! {
     ///
     /// Displayed in words, such as `tool frame`.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum CheckItem {
         /// The port for commands (10001), and whether the controller answers this client there.
@@ -65,6 +66,7 @@ jaka_proto::worded! {
     ///
     /// Displayed in words: `nothing found`, `not checked`, `look` or `wrong`.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum Verdict {
         /// Nothing was found. This does not mean that the arm is safe to move.
@@ -80,13 +82,16 @@ jaka_proto::worded! {
 
 /// Finding at one item. Its texts are lines without invisible characters, whatever the controller says.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Finding {
     item: CheckItem,
+    #[cfg_attr(feature = "serde", serde(flatten))]
     judgement: Judgement,
 }
 
 /// Observation, its verdict, and advice.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub(super) struct Judgement {
     pub(super) verdict: Verdict,
     seen: String,

@@ -52,6 +52,24 @@ impl Histogram {
     }
 }
 
+/// Shares of times, in seconds; none where no times are counted.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Histogram {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        #[expect(clippy::struct_field_names, reason = "keys have their unit")]
+        struct Form {
+            p50_s: f64,
+            p90_s: f64,
+            p99_s: f64,
+            max_s: f64,
+        }
+        let is_empty = self.counts.iter().all(|count| *count == 0);
+        let [p50_s, p90_s, p99_s, max_s] = [0.5, 0.9, 0.99, 1.0].map(|share| self.at(share).as_secs_f64());
+        (!is_empty).then_some(Form { p50_s, p90_s, p99_s, max_s }).serialize(serializer)
+    }
+}
+
 fn place(micros: u32) -> usize {
     let doublings = (micros / EXACT).checked_ilog2().map_or(0, |log| log + 1);
     ((micros >> doublings) + doublings * EXACT / 2) as usize

@@ -7,6 +7,7 @@ mod diff;
 mod document;
 mod dynamic;
 mod examples;
+mod json;
 mod kinematics;
 mod properties;
 mod readme;

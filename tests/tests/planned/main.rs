@@ -3,6 +3,7 @@
 mod arm_state;
 mod guards;
 mod io_waits;
+mod json;
 mod limits;
 mod lost_seat;
 mod mapped_status;

@@ -91,7 +91,7 @@ impl LineSession<'_> {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
                 let end = motion::end(robot, |robot| robot.run(&motion, patience), spec, &self.under_way)?;
-                motion::describe(&end, answer);
+                answer["end"] = output::as_json(serde_json::to_value(&end))?;
                 Ok(end.reached()?)
             }
             (connection, _) => {

@@ -54,8 +54,8 @@ pub(super) struct Options {
     /// connection
     ///
     /// A line has the whole request, as --params takes it. The answer has `command`, and `reply` by the names of its
-    /// fields; with --wait motions are waited for, and it has `outcome`, `text` and `waited_s`; where something fails,
-    /// `error` and `exit_code`. The first failure ends it. Nothing is asked: commands about which `jaka call` would ask
+    /// fields; with --wait motions are waited for, and it has their `end`; where something fails, `error` and
+    /// `exit_code`. The first failure ends it. Nothing is asked: commands about which `jaka call` would ask
     /// need --yes.
     #[arg(long, conflicts_with_all = ["params", "raw", "dry_run", "list", "check_firmware", "json"])]
     pub(super) stdin: bool,

@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 use jaka_motion::{Checker, Sample, Trajectory};
 use jaka_robot::{Cause, End, FollowLag};
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::terminal::output;
-use crate::text::number::{fixed, milliseconds, seconds};
+use crate::text::number::{fixed, milliseconds};
 
 /// Step in which peaks are searched, in seconds, and greatest number of steps.
 const STEP_S: f64 = 0.001;
@@ -18,12 +18,30 @@ const MOST_STEPS: f64 = 1e6;
 pub(super) const SLOW_PLACES: usize = 5;
 
 /// Greatest speeds of a trajectory, in deg/s, and its greatest accelerations, in deg/s².
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
 pub(super) struct Peaks {
+    #[serde(rename = "highest_speeds_deg_s")]
     pub(super) speeds: [f64; 6],
+    #[serde(rename = "largest_accelerations_deg_s2")]
     accelerations: [f64; 6],
     /// In mm/s.
+    #[serde(rename = "highest_flange_speed_mm_s")]
     tool: f64,
+}
+
+/// Trajectory that was compared with limits, for programs.
+#[derive(Serialize)]
+pub(super) struct Checked<'t> {
+    #[serde(flatten)]
+    pub(super) trajectory: &'t Trajectory,
+    #[serde(flatten)]
+    pub(super) peaks: &'t Peaks,
+}
+
+/// End of a trajectory, for programs.
+#[derive(Serialize)]
+struct Ended<'e> {
+    end: &'e End,
 }
 
 impl Peaks {
@@ -83,27 +101,10 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     out
 }
 
-/// Report for programs on the checks and on the peaks of the trajectory.
-pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> Value {
-    json!({
-        "way_points": trajectory.way_points().len(),
-        "duration_s": trajectory.duration_s(),
-        "model": checker.limits().model().name(),
-        "start_deg": trajectory.start().0,
-        "end_deg": trajectory.end().0,
-        "highest_speeds_deg_s": peaks.speeds,
-        "largest_accelerations_deg_s2": peaks.accelerations,
-        "highest_flange_speed_mm_s": peaks.tool,
-        "slow_places": trajectory.slow_places().iter().map(|place| {
-            json!({"time_s": place.time_s, "share": place.share, "by": place.by.to_string()})
-        }).collect::<Vec<_>>(),
-    })
-}
-
 /// Prints how it ended, as JSON whatever the end is.
 pub(super) fn print(end: End, as_json: bool) -> Result<(), Failure> {
     if as_json {
-        output::json(&format!("{}\n", ended_as_json(&end)))?;
+        output::json_line(&Ended { end: &end })?;
     } else if end.cause() == Cause::Reached {
         output::line(&completed(&end))?;
     }
@@ -118,23 +119,4 @@ fn completed(end: &End) -> String {
 
 fn lag(end: &End) -> Option<FollowLag> {
     end.report.trajectory.as_ref().and_then(|trajectory| trajectory.lag)
-}
-
-fn ended_as_json(end: &End) -> Value {
-    let (trajectory, lag) = (end.report.trajectory.as_ref(), lag(end));
-    json!({
-        "outcome": end.cause().name(),
-        "text": end.to_string(),
-        "at_rest": end.rest.was_seen(),
-        "reached_s": trajectory.map(|trajectory| seconds(trajectory.reached)),
-        "duration_s": trajectory.map(|trajectory| seconds(trajectory.duration)),
-        "left_curve": trajectory.map(|trajectory| trajectory.has_left_curve),
-        "lag_ms": lag.map(|lag| milliseconds(lag.delay)),
-        "residual_deg": lag.map(|lag| lag.residual_deg),
-        "set_points": end.report.cycles,
-        "late": end.report.late_cycles,
-        "gaps": end.report.gaps,
-        "lateness_p99_ms": milliseconds(end.report.lateness(0.99)),
-        "lateness_max_ms": milliseconds(end.report.lateness(1.0)),
-    })
 }

@@ -3,6 +3,7 @@
 
 use std::time::Duration;
 
+use expect_test::expect;
 use jaka_robot::jaka_motion::{Exceeded, TcpVelocity, TimedPoint, Trajectory, TrajectoryError, VelocityFrame, Via};
 use jaka_robot::servo::{ServoJ, SetServoMode};
 use jaka_robot::types::Pose;
@@ -348,4 +349,6 @@ fn a_lag_beyond_what_is_measured_is_told_as_at_least_that() {
     let end = touched(ms(60), 4.0, force(1.0).into());
     let found = trip(end.error.as_ref().expect("the guard has ended it")).lag.expect("the arm lags");
     assert!(!found.is_lower_bound && found.lag < ms(100), "{found:?}");
+    expect![[r#"{"lag_s":0.076,"is_lower_bound":false,"reaction_s":0.02}"#]]
+        .assert_eq(&serde_json::to_string(&found).expect("it is written"));
 }
