@@ -1,4 +1,4 @@
-//! The arguments of a command on a command line.
+//! Arguments of a command on a command line.
 
 use serde_json::Value;
 
@@ -8,46 +8,46 @@ use super::value::value;
 use jaka_spec::words::{self, first_sentence};
 use jaka_spec::{Choice, Command, EnumValue, Field, Request, Scalar, Shape, Spec, Type, Variant};
 
-/// One argument of a command: a field of its request, or the tag that tells which fields there are.
+/// Argument of a command: a field of its request, or the tag that selects the fields.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Argument {
-    /// Its name in kebab-case, such as `joint-position`; no other argument of the command has it.
+    /// Name in kebab-case, such as `joint-position`; no other argument of the command has it.
     pub name: String,
-    /// The key on the wire, such as `jointPosition`, which may serve as an alias.
+    /// Key on the wire, such as `jointPosition`, which may serve as an alias.
     pub wire: String,
-    /// The key under which [`request`](super::request) takes its value: the field's Rust name, or the tag's key.
+    /// Key under which [`request`](super::request) takes its value: the field's Rust name, or the tag's key.
     pub field: String,
     /// Placeholder for the value, such as `NUMBER`, `on|off` or `[X,Y,Z,RX,RY,RZ]`.
     pub hint: String,
     /// Meaning of the value, its unit and range, and the points on which sources disagree.
     pub help: String,
-    /// True where it must be given; with a tag, in the variants that have it.
+    /// Whether it is required; with a tag, in the variants that have it.
     pub required: bool,
-    /// The values of an enum or a tag; empty for any other type.
+    /// Values of an enum or a tag; empty for any other type.
     pub values: Vec<PossibleValue>,
-    /// The variants that have the field, by their names in kebab-case; empty where all requests have it.
+    /// Variants that have the field, by their names in kebab-case; empty if all requests have it.
     pub variants: Vec<String>,
     ty: Type,
 }
 
-/// One value that an argument may have.
+/// Possible value of an argument.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PossibleValue {
-    /// Its name in kebab-case.
+    /// Name in kebab-case.
     pub name: String,
-    /// Its form on the wire, such as `0`.
+    /// Form on the wire, such as `0`.
     pub wire: Value,
     /// Meaning of the value, in one sentence.
     pub help: String,
 }
 
 impl Argument {
-    /// Reads what was typed for the argument, as [`value`] does.
+    /// Reads the text typed for the argument, as [`value`] does.
     ///
     /// # Errors
-    /// The text is not a value of the argument's type; the message says what is.
+    /// The text is not a value of the argument's type; the message describes the type.
     pub fn value(&self, spec: &Spec, text: &str) -> Result<Value, String> {
         let is_value = |listed: &&PossibleValue| same(&listed.name, text) || listed.wire == text;
         match self.values.iter().find(is_value) {
@@ -60,7 +60,7 @@ impl Argument {
     }
 }
 
-/// The arguments of a command, in the order of the spec; the tag of a choice comes first.
+/// Returns the arguments of a command, in the order of the spec; the tag of a choice comes first.
 ///
 /// Fields of several variants with the same name and type are one argument.
 pub fn arguments(spec: &Spec, command: &Command) -> Vec<Argument> {
@@ -90,7 +90,7 @@ fn choice_arguments(spec: &Spec, choice: &Choice) -> Vec<Argument> {
     arguments
 }
 
-/// Adds a variant to an argument. Its text about the field is added unless another variant has the same.
+/// Adds a variant to an argument. Adds its text about the field unless another variant has the same.
 fn merge(old: &mut Argument, new: Argument) {
     if !old.help.contains(&new.help) {
         old.help = format!("{} With `{}`: {}", old.help, new.variants.join("`, `"), new.help);

@@ -1,10 +1,10 @@
-//! One difference between a message and the spec.
+//! Difference between a message and the spec.
 
 use std::fmt;
 
 use jaka_proto::wire::DecodeError;
 
-/// One thing in which a message differs from the spec.
+/// Difference between a message and the spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Departure {
@@ -15,19 +15,18 @@ pub struct Departure {
     pub kind: DepartureKind,
     /// Value found there, as JSON; empty if there is none.
     pub found: String,
-    /// Form that the spec expects there; for an unknown key, the type that the value looks like, in the spec's
-    /// notation.
+    /// Form that the spec expects there; for an unknown key, the apparent type of the value, in the spec's notation.
     pub expected: String,
     /// Effect of the difference on decoding.
     pub reading: Reading,
-    /// True for a number outside a range that newer firmware has widened.
+    /// Whether it is a number outside a range that newer firmware has widened.
     pub advisory: bool,
     /// Number of further elements of the same array that differ in the same way.
     pub more: usize,
 }
 
 impl Departure {
-    /// Error of the decoder for it.
+    /// Returns the decoder's error for it.
     pub fn error(&self) -> DecodeError {
         if self.kind == DepartureKind::Missing {
             let key = self.field.rsplit('.').next().unwrap_or_default().to_owned();
@@ -41,31 +40,31 @@ impl Departure {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DepartureKind {
-    /// A key or element that must be there is not, or is null.
+    /// A required key or element is missing, or is null.
     Missing,
-    /// The spec has no such key.
+    /// The spec does not have the key.
     Unknown,
     /// The value is of another JSON type, or written in another form.
     Form,
     /// The array has another length.
     Length,
-    /// The number is out of range, or the text holds more than ASCII.
+    /// The number is out of range, or the text has characters beyond ASCII.
     Range,
-    /// The enum or choice has no such value.
+    /// The enum or choice does not list the value.
     Unlisted,
 }
 
 /// Effect of a difference on decoding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
-    /// The value decodes: to the same value, to raw JSON, or by being skipped.
+    /// The value decodes to the same value or to raw JSON, or the decoder skips it.
     Lenient,
     /// The value does not decode, and so neither does the message; in a status packet, the decoder leaves the field
     /// out.
     Unreadable,
 }
 
-/// One line, such as ``lenient: `speed` is "20"; expected is a number (in mm/s)``.
+/// Writes one line, such as ``lenient: `speed` is "20"; expected is a number (in mm/s)``.
 impl fmt::Display for Departure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { field, kind, found, expected, reading, more, .. } = self;

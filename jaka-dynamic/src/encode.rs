@@ -1,4 +1,4 @@
-//! Requests into JSON, strictly.
+//! Requests encoded as JSON, strictly.
 
 use jaka_proto::check::{Advice, Advised, AdvisoryRanges};
 use jaka_proto::wire::Writer;
@@ -10,16 +10,16 @@ use crate::problem::{Problem, ProblemKind, element, member};
 use crate::scalar::{self, Forbidden};
 use crate::slot::{Slot, variants};
 
-/// The request with these fields, byte for byte as the generated code writes it.
+/// Returns the request with these fields, byte for byte as the generated code writes it.
 ///
-/// - A field is given under its wire spelling or its Rust name. One that is null counts as absent.
-/// - A struct that the wire writes as an array is taken as that array, or as an object of its fields.
-/// - A value of an enum is taken by its wire form or by its name, in any case: `0`, `"Absolute"`, `"absolute"`. So is
-///   the tag of a choice, which is given under its key on the wire.
-/// - A truth value is taken as true or false, or as the wire writes it. A Python literal is taken as its text, unread.
+/// - A field has its wire spelling or its Rust name as key. A field that is null counts as absent.
+/// - A struct that the wire writes as an array may be that array, or an object of its fields.
+/// - A value of an enum may be its wire form or its name, in any case: `0`, `"Absolute"`, `"absolute"`. So may the tag
+///   of a choice, which has its key on the wire.
+/// - A truth value may be true or false, or its form on the wire. A Python literal is taken as text, unread.
 ///
 /// # Errors
-/// Everything that the spec forbids, at once: unknown fields, and then the rest in the order of the spec.
+/// All violations of the spec at once: unknown fields, and then the rest in the order of the spec.
 pub fn request(
     spec: &Spec,
     command: &Command,
@@ -36,7 +36,7 @@ pub fn request(
     if encoder.problems.is_empty() { Ok(encoder.out.into_string()) } else { Err(encoder.problems) }
 }
 
-/// Path of what fields stand in, and what is advised of the numbers in it.
+/// Path of the enclosing value, and the advice on the numbers in it.
 type Outer<'a> = (&'a str, Advised<'a>);
 
 struct Encoder<'s> {
@@ -48,8 +48,8 @@ struct Encoder<'s> {
 
 /// Fields of structs, of arrays and of choices.
 impl Encoder<'_> {
-    /// Writes the fields of an object, without braces. What is advised of outer numbers holds where a field does not
-    /// say otherwise. `tag` is a key that is not a field.
+    /// Writes the fields of an object, without braces. Advice on outer numbers applies to each field without advice of
+    /// its own. `tag` is a key that is not a field.
     fn object(&mut self, (place, advised): Outer<'_>, fields: &[Field], given: &Map<String, Value>, tag: &str) {
         for (key, value) in given.iter().filter(|(key, _)| *key != tag && field_of(fields, key).is_none()) {
             let known = suggestion(key, fields.iter().map(|field| [field.name.as_str(), field.wire.as_str()]));
@@ -59,7 +59,7 @@ impl Encoder<'_> {
         self.members((place, advised), fields, &values);
     }
 
-    /// The value given for a field.
+    /// Returns the value given for a field.
     fn given<'v>(
         &mut self,
         place: &str,
@@ -76,7 +76,7 @@ impl Encoder<'_> {
         value
     }
 
-    /// Writes one value for each field, with its key where it has one.
+    /// Writes one value for each field, with its key if it has one.
     fn members(&mut self, (outer, advised): Outer<'_>, fields: &[Field], values: &[Option<&Value>]) {
         for (index, (field, value)) in fields.iter().zip(values).enumerate() {
             // An element of an array cannot be left out before one that is given.
@@ -190,30 +190,31 @@ impl Encoder<'_> {
         Ok(())
     }
 
-    /// The value of an enum, if it may be sent.
+    /// Returns the value of an enum, if it may be sent.
     fn allowed<'v, T>(&self, listed: Option<&'v EnumValue<T>>) -> Result<&'v EnumValue<T>, Forbidden> {
         let allowed = listed.filter(|listed| !listed.advisory || self.ranges == AdvisoryRanges::Ignored);
         allowed.ok_or(if listed.is_some() { Forbidden::Advisory } else { Forbidden::Always })
     }
 }
 
-/// The variant whose tag, or name, this is.
+/// Returns the variant with this tag or name.
 fn variant<'c>(choice: &'c Choice, tag: &Value) -> Option<&'c Variant> {
     choice.variants.iter().find(|variant| is_value(tag, variant.wire, &variant.name))
 }
 
-/// True if `value` is this number, or the name that goes with it.
+/// Whether `value` is this number, or the name of it.
 fn is_value(value: &Value, wire: i64, name: &str) -> bool {
     value.as_i64() == Some(wire) || value.as_str().is_some_and(|text| same(text, name))
 }
 
-/// Rows of advice that hold, and the factor of their bounds.
+/// Advice that applies, and the factor of its bounds.
 struct Rows<'a> {
     list: Vec<Advice<'a>>,
     times: Option<i64>,
 }
 
-/// Rows of a field, which stands among `fields` with `values`: none where advice is left to the controller.
+/// Returns the advice for a field, which is one of `fields` with `values`; none if the caller leaves advice to the
+/// controller.
 fn rows<'a>(
     spec: &Spec,
     fields: &[Field],
@@ -241,7 +242,7 @@ fn rows<'a>(
     Rows { list: held.iter().map(row).collect(), times }
 }
 
-/// True if the value given for an enum is the one with this number.
+/// Whether the value given for an enum is the one with this number.
 fn is_selected(spec: &Spec, selector: &Field, value: &Value, wire: i64) -> bool {
     let Shape::IntEnum(values) = spec.shape(&selector.ty) else { return false };
     values.iter().any(|listed| listed.wire == wire && is_value(value, wire, &listed.name))

@@ -5,14 +5,14 @@ use jaka_spec::{Command, Version, Versions};
 
 use crate::tree::{Label, Node};
 
-/// The versions as a range of jaka-proto.
+/// Returns the versions as a range of jaka-proto.
 pub fn firmware_range(versions: &Versions) -> FirmwareRange {
     let version =
         |version: &Option<Version>| version.as_ref().and_then(|version| FirmwareVersion::of(version.numbers()));
     FirmwareRange { since: version(&versions.since), until: version(&versions.until) }
 }
 
-/// The first thing in a request that the firmware does not have: the command, a field, or a value of an enum.
+/// Returns the first item of a request that the firmware does not have: the command, a field, or a value of an enum.
 pub fn not_in_firmware(command: &Command, request: &Node<'_>, firmware: FirmwareVersion) -> Option<NotInFirmware> {
     let range = firmware_range(&command.versions);
     if !range.contains(firmware) {

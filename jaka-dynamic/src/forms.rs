@@ -13,21 +13,21 @@ use crate::firmware::firmware_range;
 use crate::translation::{Lost, Message, Translated, Translation, fields};
 use crate::tree::Node;
 
-/// Messages of a firmware in the spec's own forms, and back.
+/// Translation of messages between the forms of a firmware and the spec's own.
 ///
-/// Of a firmware that is not known, a message is read in the forms that it fits best; a value whose forms the version
-/// alone tells apart is lost.
+/// If the firmware is not known, a message is read in the forms that it fits best; a value whose forms differ by the
+/// version alone is lost.
 #[derive(Debug)]
 pub struct Forms {
     own: Spec,
-    /// The spec in the forms of the firmware; of a firmware that is not known, in each combination of forms that some
-    /// firmware has.
+    /// The spec in the forms of the firmware; for an unknown firmware, in each combination of forms that some firmware
+    /// has.
     of_firmware: Vec<Spec>,
     is_known: bool,
 }
 
 impl Forms {
-    /// Forms of a firmware; none where the spec has the same ones for all firmware.
+    /// Creates the forms of a firmware; `None` if the spec has the same ones for all firmware.
     pub fn of(spec: &Spec, firmware: Option<FirmwareVersion>) -> Option<Self> {
         let bounds: BTreeSet<_> = ranges(spec).flat_map(bounds).collect();
         if bounds.is_empty() {
@@ -44,8 +44,8 @@ impl Forms {
         Some(Self { own: spec.clone(), of_firmware, is_known: firmware.is_some() })
     }
 
-    /// Translates the members of a message into the spec's own forms. A field that comes under two of its keys is lost,
-    /// and so is one whose forms the version alone tells apart, as long as that is not known.
+    /// Translates the members of a message into the spec's own forms. A field that the message has under two of its
+    /// keys is lost. So is a field whose forms differ by the version alone, if the version is not known.
     pub fn read(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let known = fields(&self.own, message, members);
         let Some(spec) = self.fitting(message, members) else { return Translated::default() };
@@ -63,8 +63,8 @@ impl Forms {
         read
     }
 
-    /// The combination of forms that a message fits best: with the fewest keys that no field has, and values that
-    /// cannot be read; the first of equal ones.
+    /// Returns the combination of forms that a message fits best: the one with the fewest unknown keys and unreadable
+    /// values; the first of equal ones.
     fn fitting(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<&Spec> {
         if let [spec] = &*self.of_firmware {
             return Some(spec);
@@ -79,8 +79,8 @@ impl Forms {
         })
     }
 
-    /// Translates the members of a message of the spec's own forms into those of the firmware; none where that is not
-    /// known. A value without a form stays as it is.
+    /// Translates the members of a message of the spec's own forms into those of the firmware; `None` if the firmware
+    /// is not known. A value without a form stays as it is.
     pub fn written(&self, message: Message<'_>, members: &Map<String, Value>) -> Option<Map<String, Value>> {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
         let Translated { members: mut written, lost, .. } = Translation::new(&self.own, spec).message(message, members);
@@ -91,10 +91,10 @@ impl Forms {
         Some(written)
     }
 
-    /// The text of a message in the spec's own forms.
+    /// Returns the text of a message in the spec's own forms.
     ///
     /// # Errors
-    /// The text is no JSON object, a key comes twice, or a value is in no form of the firmware.
+    /// The text is no JSON object, a key is repeated, or a value is in no form of the firmware.
     pub fn own_text(&self, message: Message<'_>, text: &str) -> Result<String, DecodeError> {
         let mut reader = Reader::new(text);
         let value = Value::decode(&mut reader)?;
@@ -109,8 +109,8 @@ impl Forms {
         }
     }
 
-    /// A request in the forms of the firmware, byte for byte as the generated code writes it; none where the firmware
-    /// is not known, or has no form of a value. `request` is what [`request`](crate::request) has made.
+    /// Returns a request in the forms of the firmware, byte for byte as the generated code writes it; `None` if the
+    /// firmware is not known, or has no form of a value. `request` is a result of [`request`](crate::request).
     pub fn request(&self, name: &str, request: &str) -> Option<String> {
         let spec = self.of_firmware.first().filter(|_| self.is_known)?;
         let mut members: Map<_, _> = serde_json::from_str(request).ok()?;
@@ -121,7 +121,7 @@ impl Forms {
     }
 }
 
-/// Firmware of all forms.
+/// Returns the ranges of firmware of all forms.
 fn ranges(spec: &Spec) -> impl Iterator<Item = &Versions> {
     let in_commands = spec.commands().flat_map(jaka_spec::Command::fields);
     let in_types = spec.types().flat_map(|(_, def)| def.kind.fields());
@@ -129,7 +129,7 @@ fn ranges(spec: &Spec) -> impl Iterator<Item = &Versions> {
     forms.chain(spec.types().flat_map(|(_, def)| &def.forms).map(|form| &form.versions))
 }
 
-/// Versions with which what is in a range, and what is not, begins.
+/// Returns the first versions inside and after a range, and the lowest version.
 fn bounds(versions: &Versions) -> impl Iterator<Item = FirmwareVersion> {
     let range = firmware_range(versions);
     let after = range.until.and_then(|until| {

@@ -21,8 +21,8 @@ pub struct RequestedMotion {
     pub tolerance_mm: f64,
 }
 
-/// Motion of a request that [`request`](crate::request) has made of this command; none for a command without one.
-/// `built_in` is the built-in spec, whose types targets have.
+/// Returns the motion of a request of this command, a result of [`request`](crate::request); `None` for a command
+/// without one. `built_in` is the built-in spec, which defines the types of targets.
 ///
 /// # Errors
 /// A phrase with the field that cannot be read, or whose type a pack has changed.
@@ -106,7 +106,7 @@ impl Fields<'_> {
         value.as_f64().map(Some).ok_or_else(|| format!("`{name}` is no number"))
     }
 
-    /// A joint position or a pose of the built-in types.
+    /// Reads a joint position or a pose of the built-in types.
     fn place<T: Decode>(&self, name: &str) -> Result<T, String> {
         let field = self.field(name)?;
         if !self.spec.defines_as(self.built_in, &field.ty) {
@@ -117,8 +117,8 @@ impl Fields<'_> {
     }
 }
 
-/// Facts of a command of a spec that is loaded at run time, for what takes those of a generated command. They stay in
-/// memory to the end of the program: make them once for a command.
+/// Returns the facts of a command of a spec that is loaded at run time, in the form of a generated command's. They stay
+/// in memory until the program ends: call this once for a command.
 pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
     let leaked = |text: &str| &*Box::leak(text.to_owned().into_boxed_str());
     let section = command.section.as_deref().unwrap_or_default();

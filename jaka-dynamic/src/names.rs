@@ -1,9 +1,9 @@
-//! Names as people type them: in kebab-case, in any case, or misspelt.
+//! Names in the spellings that people type: in kebab-case, in any case, or misspelt.
 
 use jaka_spec::Field;
 use jaka_spec::words::distance;
 
-/// `jog_mode`, `jogMode` and `JogMode` become `jog-mode`.
+/// Returns a name in kebab-case: `jog_mode`, `jogMode` and `JogMode` become `jog-mode`.
 pub(super) fn kebab(name: &str) -> String {
     let mut kebab = String::with_capacity(name.len() + 4);
     let mut inside_word = false;
@@ -17,7 +17,7 @@ pub(super) fn kebab(name: &str) -> String {
     kebab
 }
 
-/// True where two names differ by case and by what stands between words only.
+/// Whether two names differ only by case and by the characters between words.
 pub(super) fn same(a: &str, b: &str) -> bool {
     bare(a) == bare(b)
 }
@@ -26,7 +26,7 @@ fn bare(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-/// The field that `key` names, by its wire spelling or else by its Rust name.
+/// Returns the field with the key `key`: its wire spelling, or else its Rust name.
 pub(super) fn field_of<'f>(fields: &'f [Field], key: &str) -> Option<&'f Field> {
     let by_wire = fields.iter().find(|field| field.wire == key && !key.is_empty());
     by_wire.or_else(|| fields.iter().find(|field| field.name == key))

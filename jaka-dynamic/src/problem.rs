@@ -5,19 +5,19 @@ use std::fmt;
 use jaka_proto::text::excerpt;
 use serde_json::Value;
 
-/// One thing in a request that the spec forbids.
+/// Violation of the spec in a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Problem {
-    /// The field concerned, such as `pose.x`.
+    /// Path of the field, such as `pose.x`.
     pub field: String,
     /// Kind of the problem.
     pub kind: ProblemKind,
-    /// The value given, as JSON; empty where none was.
+    /// Value given, as JSON; empty if none was.
     pub value: String,
-    /// Description of the allowed values; for an unknown field, of the fields that exist.
+    /// Description of the allowed values; for an unknown field, of the known fields.
     pub allowed: String,
-    /// True where the check can be switched off: newer firmware may take the value, or it is only advised against.
+    /// Whether the check can be switched off: newer firmware may take the value, or the spec only advises against it.
     pub advisory: bool,
 }
 
@@ -25,9 +25,9 @@ pub struct Problem {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProblemKind {
-    /// There is no such field.
+    /// The field does not exist.
     Unknown,
-    /// The field must be given and is not.
+    /// A required field is missing.
     Missing,
     /// The field is given twice: by its wire spelling and by its Rust name.
     Repeated,
@@ -42,7 +42,7 @@ impl Problem {
     }
 }
 
-/// One line, such as ``field `speed` is -1; allowed is a number, at least 0 deg/s``.
+/// Writes one line, such as ``field `speed` is -1; allowed is a number, at least 0 deg/s``.
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { field, kind, value, allowed, advisory } = self;
@@ -58,17 +58,17 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-/// The JSON of a value, or the beginning of it.
+/// Returns the JSON of a value, or the beginning of it.
 pub(super) fn shown(value: &Value) -> String {
     excerpt(&value.to_string())
 }
 
-/// The path of a field inside what stands at `outer`.
+/// Returns the path of a field inside the value at `outer`.
 pub(super) fn member(outer: &str, name: &str) -> String {
     if outer.is_empty() { name.to_owned() } else { format!("{outer}.{name}") }
 }
 
-/// The path of an element of the array at `outer`.
+/// Returns the path of an element of the array at `outer`.
 pub(super) fn element(outer: &str, index: usize) -> String {
     format!("{outer}[{index}]")
 }

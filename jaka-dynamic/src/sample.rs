@@ -6,9 +6,9 @@ use super::scalar;
 use super::tree::{Node, is_success};
 use jaka_spec::{Command, ENVELOPE, EnumValue, Field, Shape, Spec, Type, Variant};
 
-/// The fields of a successful reply, without the three keys that every reply has.
+/// Returns the fields of a successful reply, without the three keys that every reply has.
 ///
-/// They are those of the first successful reply that the spec prints, completed by [`complete_reply`].
+/// They are those of the first successful reply in the spec's examples, completed by [`complete_reply`].
 pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
     let replies = command.examples.iter().filter_map(|example| example.reply.as_deref());
     let mut objects = replies.filter_map(|reply| serde_json::from_str::<Map<_, _>>(reply).ok());
@@ -18,10 +18,10 @@ pub fn sample_reply(spec: &Spec, command: &Command) -> Map<String, Value> {
     reply
 }
 
-/// Takes from a reply the fields that cannot be read, and puts in the required ones that it lacks.
+/// Removes the fields of a reply that cannot be read, and adds the required ones that are missing.
 ///
-/// Those are false, 0 (or what is nearest to it in range), empty text, the first value of an enum, an empty array, an
-/// array of the fixed length, or an object of such.
+/// The added values are false, 0 (or the number nearest to it in range), empty text, the first value of an enum, an
+/// empty array, an array of the fixed length, or an object of such values.
 pub fn complete_reply(spec: &Spec, command: &Command, reply: &mut Map<String, Value>) {
     for field in spec.reply_fields(command) {
         if reply.get(&field.wire).is_some_and(|value| !Node::field(spec, field, value.clone()).is_readable()) {
@@ -37,12 +37,12 @@ fn complete(spec: &Spec, fields: &[Field], object: &mut Map<String, Value>) {
     }
 }
 
-/// A value for a field, as [`complete_reply`] makes them.
+/// Returns a value for a field, of the kind that [`complete_reply`] adds.
 pub fn sample_value(spec: &Spec, field: &Field) -> Value {
     let (min, max) = (field.range.min.unwrap_or(f64::MIN), field.range.max.unwrap_or(f64::MAX));
     let nearest = 0_f64.max(min).min(max);
     if nearest != 0.0 && matches!(&field.ty, Type::Scalar(scalar) if scalar.is_number()) {
-        // In the form in which Rust prints it, a whole number has no fraction.
+        // Rust prints a whole number without a fraction.
         return serde_json::from_str(&nearest.to_string()).unwrap_or_default();
     }
     of_type(spec, &field.ty)
@@ -70,7 +70,7 @@ fn of_type(spec: &Spec, ty: &Type) -> Value {
     }
 }
 
-/// The value as a Python literal in a string.
+/// Returns the value as a Python literal in a string.
 fn literal(value: &Value) -> Value {
     jaka_proto::python::from_json(&value.to_string()).unwrap_or_default().into()
 }
@@ -90,7 +90,7 @@ mod tests {
     use super::sample_reply;
     use jaka_spec::{Source, load_pack};
 
-    /// A field of a reply: its type and what else is said of it, with what is answered.
+    /// Checks the sample value of a reply's field, given its type and other properties.
     fn check(field: &str, expected: &serde_json::Value) {
         let text = format!(
             "title = 'T'\n[[command]]\nwire = 'c'\neffect = 'query'\ndoc = 'D.'\n[[command.reply]]\nwire = 'f'\ndoc = 'D.'\n{field}"

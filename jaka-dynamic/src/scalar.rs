@@ -1,6 +1,6 @@
 //! Scalars in JSON, in the spec's form or in another one that controllers use, read by the codec of jaka-proto.
 //!
-//! All that this crate knows of one kind of scalar stands here.
+//! This module has everything that this crate knows of one kind of scalar.
 
 use jaka_proto::ErrorCode;
 use jaka_proto::check::{AdvisoryRanges, FieldLimits};
@@ -13,11 +13,11 @@ use super::departure::DepartureKind;
 /// Fit of a value to a scalar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fit {
-    /// The value is written as the spec has it.
+    /// The value has the spec's form.
     Plain,
-    /// The value decodes, and departs from the spec in this.
+    /// The value decodes, with this departure from the spec.
     Lenient(DepartureKind),
-    /// The value does not decode, because of this.
+    /// The value does not decode, because of this departure.
     Unreadable(DepartureKind),
 }
 
@@ -47,8 +47,8 @@ fn within(limits: &FieldLimits<'_>, number: f64, fit: Fit) -> Fit {
     if limits.allow(number) && limits.advise(number) { fit } else { Fit::Lenient(DepartureKind::Range) }
 }
 
-/// The value of a scalar in any of its forms: a truth value as true or false, a number as such; none where it does not
-/// fit.
+/// Returns the value of a scalar from any of its forms: a truth value as true or false, a number as a number; `None` if
+/// it does not fit.
 pub(crate) fn read(scalar: &Scalar, value: &Value) -> Option<Value> {
     match scalar {
         Scalar::Bool { off, on } => truth(value, off, on).map(|(is_on, _)| is_on.into()),
@@ -62,13 +62,13 @@ pub(crate) fn read(scalar: &Scalar, value: &Value) -> Option<Value> {
 /// Reason why a value may not be sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Forbidden {
-    /// It does not fit its type or its range.
+    /// The value does not fit its type or its range.
     Always,
-    /// It is outside of what is advised or what older firmware takes; newer firmware may take it.
+    /// The value is outside of advised ranges or of those of older firmware; newer firmware may take it.
     Advisory,
 }
 
-/// Writes a value as the spec has it, if it may be sent; a truth value also if it is given as such.
+/// Writes a value in the spec's form, if it may be sent; a truth value may also be true or false.
 pub(crate) fn write(
     scalar: &Scalar,
     limits: &FieldLimits<'_>,
@@ -76,7 +76,7 @@ pub(crate) fn write(
     value: &Value,
     out: &mut Writer,
 ) -> Result<(), Forbidden> {
-    // What is only advised against is in range.
+    // A value that is only advised against is in range.
     let is_advisory = value.as_f64().is_some_and(|number| limits.advisory || limits.allow(number));
     match fit(scalar, limits, value) {
         Fit::Plain => {}
@@ -100,7 +100,7 @@ pub(crate) fn write(
     written.ok_or(Forbidden::Always)
 }
 
-/// Reads what was typed on a command line, as if a controller had sent it as a string.
+/// Reads text typed on a command line, as if a controller had sent it as a string.
 pub(crate) fn typed(scalar: &Scalar, text: &str) -> Option<Value> {
     let word = text.trim();
     match scalar {
@@ -145,7 +145,7 @@ fn number_words(noun: &str, limits: &FieldLimits<'_>) -> String {
     }
 }
 
-/// False, zero, or what is empty.
+/// Returns false, zero, or an empty value.
 pub(crate) fn zero(scalar: &Scalar) -> Value {
     match scalar {
         Scalar::Bool { off, .. } => serde_json::from_str(off).unwrap_or_default(),
@@ -155,22 +155,22 @@ pub(crate) fn zero(scalar: &Scalar) -> Value {
     }
 }
 
-/// A finite number.
+/// Reads a finite number.
 fn float(value: &Value) -> Option<(f64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_number())))
 }
 
-/// A finite number, read as leniently as the generated code reads it.
+/// Reads a finite number as leniently as the generated code does.
 pub(crate) fn float_value(value: &Value) -> Option<f64> {
     float(value).map(|(float, _)| float)
 }
 
-/// A whole number.
+/// Reads a whole number.
 pub(crate) fn int(value: &Value) -> Option<(i64, Fit)> {
     Some((decoded(value)?, Fit::of(value.is_i64())))
 }
 
-/// A truth value that the spec writes as one of two JSON texts.
+/// Reads a truth value that the spec writes as one of two JSON texts.
 fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Fit)> {
     let json = value.to_string();
     let mut is_on = None;
@@ -178,12 +178,12 @@ fn truth(value: &Value, off: &str, on: &str) -> Option<(bool, Fit)> {
     Some((is_on?, Fit::of(json == off || json == on)))
 }
 
-/// The number in `errorCode`.
+/// Reads the number in `errorCode`.
 pub(crate) fn error_code(value: &Value) -> Option<ErrorCode> {
     decoded(value)
 }
 
-/// The value of a Python literal.
+/// Reads the value of a Python literal.
 pub(crate) fn literal(text: &str) -> Option<Value> {
     let json = jaka_proto::python::to_json(text).ok()?;
     decode(&json)

@@ -11,24 +11,24 @@ use super::scalar;
 #[derive(Clone, Copy)]
 pub(crate) struct Slot<'a> {
     pub(crate) spec: &'a Spec,
-    /// None of a message as a whole.
+    /// Type; `None` for a message as a whole.
     ty: Option<&'a Type>,
     pub(crate) shape: Shape<'a>,
     pub(crate) limits: FieldLimits<'a>,
 }
 
 impl<'a> Slot<'a> {
-    /// A value of the type that stands nowhere.
+    /// Creates the place of a value of the type that is in no message.
     pub(crate) fn of_type(spec: &'a Spec, ty: &'a Type) -> Self {
         Self { spec, ty: Some(ty), shape: spec.shape(ty), limits: FieldLimits::NONE }.with_unit(ty)
     }
 
-    /// A message with these fields.
+    /// Creates the place of a message with these fields.
     pub(crate) fn of_object(spec: &'a Spec, fields: &'a [Field]) -> Self {
         Self { spec, ty: None, shape: Shape::Object(fields), limits: FieldLimits::NONE }
     }
 
-    /// The place of a field.
+    /// Creates the place of a field.
     pub(crate) fn of(spec: &'a Spec, field: &'a Field) -> Self {
         Self { limits: limits(field), ..Self::of_type(spec, &field.ty) }.with_unit(&field.ty)
     }
@@ -39,7 +39,7 @@ impl<'a> Slot<'a> {
         self
     }
 
-    /// The place of a value of a type that stands inside this one; limits go down to each number.
+    /// Returns the place of a value of a type inside this one; limits apply to each number in it.
     pub(crate) fn inner(&self, ty: &'a Type) -> Self {
         Self { ty: Some(ty), shape: self.spec.shape(ty), ..*self }.with_unit(ty)
     }
@@ -50,7 +50,7 @@ impl<'a> Slot<'a> {
         self
     }
 
-    /// True if values mean the same in both places as they stand.
+    /// Whether the same JSON value has the same meaning in both places.
     pub(crate) fn means(&self, other: &Slot<'_>) -> bool {
         let is_same = self.ty == other.ty && self.limits.unit == other.limits.unit;
         is_same && self.ty.is_some_and(|ty| self.spec.defines_as(other.spec, ty))
@@ -76,7 +76,7 @@ impl<'a> Slot<'a> {
     }
 }
 
-/// The spec is left out.
+/// Writes the allowed values, without the spec.
 impl fmt::Debug for Slot<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.words())
@@ -94,7 +94,7 @@ fn listed<T>(values: &[EnumValue<T>]) -> impl Iterator<Item = &EnumValue<T>> {
     values.iter().filter(|value| !value.advisory)
 }
 
-/// The tags of variants in words, such as `0 (Rtu) or 1 (Tcp)`.
+/// Returns the tags of variants in words, such as `0 (Rtu) or 1 (Tcp)`.
 pub(crate) fn variants(variants: &[Variant]) -> String {
     either(variants.iter().map(|variant| named(variant.wire, &variant.name)))
 }
@@ -111,7 +111,7 @@ fn either(items: impl Iterator<Item = String>) -> String {
 mod tests {
     use super::*;
 
-    /// jaka-proto has its own words at run time: it does not depend on jaka-spec there.
+    /// jaka-proto has its own words at run time, since it does not depend on jaka-spec there.
     #[test]
     fn pages_and_errors_have_the_same_words_for_a_range() {
         let spec = jaka_spec::builtin().expect("the spec is correct");

@@ -1,4 +1,4 @@
-//! Messages of one spec as messages of another, which has the same fields in other forms.
+//! Translation of messages between two specs that have the same fields in other forms.
 
 use jaka_spec::{Command, EnumValue, Field, Request, Scalar, Shape, Spec, unit_factor};
 use serde_json::{Map, Value};
@@ -7,9 +7,9 @@ use crate::scalar;
 use crate::slot::Slot;
 use crate::tree::{Label, Node};
 
-/// Translation of messages between two specs, one of which was made of the other by a pack, or is that of a firmware:
-/// keys, words for false and true, units, literals, and objects that are arrays. Fields belong together by their names
-/// in Rust.
+/// Translation of messages between two specs, one of which is made from the other by a pack, or is that of a firmware:
+/// keys, words for false and true, units, literals, and objects that are arrays. Fields correspond by their names in
+/// Rust.
 #[derive(Debug)]
 pub struct Translation<'s> {
     from: &'s Spec,
@@ -30,7 +30,7 @@ pub enum Message<'m> {
 /// Members of a translated message.
 #[derive(Debug, Default, Clone, PartialEq)]
 pub struct Translated {
-    /// Members, by the keys of the second spec.
+    /// Members by the keys of the second spec.
     pub members: Map<String, Value>,
     /// Fields without a translation of their value, which are left out.
     pub lost: Vec<Lost>,
@@ -41,27 +41,27 @@ pub struct Translated {
 /// Field whose value has no translation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lost {
-    /// Name in Rust that the second spec has for the field.
+    /// Name in Rust of the field in the second spec.
     pub name: String,
     /// Value in the message.
     pub value: Value,
 }
 
 impl<'s> Translation<'s> {
-    /// Translation of messages of the first spec into messages of the second.
+    /// Creates the translation of messages of the first spec into messages of the second.
     pub fn new(from: &'s Spec, to: &'s Spec) -> Self {
         Self { from, to }
     }
 
-    /// Translates the members of a message. A member that neither spec knows stays as it is; one that the second spec
-    /// has for a field of another name is left out.
+    /// Translates the members of a message. A member that neither spec knows stays as it is. A member whose key is a
+    /// field of another name in the second spec is left out.
     pub fn message(&self, message: Message<'_>, members: &Map<String, Value>) -> Translated {
         let [from, to] = [self.from, self.to].map(|spec| fields(spec, message, members));
         self.members(from, to, members)
     }
 
-    /// True if a message of the first spec is the same message of the second, whatever its firmware: with the same
-    /// keys, types and units, and no field more that must be there.
+    /// Whether a message of the first spec is the same message of the second, for any firmware: with the same keys,
+    /// types and units, and no further required field.
     pub fn is_identity(&self, message: Message<'_>) -> bool {
         self.parts_of(message).into_iter().all(|(from, to)| {
             let is_same = |field: &Field| {
@@ -77,7 +77,7 @@ impl<'s> Translation<'s> {
         })
     }
 
-    /// Translates the value of a field; none where it has no translation.
+    /// Translates the value of a field; `None` if it has no translation.
     pub fn field(&self, from: &Field, to: &Field, value: &Value) -> Option<Value> {
         let to = Slot::of(self.to, to);
         if value.is_null() || Slot::of(self.from, from).means(&to) {
@@ -86,19 +86,19 @@ impl<'s> Translation<'s> {
         self.value(&Node::field(self.from, from, value.clone()), to)
     }
 
-    /// Keys in the first spec of fields of a message that the second has not, or whose values have no translation.
+    /// Returns the keys in the first spec of fields that the second does not have, or whose values have no translation.
     pub fn lost(&self, message: Message<'_>) -> Vec<String> {
         let can = |field: &Field, other: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
         self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(from, to, can)).collect()
     }
 
-    /// Keys in the second spec of fields of a message that the first has not, or whose values have no translation.
+    /// Returns the keys in the second spec of fields that the first does not have, or whose values have no translation.
     pub fn missing(&self, message: Message<'_>) -> Vec<String> {
         let can = |other: &Field, field: &Field| self.can(Slot::of(self.from, field), Slot::of(self.to, other));
         self.parts_of(message).into_iter().flat_map(|(from, to)| unmatched(to, from, can)).collect()
     }
 
-    /// The fields of a message in both specs; of a choice, those of each variant.
+    /// Returns the fields of a message in both specs; for a choice, those of each variant.
     fn parts_of(&self, message: Message<'_>) -> Vec<(&'s [Field], &'s [Field])> {
         let none = Map::new();
         let (Message::Request(name), (from, to)) = (message, (self.from, self.to)) else {
@@ -188,7 +188,7 @@ impl<'s> Translation<'s> {
         }
     }
 
-    /// Translates the elements of an array; those beyond the fields stay as they are.
+    /// Translates the elements of an array; elements beyond the fields stay as they are.
     fn elements(&self, parts: &[Node<'_>], others: &[Field]) -> Option<Vec<Value>> {
         let each = |(at, part): (usize, &Node<'_>)| match (part.label(), others.get(at)) {
             (Label::Field(field), Some(other)) if field.name == other.name => {
@@ -200,7 +200,7 @@ impl<'s> Translation<'s> {
         parts.iter().filter(|part| !part.is_absent()).enumerate().map(each).collect()
     }
 
-    /// True if values of the one can be translated into values of the other.
+    /// Whether values of the first can be translated into values of the second.
     fn can(&self, from: Slot<'_>, to: Slot<'_>) -> bool {
         if from.means(&to) {
             return true;
@@ -217,7 +217,7 @@ impl<'s> Translation<'s> {
             (Shape::Scalar(scalar), Shape::Scalar(other)) => match (scalar, other) {
                 (Scalar::Bool { .. }, Scalar::Bool { .. }) | (_, Scalar::Json) => true,
                 (Scalar::Float | Scalar::Int, Scalar::Float) => factor(&from, &to).is_some(),
-                // As far as the number is whole.
+                // The translation requires a whole number.
                 (Scalar::Float, Scalar::Int) => is_same_unit,
                 (scalar, other) => scalar == other && is_same_unit,
             },
@@ -240,8 +240,8 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// The field of the other spec that a field of this one stands for: that of its name in Rust, or else of its key, which
-/// a pack may have given another name.
+/// Returns the field of the other spec that corresponds to a field of this one: by its name in Rust, or else by its
+/// key, which a pack may have given another name.
 pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Option<&'f Field> {
     let by_name = others.iter().find(|other| other.name == field.name);
     by_name.or_else(|| {
@@ -250,13 +250,13 @@ pub fn counterpart<'f>(field: &Field, own: &[Field], others: &'f [Field]) -> Opt
     })
 }
 
-/// Keys of fields that have no counterpart, or none whose value `can` be translated.
+/// Returns the keys of fields that have no counterpart, or none whose value `can` be translated.
 fn unmatched(fields: &[Field], others: &[Field], can: impl Fn(&Field, &Field) -> bool) -> Vec<String> {
     let is_unmatched = |field: &&Field| !counterpart(field, fields, others).is_some_and(|other| can(field, other));
     fields.iter().filter(is_unmatched).map(|field| field.wire.clone()).collect()
 }
 
-/// Value of an enum as one of another enum, or as a raw number that a pack names. Enums are open.
+/// Returns the value of an enum as one of another enum, or as a raw number that a pack names. Enums are open.
 fn listed(from: Shape<'_>, to: Shape<'_>, value: &Value) -> Option<Value> {
     let int = || scalar::int(value).map(|(int, _)| int);
     let text = || value.as_str().map(str::to_owned);
@@ -272,14 +272,15 @@ fn listed(from: Shape<'_>, to: Shape<'_>, value: &Value) -> Option<Value> {
     }
 }
 
-/// Value of the other enum with the name of this one.
+/// Returns the value of the other enum that has the same name.
 fn renamed<T: PartialEq, U: Clone>(values: &[EnumValue<T>], others: &[EnumValue<U>], wire: &T) -> Option<U> {
     let name = &values.iter().find(|value| value.wire == *wire)?.name;
     others.iter().find(|other| other.name == *name).map(|other| other.wire.clone())
 }
 
-/// Value of another enum of the same kind. A value that is written alike stands for itself, also under another name or
-/// where an enum does not list it, since enums are open; unless it has there the name of another value of this one.
+/// Returns the value of another enum of the same kind. A value of the same name is preferred. Otherwise the value keeps
+/// its form, also under another name or if an enum does not list it, since enums are open. There is no value if the
+/// other enum gives this form the name of another value.
 fn translated<T: PartialEq + Clone>(values: &[EnumValue<T>], others: &[EnumValue<T>], wire: &T) -> Option<T> {
     renamed(values, others, wire).or_else(|| {
         let other = others.iter().find(|other| other.wire == *wire);
@@ -288,7 +289,7 @@ fn translated<T: PartialEq + Clone>(values: &[EnumValue<T>], others: &[EnumValue
     })
 }
 
-/// The fields of a message; of a choice, those of the variant.
+/// Returns the fields of a message; for a choice, those of the variant.
 pub(crate) fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
     let command = |name: &str| spec.command(name);
     match message {
@@ -306,7 +307,7 @@ pub(crate) fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<Str
     }
 }
 
-/// A number in another unit.
+/// Returns a number in another unit.
 fn number(value: Value, factor: f64) -> Option<Value> {
     #[expect(clippy::float_cmp, reason = "the factor of one unit is exactly one")]
     if factor == 1.0 {
@@ -315,7 +316,7 @@ fn number(value: Value, factor: f64) -> Option<Value> {
     serde_json::Number::from_f64(scalar::float_value(&value)? * factor).map(Value::from)
 }
 
-/// Factor between the units of two places; none where it is not known how they relate.
+/// Returns the factor between the units of two places; `None` if it is not known.
 fn factor(from: &Slot<'_>, to: &Slot<'_>) -> Option<f64> {
     match (from.limits.unit, to.limits.unit) {
         (from, to) if from == to => Some(1.0),

@@ -1,4 +1,4 @@
-//! Messages read by the spec, once, as leniently as the generated code reads them: every view of a message is a walk
+//! Messages read by the spec, once, as leniently as the generated code reads them. Every view of a message is a walk
 //! over its tree.
 
 mod read;
@@ -14,52 +14,52 @@ use super::problem::{Problem, ProblemKind, element, member};
 use super::scalar;
 use super::slot::Slot;
 
-/// A message, or one of the parts of which it consists.
+/// Message, or one of its parts.
 #[derive(Debug, Clone)]
 pub struct Node<'s> {
     label: Label<'s>,
-    /// Its type and limits; none where the spec describes nothing.
+    /// Type and limits; `None` if the spec does not describe the node.
     pub(crate) slot: Option<Slot<'s>>,
     body: Body<'s>,
-    /// Text of the Python literal that was read as this value.
+    /// Text of the Python literal that contained this value.
     literal: Option<String>,
-    /// Departures from the spec that are not those of a part, by paths inside the node.
+    /// Departures from the spec except those of parts, by paths inside the node.
     departures: Vec<Departure>,
 }
 
 /// Place of a node in the one around it.
 #[derive(Debug, Clone)]
 pub enum Label<'s> {
-    /// The message as a whole.
+    /// Message as a whole.
     Message,
     /// Tag of a choice.
     Tag {
-        /// Its key; empty in an array.
+        /// Key of the tag; empty in an array.
         key: &'s str,
-        /// The variant that it selects; none where there is no such.
+        /// Variant that the tag selects; `None` if there is no such variant.
         variant: Option<&'s Variant>,
     },
-    /// A field.
+    /// Field of the spec.
     Field(&'s Field),
-    /// An element of an array. One that the spec does not describe stands beyond the fields of an array.
+    /// Element of an array. An element that the spec does not describe is beyond the fields of an array.
     Element(usize),
-    /// A key that is not in the spec.
+    /// Key that is not in the spec.
     Unknown(String),
 }
 
 /// Content of a node.
 #[derive(Debug, Clone)]
 enum Body<'s> {
-    /// There is none: the message does not have it.
+    /// No content: the message does not have the node.
     Absent,
-    /// JSON without parts that the spec describes, as it came.
+    /// JSON without parts that the spec describes, unchanged.
     Leaf(Value),
     /// Parts, those without a description first.
     Parts(Vec<Node<'s>>),
 }
 
 impl Label<'_> {
-    /// True for the same place in another message.
+    /// Whether it is the same place in another message.
     fn is(&self, other: &Label<'_>) -> bool {
         match (self, other) {
             (Label::Field(one), Label::Field(other)) => one.name == other.name,
@@ -68,7 +68,7 @@ impl Label<'_> {
         }
     }
 
-    /// Path of the part inside what stands at `outer`, by names in Rust.
+    /// Returns the path of the part inside the value at `outer`, by names in Rust.
     pub fn path(&self, outer: &str) -> String {
         match self {
             Self::Field(field) => member(outer, &field.name),
@@ -76,7 +76,7 @@ impl Label<'_> {
         }
     }
 
-    /// Path by keys on the wire, and by names where there are none.
+    /// Returns the path by keys on the wire, and by names where there are no keys.
     fn wire_path(&self, outer: &str) -> String {
         match self {
             Self::Message | Self::Tag { key: "", .. } => outer.to_owned(),
@@ -85,7 +85,7 @@ impl Label<'_> {
         }
     }
 
-    /// Key in an object on the wire; of an element of an array its name.
+    /// Returns the key in an object on the wire; for an element of an array, its name.
     fn key(&self) -> &str {
         match self {
             Self::Tag { key, .. } => key,
@@ -99,32 +99,33 @@ impl Label<'_> {
 
 /// The spec's view of the node.
 impl<'s> Node<'s> {
-    /// Place in the node around it.
+    /// Returns the place in the node around it.
     pub fn label(&self) -> &Label<'s> {
         &self.label
     }
 
-    /// Its type on the wire; none where the spec describes nothing. A Python literal that was read has the type inside.
+    /// Returns its type on the wire; `None` if the spec does not describe it. For a Python literal it is the type of
+    /// its content.
     pub fn shape(&self) -> Option<Shape<'s>> {
         self.slot.map(|slot| slot.shape)
     }
 
-    /// Unit of its number or numbers, if there is one.
+    /// Returns the unit of its number or numbers, if there is one.
     pub fn unit(&self) -> Option<&'s str> {
         self.slot.map(|slot| slot.limits.unit).filter(|unit| !unit.is_empty())
     }
 
-    /// True for what the spec describes.
+    /// Whether the spec describes it.
     pub fn is_described(&self) -> bool {
         self.slot.is_some() || matches!(self.label, Label::Tag { .. })
     }
 
-    /// True if its type has parts with names or elements.
+    /// Whether its type has parts with names or elements.
     pub fn is_nested(&self) -> bool {
         !matches!(self.shape(), None | Some(Shape::Scalar(_) | Shape::IntEnum(_) | Shape::TextEnum(_)))
     }
 
-    /// Fields that its type names, each without a value.
+    /// Returns the fields of its type, each without a value.
     pub fn members(&self) -> Vec<Self> {
         match self.slot {
             Some(Slot { spec, shape: Shape::Object(fields) | Shape::Tuple { fields, .. }, .. }) => {
@@ -134,7 +135,7 @@ impl<'s> Node<'s> {
         }
     }
 
-    /// An element of the array that its type is, without a value; none of another type, and beyond a fixed length.
+    /// Returns an element of its array type, without a value; `None` for another type, and beyond a fixed length.
     pub fn element(&self, index: usize) -> Option<Self> {
         let (slot, Shape::List(ty, len)) = (self.slot?, self.shape()?) else { return None };
         let is_there = len.is_none_or(|len| index < len);
@@ -148,28 +149,28 @@ impl<'s> Node<'s> {
 
 /// The message's view of the node.
 impl<'s> Node<'s> {
-    /// Its parts without the envelope: keys without a description first, then all that the spec describes, also those
-    /// that are absent.
+    /// Returns its parts without the envelope: keys without a description first, then all parts that the spec
+    /// describes, including absent ones.
     pub fn parts(&self) -> &[Self] {
         if let Body::Parts(parts) = &self.body { parts } else { &[] }
     }
 
-    /// The part that is the field of this name.
+    /// Returns the part that is the field of this name.
     pub(crate) fn part(&self, name: &str) -> Option<&Self> {
         self.parts().iter().find(|part| matches!(part.label, Label::Field(field) if field.name == name))
     }
 
-    /// True if the message does not have it.
+    /// Whether the message does not have it.
     pub fn is_absent(&self) -> bool {
         matches!(self.body, Body::Absent)
     }
 
-    /// True where the message has a value without the parts that its type has.
+    /// Whether the message has a value without the parts of its type.
     pub fn is_leaf(&self) -> bool {
         matches!(self.body, Body::Leaf(_))
     }
 
-    /// The part at a path of labels, if the message has one that is not null.
+    /// Returns the part at a path of labels, if the message has one that is not null.
     pub fn at(&self, path: &[Label<'_>]) -> Option<&Self> {
         let mut found = self;
         for label in path {
@@ -178,12 +179,12 @@ impl<'s> Node<'s> {
         (!matches!(found.body, Body::Absent | Body::Leaf(Value::Null))).then_some(found)
     }
 
-    /// JSON as it came, without the envelope; null where the message has none.
+    /// Returns its JSON unchanged, without the envelope; null if the message has none.
     pub fn found(&self) -> Value {
         self.literal.as_deref().map_or_else(|| self.json(), Value::from)
     }
 
-    /// JSON as it came; of a Python literal its value.
+    /// Returns its JSON unchanged; for a Python literal its value.
     pub(crate) fn json(&self) -> Value {
         let parts = match &self.body {
             Body::Absent => return Value::Null,
@@ -198,9 +199,9 @@ impl<'s> Node<'s> {
         }
     }
 
-    /// JSON by the names in Rust, without the envelope, and with values as [`value`](Self::value) has them.
+    /// Returns its JSON by the names in Rust, without the envelope, and with values as from [`value`](Self::value).
     ///
-    /// A key without a description is as it came, and so is an array with an element without one.
+    /// A key without a description is unchanged, and so is an array with an element without one.
     pub fn named(&self) -> Value {
         let Body::Parts(parts) = &self.body else { return self.value() };
         let is_beyond = |part: &Self| !part.is_described() && matches!(part.label, Label::Element(_));
@@ -214,8 +215,9 @@ impl<'s> Node<'s> {
         }
     }
 
-    /// A value without parts in one form, whatever form the controller used: a truth value as true or false, a number
-    /// as such. What does not fit its type is as it came, and what has parts is [`found`](Self::found).
+    /// Returns a value without parts in one form, for any form that the controller used: a truth value as true or
+    /// false, a number as a number. A value that does not fit its type is unchanged; for a node with parts it is
+    /// [`found`](Self::found).
     pub fn value(&self) -> Value {
         let Body::Leaf(value) = &self.body else { return self.found() };
         let read = match self.shape() {
@@ -226,7 +228,7 @@ impl<'s> Node<'s> {
         read.unwrap_or_else(|| value.clone())
     }
 
-    /// Name of the value of an enum or of the tag of a choice, if there is one.
+    /// Returns the name of the value of an enum or of the tag of a choice, if there is one.
     pub fn value_name(&self) -> Option<&'s str> {
         match &self.label {
             Label::Tag { variant, .. } => variant.map(|variant| &*variant.name),
@@ -234,7 +236,7 @@ impl<'s> Node<'s> {
         }
     }
 
-    /// Entry of the spec for the value of an enum, if it lists it.
+    /// Returns the spec's entry for the value of an enum, if there is one.
     pub(crate) fn listed<T>(
         &self,
         of_int: impl Fn(&'s EnumValue<i64>) -> T,
@@ -251,29 +253,29 @@ impl<'s> Node<'s> {
 
 /// Departures from the spec.
 impl Node<'_> {
-    /// Differences from the spec: of each object those of unknown keys first, then in the order of the spec. Paths are
-    /// those inside the message; of a field alone they begin with its name in Rust.
+    /// Returns the differences from the spec: for each object, unknown keys first, then the rest in the order of the
+    /// spec. Paths are inside the message; for a single field they begin with its name in Rust.
     pub fn departures(&self) -> Vec<Departure> {
         let mut found = Vec::new();
         self.collect(&self.label.path(""), &mut found);
         found
     }
 
-    /// True if the generated code can read it, if leniently.
+    /// Whether the generated code can read it, if only leniently.
     pub fn is_readable(&self) -> bool {
         let is_unreadable = |departure: &Departure| departure.reading == Reading::Unreadable;
         self.is_kept_raw() || !self.departures.iter().any(is_unreadable) && self.parts().iter().all(Self::is_readable)
     }
 
-    /// True for a value that the generated code keeps as raw JSON where it does not fit.
+    /// Whether it is a value that the generated code keeps as raw JSON if it does not fit.
     fn is_kept_raw(&self) -> bool {
         let is_raw = matches!(self.label, Label::Field(field) if field.or_raw);
         is_raw && !matches!(self.body, Body::Absent | Body::Leaf(Value::Null))
     }
 
-    /// Problems for which a controller must refuse a request. Unknown keys are skipped, numbers may be strings, and
-    /// truth values may have any of their forms. Ranges and values of enums that newer firmware has widened are not
-    /// enforced. Fields are named by their keys on the wire.
+    /// Returns the problems for which a controller must refuse a request. Unknown keys are skipped, numbers may be
+    /// strings, and truth values may have any of their forms. Ranges and values of enums that newer firmware has
+    /// widened are not enforced. Fields have their keys on the wire.
     pub fn problems(&self) -> Vec<Problem> {
         let is_refused = |departure: &Departure| {
             let forbidden = matches!(departure.kind, DepartureKind::Range | DepartureKind::Unlisted);
@@ -309,9 +311,9 @@ impl Node<'_> {
     }
 }
 
-/// Adds a departure of an element, or counts it where an element before differs in the same way.
+/// Adds a departure of an element, or counts it if a previous element differs in the same way.
 fn add_or_count(array: &str, first: usize, new: Departure, found: &mut Vec<Departure>) {
-    /// The path inside the element.
+    /// Returns the path inside the element.
     fn inner<'f>(array: &str, field: &'f str) -> &'f str {
         field[array.len()..].split_once(']').map_or("", |(_, inner)| inner)
     }

@@ -1,4 +1,4 @@
-//! Values as they are typed on a command line.
+//! Values typed on a command line.
 
 use jaka_spec::{Scalar, Shape, Spec, Type};
 use serde_json::Value;
@@ -7,17 +7,17 @@ use super::names::same;
 use super::scalar;
 use super::slot::Slot;
 
-/// Reads a value of a type from what was typed on a command line, for [`request`](super::request).
+/// Reads a value of a type from text typed on a command line, for [`request`](super::request).
 ///
-/// - A number: `20`. A truth value: `on`, `true`, `1`, or as the wire writes it.
+/// - A number: `20`. A truth value: `on`, `true`, `1`, or its form on the wire.
 /// - A value of an enum: its name in any case, such as `absolute`, or its form on the wire.
 /// - An array, or a struct that is one on the wire: `0,90,90` or `[0, 90, 90]`; the struct also as `{"x": 0, …}`.
-/// - Text: as it is. Whatever has parts of its own: as JSON.
+/// - Text: unchanged. A value with parts of its own: as JSON.
 ///
 /// Ranges and lengths are left to [`request`](super::request).
 ///
 /// # Errors
-/// The text is not a value of the type; the message says what is.
+/// The text is not a value of the type; the message describes the type.
 pub fn value(spec: &Spec, ty: &Type, text: &str) -> Result<Value, String> {
     read(spec, ty, text).ok_or_else(|| {
         let expected = match spec.shape(ty) {
@@ -37,7 +37,7 @@ fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
         Shape::Object(_) | Shape::Choice(_) => serde_json::from_str(text).ok(),
         Shape::Tuple { fields, .. } => list(text, |index, part| match fields.get(index) {
             Some(field) => read(spec, &field.ty, part),
-            // One too many, which `request` refuses.
+            // The extra part makes `request` refuse the value.
             None => Some(part.into()),
         }),
         Shape::IntEnum(values) => {
@@ -51,7 +51,7 @@ fn read(spec: &Spec, ty: &Type, text: &str) -> Option<Value> {
     }
 }
 
-/// A JSON array or object as it is; otherwise parts between commas, each read by `read`.
+/// Returns a JSON array or object unchanged; otherwise reads parts between commas, each by `read`.
 fn list(text: &str, read: impl Fn(usize, &str) -> Option<Value>) -> Option<Value> {
     if let Ok(json @ (Value::Array(_) | Value::Object(_))) = serde_json::from_str(text) {
         return Some(json);

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Rotation3, Translation3, Unit, Vector3};
 
 use crate::transform::Transform;
 
-/// The way along a circle from one pose through a second to a third, with even turns from each to the next.
+/// Path along a circle from one pose through a second to a third. The tool turns evenly from each pose to the next.
 #[derive(Debug, Clone)]
 pub struct Arc {
     centre: Point3<f64>,
@@ -12,12 +12,12 @@ pub struct Arc {
     from: Transform,
     middle: Transform,
     to: Transform,
-    /// The angles from the first pose to the middle one and to the last, in radians.
+    /// Angles from the first pose to the middle one and to the last, in radians.
     angles: (f64, f64),
 }
 
 impl Arc {
-    /// The arc through three poses; `None` where their positions lie on a line.
+    /// Returns the arc through three poses; `None` if their positions lie on a line.
     pub fn through(from: Transform, middle: Transform, to: Transform) -> Option<Self> {
         let [a, b, c] = [from, middle, to].map(|frame| Point3::from(frame.0.translation.vector));
         let (ab, ac) = (b - a, c - a);
@@ -26,7 +26,7 @@ impl Arc {
         let to_centre = (ac.norm_squared() * normal.cross(&ab) + ab.norm_squared() * ac.cross(&normal))
             / (2.0 * normal.norm_squared());
         let centre = a + to_centre;
-        // With this normal the three points follow one another in the positive sense.
+        // With this normal the three points follow one another in the positive direction.
         let angle = |point: Point3<f64>| {
             let (start, here) = (a - centre, point - centre);
             axis.dot(&start.cross(&here)).atan2(start.dot(&here)).rem_euclid(std::f64::consts::TAU)
@@ -34,7 +34,7 @@ impl Arc {
         Some(Self { centre, axis, from, middle, to, angles: (angle(b), angle(c)) })
     }
 
-    /// The frame at a share, from 0 to 1, of the arc.
+    /// Returns the frame at a share of the arc, from 0 to 1.
     pub fn at(&self, share: f64) -> Transform {
         let (to_middle, to_end) = self.angles;
         let angle = to_end * share;
@@ -63,22 +63,22 @@ impl Arc {
         self.axis.cross(&(Rotation3::from_axis_angle(&self.axis, to_end * share) * self.spoke())) * to_end
     }
 
-    /// The share of the arc at which the middle pose is.
+    /// Returns the share of the arc at the middle pose.
     pub(crate) fn middle_share(&self) -> f64 {
         self.angles.0 / self.angles.1
     }
 
-    /// The angle of the arc in radians.
+    /// Returns the angle of the arc in radians.
     pub(crate) fn angle(&self) -> f64 {
         self.angles.1
     }
 
-    /// The three poses.
+    /// Returns the three poses.
     pub(crate) fn poses(&self) -> [Transform; 3] {
         [self.from, self.middle, self.to]
     }
 
-    /// From the centre to the beginning.
+    /// Returns the vector from the centre to the start.
     fn spoke(&self) -> Vector3<f64> {
         self.from.0.translation.vector - self.centre.coords
     }

@@ -22,11 +22,11 @@ use crate::model::{NoSolution, Point, Singularity};
 pub struct Beyond {
     /// Exceeded limit, or the reason that the check has no answer.
     pub exceeded: Exceeded,
-    /// Motion or place that was checked.
+    /// Kind of motion or place that was checked.
     pub way: Way,
     /// Share of the path before the place of the violation, from 0 to 1.
     pub share: f64,
-    /// The arm's name.
+    /// Name of the arm.
     pub model: &'static str,
 }
 
@@ -37,36 +37,36 @@ pub struct Beyond {
 pub enum Exceeded {
     /// A joint would be beyond its range.
     JointRange {
-        /// The joint, 1 to 6.
+        /// Number of the joint, 1 to 6.
         joint: usize,
         /// Position that the joint would reach, in degrees.
         position_deg: f64,
-        /// The end of its range, in degrees.
+        /// End of the joint's range, in degrees.
         limit_deg: f64,
     },
     /// A joint would turn too fast.
     JointSpeed {
-        /// The joint, 1 to 6.
+        /// Number of the joint, 1 to 6.
         joint: usize,
         /// Speed at which the joint would turn, in deg/s.
         speed_deg_s: f64,
         /// Highest speed that the joint may have, in deg/s.
         limit_deg_s: f64,
-        /// The singularity that is near, if one is.
+        /// Nearby singularity, if any.
         near: Option<Singularity>,
     },
     /// A joint would be accelerated or slowed down too much.
     JointAcceleration {
-        /// The joint, 1 to 6.
+        /// Number of the joint, 1 to 6.
         joint: usize,
-        /// Its acceleration, in deg/s².
+        /// Acceleration that the joint would have, in deg/s².
         acceleration_deg_s2: f64,
         /// Highest acceleration that the joint may have, in deg/s².
         limit_deg_s2: f64,
     },
-    /// The motion names no acceleration. The controller's own is not known.
+    /// The request names no acceleration, and the controller's own acceleration is not known.
     NoAcceleration {
-        /// The highest that would be within the limits, in deg/s².
+        /// Highest acceleration within the limits, in deg/s².
         most_deg_s2: f64,
     },
     /// The tool centre point would move too fast.
@@ -78,107 +78,107 @@ pub enum Exceeded {
     },
     /// A point of the arm would be beyond a region.
     Region {
-        /// The region's name.
+        /// Name of the region.
         name: Arc<str>,
-        /// The point of the arm.
+        /// Point of the arm.
         point: Point,
-        /// Distance beyond the region, in mm, with the tolerance added.
+        /// Distance beyond the region, in mm, including the tolerance.
         by_mm: f64,
-        /// Greatest distance from its path to which blending may take the arm, in mm.
+        /// Greatest distance, in mm, by which blending may move the arm away from its path.
         tolerance_mm: f64,
     },
-    /// After a set-point the arm could not stop before a joint is beyond its range.
+    /// The arm could not stop after a set-point before a joint leaves its range.
     LandingRange {
-        /// The joint, 1 to 6.
+        /// Number of the joint, 1 to 6.
         joint: usize,
         /// Position at which the joint would stop, in degrees.
         end_deg: f64,
-        /// The end of its range, in degrees.
+        /// End of the joint's range, in degrees.
         limit_deg: f64,
     },
-    /// After a set-point the arm could not stop before a point of it is beyond a region.
+    /// The arm could not stop after a set-point before one of its points leaves a region.
     LandingRegion {
-        /// The region's name.
+        /// Name of the region.
         name: Arc<str>,
-        /// The point of the arm.
+        /// Point of the arm.
         point: Point,
         /// Distance beyond the region at the stop or on the path to it, in mm.
         by_mm: f64,
     },
-    /// After a set-point the tool centre point would go on too far until the arm stops.
+    /// The tool centre point would travel too far after a set-point before the arm stops.
     LandingWay {
         /// Least distance that the tool centre point would still travel, in mm along its path.
         way_mm: f64,
         /// Longest distance that the tool centre point may still travel, in mm.
         limit_mm: f64,
     },
-    /// The arm does not reach there.
+    /// The pose is out of the arm's reach.
     OutOfReach {
-        /// Least change of the arm's length between shoulder and wrist with which it would reach, in mm.
+        /// Least change of the distance between shoulder and wrist that would bring the pose within reach, in mm.
         by_mm: f64,
     },
-    /// The arm's wrist reaches there, but not with this orientation.
+    /// The wrist reaches its position, but not with this orientation.
     Orientation,
     /// The arm would come too near to a singularity.
     Singularity {
         /// Singularity to which the arm would come too near.
         which: Singularity,
-        /// The distance, as [`SingularityDistance`](crate::SingularityDistance) counts it; 0 where a set-point is on
-        /// the other side.
+        /// Distance, as defined by [`SingularityDistance`](crate::SingularityDistance); 0 if a set-point is on the
+        /// other side.
         distance: f64,
-        /// The least distance.
+        /// Least permitted distance.
         least: f64,
     },
-    /// No joint position was confirmed for the pose, which is so at the edge of reach.
+    /// The solver confirmed no joint positions for the pose. This happens at the edge of reach.
     NotConfirmed,
     /// The positions of the three poses of an arc lie on a line.
     NoArc,
-    /// The tool would turn by half a turn, and which way round is not known.
+    /// The tool would turn by half a turn, so the direction of its turn is undetermined.
     HalfTurn,
-    /// A speed, an acceleration or a tolerance that is asked for is none.
+    /// A requested speed, acceleration or tolerance is not a valid number.
     Asked {
         /// Name of the quantity, for example `speed`.
         what: &'static str,
-        /// The number that was given.
+        /// Number in the request.
         given: f64,
     },
-    /// A number of a joint position, of a pose or of a frame is not finite.
+    /// A number of a joint position, a pose or a frame is not finite.
     NotFinite,
-    /// The way has more turns and steps than are checked.
+    /// The path needs more steps than the checker takes.
     TooLong,
 }
 
-/// Motion or place that a check covers.
+/// Kind of motion or place that a check covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Way {
-    /// A place, at rest.
+    /// Place, at rest.
     Place,
-    /// The way straight in joint space.
+    /// Straight path in joint space.
     JointWay,
-    /// The straight line of the tool centre point.
+    /// Straight line of the tool centre point.
     Line,
-    /// The arc of the tool centre point.
+    /// Arc of the tool centre point.
     Arc,
-    /// The ways in joint space that the controller may choose for a pose.
+    /// Paths in joint space that the controller may choose for a pose.
     EndMove,
-    /// One set-point of a servo session.
+    /// Single set-point of a servo session.
     SetPoint,
-    /// A place on a trajectory.
+    /// Place on a trajectory.
     Trajectory,
 }
 
 /// Exceeded limit, and the share of the path at which it is exceeded.
 pub(crate) type Found = (Exceeded, f64);
 
-/// Place on the way; empty at its end.
+/// Place on the path as text; empty at the end of the path.
 struct At<'a>(&'a Beyond, &'static str);
 
-/// A number with one decimal, or as many as tell it from another.
+/// Number with one decimal, or with as many as distinguish it from a second number.
 struct Apart(f64, f64);
 
-/// A number rounded down to one decimal, or to three digits if it is small.
+/// Number rounded down to one decimal, or to three significant digits if it is small.
 struct Below(f64);
 
 impl Exceeded {

@@ -1,4 +1,4 @@
-//! Joints in motion, and how they stop.
+//! Joints in motion and their stops.
 
 /// Position of a joint, in degrees, with its speed, in deg/s, and its acceleration, in deg/s².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,26 +18,27 @@ pub(crate) struct JointLimits {
 
 /// Rounding error that is allowed in a speed or an acceleration, as a share of its limit.
 const ROUNDING: f64 = 1e-9;
-/// Rounding error that is allowed in the number of periods: a stop that takes just as many does not take one more.
+/// Rounding error that is allowed in the number of periods: without it, a stop of a whole number of periods could take
+/// one period more.
 const PERIODS_ROUNDING: f64 = 1e-6;
 
-/// Course of a joint to rest. An acceleration that does not brake goes to zero; then the acceleration goes to the most
-/// that braking needs, is held, and goes to zero.
+/// Motion of a joint to rest. An acceleration that does not brake first goes to zero. The deceleration then rises to
+/// the peak that the stop needs, stays there, and goes to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
     from: JointState,
-    /// Durations in seconds, and jerks.
+    /// Durations in seconds, with their jerks.
     phases: [(f64, f64); 4],
-    /// Greatest acceleration on the way.
+    /// Greatest acceleration during the stop.
     top_acceleration: f64,
 }
 
-/// Deceleration of all joints along their velocity: the velocity falls by these shares of it.
+/// Deceleration of all joints along their velocity, as a share of the velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StopRates {
-    /// Share a second.
+    /// Share of the velocity that is lost in a second.
     pub(crate) share: f64,
-    /// Time in which the deceleration reaches that share, in seconds.
+    /// Time until the deceleration reaches that share, in seconds.
     pub(crate) ramp_s: f64,
     pub(crate) bound: StopBound,
 }
@@ -46,17 +47,17 @@ pub(crate) struct StopRates {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StopBound {
-    /// The stop acceleration of a joint ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
+    /// Stop acceleration of a joint ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
     Joints,
-    /// The stop acceleration of the tool centre point
+    /// Stop acceleration of the tool centre point
     /// ([`Limits::stop_tcp_acceleration`](crate::Limits::stop_tcp_acceleration)).
     Tool,
-    /// The acceleration of motions ([`Limits::joint_accelerations`](crate::Limits::joint_accelerations)): a stop is
-    /// never gentler, so that the tool may be braked harder than its own bound says.
+    /// Acceleration of motions ([`Limits::joint_accelerations`](crate::Limits::joint_accelerations)). A stop is never
+    /// gentler, so it may brake the tool harder than the tool's own bound.
     Motion,
 }
 
-/// Stop of an arm straight on in joint space, in which the step between set-points becomes smaller: see
+/// Stop of an arm straight on in joint space, with steps between set-points that become smaller: see
 /// [`Checker::straight_stop`](crate::Checker::straight_stop).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StraightStop {
@@ -68,9 +69,9 @@ pub struct StraightStop {
 /// Decrease of the steps between set-points during a stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum StopCourse {
-    /// Evenly, in so many periods.
+    /// Even decrease over this number of periods.
     Even(f64),
-    /// By the positions of this stop, in seconds at the speed before.
+    /// Decrease by the positions of this stop, in seconds at the speed before the stop.
     Smooth(Stop),
 }
 
@@ -79,7 +80,7 @@ impl JointState {
         Self { position, speed: 0.0, acceleration: 0.0 }
     }
 
-    /// After some seconds with this jerk.
+    /// Returns the state after some seconds with this jerk.
     pub(crate) fn after(self, seconds: f64, jerk: f64) -> Self {
         let Self { position, speed, acceleration } = self;
         Self {
@@ -89,12 +90,12 @@ impl JointState {
         }
     }
 
-    /// The speed it gets to if its acceleration goes to zero as soon as it can.
+    /// Returns the speed of the joint after its acceleration has gone to zero with this jerk.
     pub(crate) fn coasting_speed(self, jerk: f64) -> f64 {
         self.speed + self.acceleration * self.acceleration.abs() / (2.0 * jerk)
     }
 
-    /// After some seconds, if its acceleration goes to zero evenly in `ramp_s`, and stays there.
+    /// Returns the state after some seconds, if the acceleration goes to zero evenly in `ramp_s` and stays there.
     pub(crate) fn coasted(self, seconds: f64, ramp_s: f64) -> Self {
         let jerk = if ramp_s > 0.0 { -self.acceleration / ramp_s } else { 0.0 };
         let mut there = self.after(ramp_s.min(seconds), jerk);
@@ -104,7 +105,8 @@ impl JointState {
         there.after((seconds - ramp_s).max(0.0), 0.0)
     }
 
-    /// A share of the way to another state of the same time, both from the same one: by as much of the jerks.
+    /// Interpolates between two states of the same time that were reached from the same state: the result has the jerks
+    /// at the same share between theirs.
     pub(crate) fn towards(self, other: Self, share: f64) -> Self {
         let between = |one: f64, other: f64| one + share * (other - one);
         Self {
@@ -123,7 +125,7 @@ impl JointState {
             && below(self.coasting_speed(limits.jerk), limits.speed)
     }
 
-    /// Whether the speed stays within its limit on the way to a state that is within it, with this jerk.
+    /// Whether the speed stays within its limit until a state that is within it, with this jerk.
     pub(crate) fn speed_is_within(self, seconds: f64, jerk: f64, limits: JointLimits) -> bool {
         let turning = -self.acceleration / jerk;
         let is_inside = turning > 0.0 && turning < seconds;
@@ -146,14 +148,15 @@ impl StopRates {
 }
 
 impl Stop {
-    /// Stop as soon as the limits of a joint allow.
+    /// Returns the quickest stop within the limits of a joint.
     pub(crate) fn of(from: JointState, limits: JointLimits) -> Self {
         Self::within(from, [limits.acceleration, limits.jerk, limits.jerk])
     }
 
-    /// Stop with these accelerations and jerks; with the last of them an acceleration that does not brake goes to zero.
+    /// Returns the stop with these accelerations and jerks. The last number is the jerk that takes an acceleration to
+    /// zero that does not brake.
     ///
-    /// A joint that brakes by more already goes on so, and its acceleration goes to zero within its speed.
+    /// A joint that already brakes harder continues to, and its acceleration goes to zero before its speed does.
     pub(crate) fn within(from: JointState, [most, jerk, release]: [f64; 3]) -> Self {
         let sign = if from.coasting_speed(release) < 0.0 { -1.0 } else { 1.0 };
         let releases = (sign * from.acceleration / release).max(0.0);
@@ -190,7 +193,7 @@ impl Stop {
         self.phases.iter().map(|(seconds, _)| seconds).sum()
     }
 
-    /// After some seconds.
+    /// Returns the state after some seconds.
     pub(crate) fn at(&self, seconds: f64) -> JointState {
         let (mut state, mut left) = (self.from, seconds);
         for (duration, jerk) in self.phases {
@@ -208,32 +211,32 @@ impl Stop {
         self.at(f64::INFINITY).position
     }
 
-    /// The least and the largest position on the way, in degrees.
+    /// Returns the least and the largest position during the stop, in degrees.
     pub(crate) fn span(&self) -> (f64, f64) {
         let (start, end, turn) = (self.from.position, self.end(), self.turn().unwrap_or(self.from.position));
         (start.min(end).min(turn), start.max(end).max(turn))
     }
 
-    /// The highest speed on the way.
+    /// Returns the highest speed during the stop.
     pub(crate) fn top_speed(&self) -> f64 {
         let (releases, jerk) = self.phases[0];
         self.from.speed.abs().max(self.from.after(releases, jerk).speed.abs())
     }
 
-    /// The largest acceleration on the way.
+    /// Returns the largest acceleration during the stop.
     pub(crate) fn top_acceleration(&self) -> f64 {
         self.top_acceleration
     }
 
-    /// Returns the position at which the joint turns back, if its acceleration is against its motion and more than the
-    /// stop needs.
+    /// Returns the position at which the joint turns back, if its acceleration opposes its motion by more than the stop
+    /// needs.
     fn turn(&self) -> Option<f64> {
         let (releases, jerk) = self.phases[0];
         let JointState { speed, acceleration, .. } = self.from;
         if speed * jerk <= 0.0 || acceleration * jerk >= 0.0 {
             return None;
         }
-        // The speed is zero first where the acceleration still has its sign.
+        // The first zero of the speed is at a time when the acceleration still has its sign.
         let root = (acceleration * acceleration - 2.0 * jerk * speed).max(0.0).sqrt();
         let seconds = (-acceleration - root.copysign(-acceleration)) / jerk;
         (0.0..=releases).contains(&seconds).then(|| self.from.after(seconds, jerk).position)
@@ -241,8 +244,8 @@ impl Stop {
 }
 
 impl StraightStop {
-    /// Shorter one of a stop at these rates and one that slows down evenly by a share a second, from the first period
-    /// on.
+    /// Returns the shorter one of two stops: at these rates, or even from the first period on, with a loss of
+    /// `even_share` a second.
     pub(crate) fn new(smooth: StopRates, even_share: f64, period_s: f64) -> Self {
         let (stop, count) = (smooth.stop(), (1.0 / (even_share * period_s) - PERIODS_ROUNDING).ceil().max(1.0));
         if 0.5 * (count - 1.0) * period_s <= stop.end() {
@@ -251,7 +254,7 @@ impl StraightStop {
         Self { course: StopCourse::Smooth(stop), period_s, bound: smooth.bound }
     }
 
-    /// Number of set-points until the arm rests.
+    /// Returns the number of set-points until the arm is at rest.
     pub fn periods(&self) -> u32 {
         let periods = match self.course {
             StopCourse::Even(count) => count,
@@ -262,7 +265,7 @@ impl StraightStop {
         periods
     }
 
-    /// Step of the n-th set-point of the stop, from 1, as a share of the step before the stop.
+    /// Returns the step of the n-th set-point of the stop, from 1, as a share of the step before the stop.
     pub fn step(&self, n: u32) -> f64 {
         match self.course {
             StopCourse::Even(count) => (1.0 - f64::from(n) / count).max(0.0),
@@ -281,7 +284,7 @@ impl StraightStop {
         }
     }
 
-    /// Bound of its deceleration.
+    /// Returns the bound of the deceleration.
     pub fn bound(&self) -> StopBound {
         self.bound
     }

@@ -1,4 +1,4 @@
-//! Motions compared with limits.
+//! Checks of motions against limits.
 
 mod arm;
 mod follow;
@@ -39,7 +39,7 @@ use crate::speed::{JointSpeed, TcpSpeed, above_zero, longest};
 use crate::speed::{TcpVelocity, VelocityFrame};
 use crate::transform::Transform;
 
-/// Compares motions with the limits of an arm, before they are sent.
+/// Compares motions with the limits of an arm before they are sent.
 ///
 /// # What is promised
 /// Refuses a motion that is beyond a limit by more than the stated amount ([`AMOUNT_MM`](Self::AMOUNT_MM),
@@ -50,40 +50,39 @@ use crate::transform::Transform;
 /// find them. The speeds of a set-point are means over its period.
 ///
 /// # A start beyond a limit
-/// A motion that starts beyond a joint's range or a region, or too near to a singularity, may lead back but not further
-/// out: for that motion the limit is where the start is. Speeds, accelerations and a tolerance have no such exception:
-/// a line or an arc is refused that starts nearer to the border of a region than its tolerance.
+/// A motion that starts beyond a joint's range or a region, or too near to a singularity, may return but not go further
+/// out: for this motion the start is the limit. Speeds, accelerations and a tolerance have no such exception. A line or
+/// an arc is refused if it starts nearer to the border of a region than its tolerance.
 ///
-/// # What is assumed of the controller
-/// - `joint_move` and `end_move` are straight in joint space. The joint with the longest way has the speed and the
-///   acceleration that are requested, the others less in proportion.
-/// - On a line or an arc the tool centre point has the speed that is requested, in mm/s along its way, and the tool
-///   turns evenly.
+/// # Assumptions about the controller
+/// - `joint_move` and `end_move` are straight in joint space. The joint with the longest path has the requested speed
+///   and acceleration, the others less in proportion.
+/// - On a line or an arc the tool centre point has the requested speed, in mm/s along its path, and the tool turns
+///   evenly.
 /// - Joint positions change continuously on a line or an arc, from those at its start.
-/// - The model, the tool, the user frame and the mounting are those that the controller has;
-///   [`Model::fit`](crate::Model::fit) compares them.
+/// - The controller has this model, tool, user frame and mounting; [`Model::fit`](crate::Model::fit) compares them.
 ///
-/// No source shows that each controller does so. Accelerations along lines and arcs are not compared with those of the
+/// No source shows that every controller does so. Accelerations along lines and arcs are not compared with those of the
 /// joints.
 ///
-/// # What it is not
-/// It is no fence and no safety function, and has no model of collisions of the arm with itself or the cell.
+/// # Limitations
+/// The checker is no fence and no safety function, and has no model of collisions of the arm with itself or the cell.
 ///
-/// Nothing here allocates, and no input makes it panic.
+/// It does not allocate, and no input makes it panic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checker {
     limits: Limits,
     frames: Frames,
-    /// The arm's base, seen from the user frame.
+    /// Base of the arm, seen from the user frame.
     base: Isometry3<f64>,
-    /// The model of the limits with the tool of the frames.
+    /// Model of the limits with the tool of the frames.
     arm: Arm,
 }
 
-/// Of the acceleration of the tool centre point in a stop, what is planned: the rest is for how the speed of the tool
-/// changes between the places that are looked at.
+/// Planned share of the permitted acceleration of the tool centre point in a stop. The rest covers changes of the
+/// tool's speed between the sampled places.
 const TOOL_USED: f64 = 0.98;
-/// Shares of the way to rest at which the speed of the tool is looked at.
+/// Shares of the path to rest at which the speed of the tool is sampled.
 const PLACES_TO_REST: [f64; 3] = [0.25, 0.55, 0.9];
 
 /// Amounts by which a motion may exceed a limit without notice, somewhere between the computed places on its path.
@@ -104,24 +103,24 @@ impl Checker {
 }
 
 impl Checker {
-    /// For an arm with these limits, and this tool, user frame and mounting.
+    /// Creates a checker for an arm with these limits, and this tool, user frame and mounting.
     pub fn new(limits: Limits, frames: Frames) -> Self {
         let arm = Arm::new(limits.model(), frames.tool().0);
         Self { limits, frames, base: frames.base().0, arm }
     }
 
-    /// With another tool, user frame or mounting.
+    /// Replaces the tool, the user frame and the mounting.
     #[must_use]
     pub fn with_frames(self, frames: Frames) -> Self {
         Self::new(self.limits, frames)
     }
 
-    /// The limits.
+    /// Returns the limits.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    /// Tool, user frame and mounting.
+    /// Returns the tool, the user frame and the mounting.
     pub fn frames(&self) -> &Frames {
         &self.frames
     }
@@ -131,25 +130,26 @@ impl Checker {
         self.checked(Way::Place, &[joints], &[], || self.place(&joints.0).map_err(|exceeded| (exceeded, 1.0)))
     }
 
-    /// Checks a way straight in joint space, as that of `joint_move` (section 4.7): joint ranges, joint speeds and
-    /// accelerations, the speed of the tool centre point, and regions.
+    /// Checks a straight path in joint space, such as that of `joint_move` (section 4.7): joint ranges, joint speeds
+    /// and accelerations, the speed of the tool centre point, and regions.
     pub fn check_joint_way(&self, from: JointPosition, to: JointPosition, asked: JointSpeed) -> Result<(), Beyond> {
         self.checked(Way::JointWay, &[from, to], &[], || self.joint_way(&from.0, &to.0, asked))
     }
 
-    /// Checks a straight line of the tool centre point, as that of `moveL` (section 4.9), and returns the joint
+    /// Checks a straight line of the tool centre point, such as that of `moveL` (section 4.9), and returns the joint
     /// positions at its end.
     ///
-    /// Joint ranges, joint speeds at the requested speed, the speed of the tool centre point, regions, and the distance
-    /// from singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns: how a
-    /// controller means its speed then is not known, so joint speeds are not checked on it, and all the rest is.
+    /// It checks joint ranges, joint speeds at the requested speed, the speed of the tool centre point, regions, and
+    /// the distance from singularities. The tool turns evenly about one axis. A line shorter than 0.1 mm only turns the
+    /// tool. The controller's meaning of its speed is then not known, so joint speeds are not checked on such a line;
+    /// all the rest is.
     pub fn check_line(&self, from: JointPosition, to: Pose, asked: TcpSpeed) -> Result<JointPosition, Beyond> {
         let path = || ToolPath::Line { from: Transform(self.arm.tcp(&from.0)), to: Transform(self.in_base(to)) };
         self.checked(Way::Line, &[from], &[to], || self.follow(&from.0, path(), asked)).map(JointPosition)
     }
 
-    /// Checks an arc of the tool centre point, as that of `movc` (section 4.10), as [`check_line`](Self::check_line)
-    /// checks a line.
+    /// Checks an arc of the tool centre point, such as that of `movc` (section 4.10), as
+    /// [`check_line`](Self::check_line) checks a line.
     ///
     /// The tool turns evenly from the start to the middle pose, and from there to the end.
     pub fn check_arc(
@@ -167,12 +167,12 @@ impl Checker {
         self.checked(Way::Arc, &[from], &[mid, end], check).map(JointPosition)
     }
 
-    /// Checks each way that the controller may choose for `end_move` (section 4.8).
+    /// Checks each path that the controller may choose for `end_move` (section 4.8).
     ///
-    /// The controller does not know these limits. So each branch within the arm's published ranges must be within them;
-    /// where the controller's `kine_inverse` (section 4.45) says which it takes,
-    /// [`check_joint_way`](Self::check_joint_way) checks that one. A joint that can turn more than once is taken to go
-    /// to the nearest of the positions that reach the pose.
+    /// The controller does not know these limits. So each branch within the arm's published ranges must be within them.
+    /// If the controller's `kine_inverse` (section 4.45) names its branch, [`check_joint_way`](Self::check_joint_way)
+    /// checks that branch alone. For a joint that can turn more than once, the check assumes the nearest of the
+    /// positions that reach the pose.
     pub fn check_end_move(&self, from: JointPosition, to: Pose, asked: JointSpeed) -> Result<(), Beyond> {
         self.checked(Way::EndMove, &[from], &[to], || {
             let branches = self.limits.model().inverse_all(self.arm.flange(&self.in_base(to)), from);
@@ -181,17 +181,17 @@ impl Checker {
         })
     }
 
-    /// Checks a set-point of joint positions, after the last two and a period in seconds later.
+    /// Checks a set-point of joint positions that follows the last two by a period, in seconds.
     ///
-    /// `before` are the last but one and the last; both are where the arm is when a session starts. Joint ranges, the
-    /// joints' mean speed over the period and the change of it, the mean speed of the tool centre point over the
-    /// period, and regions, also on the way from the last one. Within the period the tool centre point can be faster
-    /// than in the mean: it goes on a bend, of which the straight way is shorter.
+    /// `before` has the last but one and the last set-point; at the start of a session both are the arm's position. It
+    /// checks joint ranges, the joints' mean speed over the period and its change, the mean speed of the tool centre
+    /// point over the period, and regions, also on the path from the last set-point. Within the period the tool centre
+    /// point can be faster than the mean, since its path is a curve, longer than the straight line.
     ///
     /// A joint that slows down may do so with the acceleration of stops ([`Limits::stop_accelerations`]).
     ///
-    /// And there must be room to stop: straight on in joint space by [`straight_stop`](Self::straight_stop). Joint
-    /// ranges and regions hold on that way too. For example, 175 deg/s at 570 deg/s² take 36 degrees.
+    /// The arm must also have room to stop, straight on in joint space by [`straight_stop`](Self::straight_stop). Joint
+    /// ranges and regions hold on that path too. For example, a stop from 175 deg/s at 570 deg/s² takes 36 degrees.
     pub fn check_set_point(
         &self,
         before: [JointPosition; 2],
@@ -202,17 +202,17 @@ impl Checker {
         self.checked(Way::SetPoint, &[before[0], before[1], target], &[], check)
     }
 
-    /// Stop straight on in joint space after two set-points, all joints in proportion: by steps that become smaller
-    /// within the accelerations and jerks of stops ([`Limits::stop_accelerations`]), or evenly within the accelerations
-    /// of motions where that is shorter.
+    /// Returns the stop straight on in joint space after two set-points, with all joints in proportion. Its steps
+    /// become smaller within the accelerations and jerks of stops ([`Limits::stop_accelerations`]), or evenly within
+    /// the accelerations of motions if that is shorter.
     pub fn straight_stop(&self, before: [JointPosition; 2], period_s: f64) -> StraightStop {
         let velocity = std::array::from_fn(|index| (before[1].0[index] - before[0].0[index]) / period_s);
         let smooth = self.stop_rates(&before[1].0, &velocity, self.limits.stop_jerks());
         StraightStop::new(smooth, self.limits.axes().motion_share(&velocity), period_s)
     }
 
-    /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point), with the distance from
-    /// singularities, and returns the joint positions nearest to the last ones that reach it. One on the other side of
+    /// Checks a set-point that is a pose, as [`check_set_point`](Self::check_set_point) does, and the distance from
+    /// singularities. Returns the joint positions for it that are nearest to the last ones. A pose on the other side of
     /// a singularity is refused, unless the least distance is 0.
     pub fn check_pose_set_point(
         &self,
@@ -235,8 +235,8 @@ impl Checker {
     /// singularities as these.
     ///
     /// # Errors
-    /// The pose is out of reach, no joint positions on this branch reach it, or those that do are beyond a joint's
-    /// range or a region.
+    /// The pose is out of reach, no joint positions on this branch reach it, or the joint positions are beyond a
+    /// joint's range or a region.
     #[cfg(feature = "generator")]
     pub fn joints_on_branch(&self, near: JointPosition, pose: Pose) -> Result<JointPosition, Beyond> {
         let sides = |joints: &JointPosition| self.arm.signed_distances(&joints.0);
@@ -254,14 +254,14 @@ impl Checker {
         })
     }
 
-    /// The arm with its tool.
+    /// Returns the arm with its tool.
     pub(crate) fn arm(&self) -> &Arm {
         &self.arm
     }
 
-    /// Deceleration of a stop along a velocity of the joints in deg/s, reached within these jerks.
+    /// Returns the deceleration of a stop along a velocity of the joints in deg/s, reached within these jerks.
     ///
-    /// How fast the tool moves with the joints is looked at in some places on the way to rest.
+    /// The speed of the tool for this velocity is sampled at some places on the path to rest.
     pub(crate) fn stop_rates(&self, joints: &[f64; 6], velocity: &[f64; 6], jerks: &[f64; 6]) -> StopRates {
         let axes = self.limits.axes();
         let of_joints = axes.stop_rates(velocity, jerks, f64::INFINITY);
@@ -279,12 +279,12 @@ impl Checker {
         axes.stop_rates(velocity, jerks, most / fastest)
     }
 
-    /// A pose of the tool, seen from the arm's base.
+    /// Returns a pose of the tool, seen from the arm's base.
     pub(crate) fn in_base(&self, pose: Pose) -> Isometry3<f64> {
         self.base.inverse() * Transform::from(pose).0
     }
 
-    /// A velocity seen from the arm's base, in mm/s and radians a second.
+    /// Returns a velocity seen from the arm's base, in mm/s and radians a second.
     #[cfg(feature = "generator")]
     pub(crate) fn twist_in_base(&self, velocity: &TcpVelocity, joints: &[f64; 6]) -> Vector6<f64> {
         let turn = match velocity.frame {
@@ -297,8 +297,8 @@ impl Checker {
         Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
     }
 
-    /// Compares a piece of a trajectory with all limits; the share is that of its time. `end` is where the piece before
-    /// ended, if that is known, and then where this one does.
+    /// Compares a piece of a trajectory with all limits; the share in an error is of the piece's time. `end` is the end
+    /// of the piece before, if known; the call replaces it with the end of this piece.
     pub(crate) fn check_piece(&self, piece: &Piece, end: &mut Option<PieceEnd>) -> Result<(), Found> {
         let (hull, axes, points, stop) = (piece.hull(), self.limits.axes(), self.points(), self.room_to_stop());
         axes.check_piece(piece, &hull)?;
@@ -318,9 +318,9 @@ impl Checker {
         if is_near || !axes.contain_for(&hull, stop_s) { stop.check_piece(piece) } else { Ok(()) }
     }
 
-    /// Checks the way from one set-point to the next and from there to rest: joint ranges, regions, the speed of the
-    /// tool centre point as mean over each period, and that it goes on for no more than `stopping_mm`. Where the arm
-    /// has rested, if it has, counts as within regions.
+    /// Checks the path from one set-point to the next and from there to rest: joint ranges, regions, and the speed of
+    /// the tool centre point as mean over each period. The tool centre point may travel no more than `stopping_mm`. The
+    /// position at which the arm has rested, if any, counts as within regions.
     #[cfg(feature = "generator")]
     pub(crate) fn check_stops(
         &self,
@@ -338,8 +338,8 @@ impl Checker {
         self.tcp_speed().check_stops(last, stops, period_s, stopping_mm)
     }
 
-    /// Whether bounds of the joints on a line with these ends show that joint ranges, singularities and regions are
-    /// clear all along it. Where not, [`check_line`](Self::check_line) tells.
+    /// Whether bounds of the joints show that joint ranges, singularities and regions are clear all along a line with
+    /// these ends. If not, [`check_line`](Self::check_line) decides.
     pub(crate) fn is_clear_line(&self, joints: &Piece, ends: [&Solved; 2], distances: &[f64; 3]) -> bool {
         let hull = joints.hull();
         let turned = hull.turned(joints.seconds);
@@ -350,25 +350,25 @@ impl Checker {
             && self.points().are_clear_on_line(ends, &turned)
     }
 
-    /// Whether joints that turn by at most so many radians keep apart from singularities, for the distances before.
+    /// Whether the distances from singularities stay sufficient while the joints turn by at most these radians.
     pub(crate) fn keeps_apart(&self, distances: &[f64; 3], turned: &[f64; 6]) -> bool {
         self.limits.clearance().is_kept(distances, &self.arm.radii().distances_change(turned))
     }
 
-    /// Joint positions for a pose, of all branches those nearest to others.
+    /// Returns the joint positions for a pose that are, of all branches, nearest to others.
     pub(crate) fn joints_at(&self, pose: Pose, near: JointPosition) -> Result<JointPosition, Beyond> {
         self.checked(Way::Place, &[near], &[pose], || {
             self.arm.nearest(&self.in_base(pose), &near.0).map(JointPosition).map_err(|exceeded| (exceeded, 1.0))
         })
     }
 
-    /// Distances from singularities, with another sign on each side of one.
+    /// Returns the distances from singularities, with opposite signs on the two sides of one.
     pub(crate) fn signed_distances(&self, joints: &[f64; 6]) -> [f64; 3] {
         self.arm.signed_distances(joints)
     }
 
-    /// Checks that a way of the tool comes no nearer to a singularity than the least distance, or than where it
-    /// started, and passes none since the place before, by signed distances.
+    /// Checks that a path of the tool comes no nearer to a singularity than the least distance or the distance at its
+    /// start, and that it has passed none since the place before. The distances have signs.
     pub(crate) fn check_apart(&self, start: &[f64; 3], before: &[f64; 3], here: &[f64; 3]) -> Result<(), Exceeded> {
         let clearance = self.limits.clearance();
         clearance.check(&start.map(f64::abs), &here.map(f64::abs))?;
@@ -376,15 +376,15 @@ impl Checker {
     }
 
     /// Checks that joint positions between two others are not nearer to a singularity than both of these and the least
-    /// distance, but for the stated amount.
+    /// distance, up to the stated amount.
     pub(crate) fn no_nearer_to_singularities(&self, ends: [&[f64; 6]; 2], here: &[f64; 6]) -> Result<(), Exceeded> {
         let [one, other, here] = [ends[0], ends[1], here].map(|joints| self.arm.distances(&self.arm.frames(joints)));
         let least = std::array::from_fn(|index| one[index].min(other[index]) - Self::AMOUNT_SINGULARITY);
         self.limits.clearance().check(&least, &here)
     }
 
-    /// Seconds for which the joints can go on at these rates until something is in the way, if they are fewer than
-    /// `length`; and what is in the way.
+    /// Returns the seconds for which the joints can continue at these rates until they meet a limit, and that limit, if
+    /// they are fewer than `length`.
     #[cfg(feature = "generator")]
     pub(crate) fn room_along(&self, from: &[f64; 6], rates: &[f64; 6], length: f64) -> Option<(f64, Exceeded)> {
         let (axes, clearance) = (self.limits.axes(), self.limits.clearance());
@@ -406,7 +406,7 @@ impl Checker {
 
     /// Checks joint ranges and regions.
     fn place(&self, joints: &[f64; 6]) -> Result<(), Exceeded> {
-        // No start is beyond the ranges: a place is not a motion that leads back.
+        // No start is beyond the ranges: a place is not a motion that returns into them.
         self.limits.axes().check_positions(joints, self.limits.joint_min())?;
         self.points().check_place(joints)
     }
@@ -414,7 +414,7 @@ impl Checker {
     fn joint_way(&self, from: &[f64; 6], to: &[f64; 6], asked: JointSpeed) -> Result<(), Found> {
         let (axes, at_end) = (self.limits.axes(), |exceeded| (exceeded, 1.0));
         asked.check().map_err(at_end)?;
-        // Each joint turns one way only, so what holds at both ends holds between them.
+        // Each joint turns in one direction, so its range holds between the ends if it holds at both.
         axes.check_positions(to, from).map_err(at_end)?;
         let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
         if longest(&moved) > 0.0 {

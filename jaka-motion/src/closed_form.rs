@@ -1,9 +1,10 @@
 //! All joint angles that reach a pose, in closed form.
 //!
-//! Joints 2 and 3 are parallel on every arm here, so the wrist stays at a fixed distance from the vertical plane
-//! through the base axis that joint 1 turns: that gives two solutions for joint 1. The wrist gives two for each, and
-//! the triangle of upper arm and forearm two more: eight in all. Where the axes of the wrist do not meet and the first
-//! of them lies along the forearm, joint 6 comes first, as a root of a polynomial ([`OffsetWrist`]): sixteen in all.
+//! Joints 2 and 3 are parallel on every supported arm, so the wrist stays at a fixed distance from the vertical plane
+//! through the base axis that joint 1 turns. That gives two solutions for joint 1. The wrist gives two for each of
+//! them, and the triangle of upper arm and forearm two more: eight in all. If the axes of the wrist do not meet and the
+//! first of them lies along the forearm, joint 6 comes first, as a root of a polynomial ([`OffsetWrist`]): sixteen in
+//! all.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,7 +15,7 @@ use crate::links::Links;
 use crate::newton::{ACCEPTED, Refinement, USUAL};
 use crate::offset_wrist::{OffsetWrist, Search, SixthAngles};
 
-/// Links that have a closed form: the angles between neighbouring axes are quarter turns or none.
+/// Links with a closed form: the angles between neighbouring axes are quarter turns or zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ClosedForm {
     pub(crate) links: Links,
@@ -25,18 +26,18 @@ pub(crate) struct ClosedForm {
 /// Required precision of the angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Precision {
-    /// The links are the arm's: rounding is all that is left to take off.
+    /// Precision for the arm's own links: only rounding errors remain to be removed.
     Exact,
-    /// The arm's links are others, near to these, and the angles a first guess.
+    /// Precision for links that are only near to the arm's: the angles are a first guess.
     FirstGuess,
 }
 
-/// Below this sine of joint 5 two wrist axes are in line and only the sum of their angles counts.
+/// Sine of joint 5 below which two wrist axes are in line and only the sum of their angles counts.
 const SINGULAR: f64 = 1e-7;
 
 impl Precision {
-    /// Returns the greatest distance out of reach, in mm, at which a target still gets the angles nearest to it: a pose
-    /// on the wire has six decimals, and a calibrated arm reaches further than this one.
+    /// Returns the greatest distance out of reach, in mm, at which a target still gets the angles nearest to it. A pose
+    /// on the wire has six decimals, and a calibrated arm may reach further than these links.
     fn slack_mm(self) -> f64 {
         match self {
             Self::Exact => 1e-4,
@@ -44,8 +45,8 @@ impl Precision {
         }
     }
 
-    /// Returns the greatest distance out of reach, in mm, for guesses of an offset wrist, whose angle of joint 6 is not
-    /// exact yet.
+    /// Returns the greatest distance out of reach, in mm, for guesses of an offset wrist, whose angle of joint 6 is
+    /// approximate.
     fn rough_mm(self) -> f64 {
         match self {
             Self::Exact => 1.0,
@@ -61,7 +62,7 @@ impl Precision {
         }
     }
 
-    /// Returns the distance from a singularity, in radians, that two branches keep, so that steps from each lead to its
+    /// Returns the distance, in radians, that two branches keep from a singularity, so that steps from each reach its
     /// own solution.
     fn apart(self) -> f64 {
         match self {
@@ -74,15 +75,15 @@ impl Precision {
 /// Arrangement of the last three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wrist {
-    /// Joint 4 is parallel to joints 2 and 3, and the three wrist axes do not meet.
+    /// Joint 4 parallel to joints 2 and 3, and three wrist axes that do not meet.
     Parallel,
-    /// The three wrist axes meet in one point.
+    /// Three wrist axes that meet in one point.
     Spherical,
-    /// The axis of joint 4 lies along the forearm, and that of joint 6 passes it at an offset.
+    /// Axis of joint 4 along the forearm, and axis of joint 6 at an offset from it.
     Offset,
 }
 
-/// Sets of six numbers: the arms here have no more than sixteen branches.
+/// Sets of six numbers: the supported arms have no more than sixteen branches.
 pub(crate) type AngleSets = ArrayVec<[f64; 6], 16>;
 
 /// Solutions for a target.
@@ -90,16 +91,16 @@ pub(crate) type AngleSets = ArrayVec<[f64; 6], 16>;
 pub(crate) struct Solutions {
     /// Angles of the links in radians.
     pub(crate) angles: AngleSets,
-    /// Shortfall of the nearest branch without angles, in mm; none if no branch falls short.
+    /// Shortfall of the nearest branch without angles, in mm; `None` if no branch falls short.
     pub(crate) short_mm: Option<f64>,
 }
 
 /// Angles of the links of an offset wrist before their refinement.
 #[derive(Debug, Clone, Copy)]
 struct Guess {
-    /// Whether it is of a place where roots meet.
+    /// Whether the guess comes from a place where roots meet.
     is_rough: bool,
-    /// The cosine between the axes of joints 4 and 5.
+    /// Cosine between the axes of joints 4 and 5.
     miss: f64,
     angles: [f64; 6],
 }
@@ -115,13 +116,14 @@ struct Room {
     apart: f64,
 }
 
-/// Above this cosine between the axes of joints 4 and 5, which is 0 on the arm, a guess is of another branch.
+/// Greatest cosine between the axes of joints 4 and 5 of a guess; it is 0 on the arm. Above it the guess is of another
+/// branch.
 const MOST_MISS: f64 = 0.05;
-/// Solutions that differ by less, in radians, may be one.
+/// Difference, in radians, below which two solutions may be one.
 const NEAR: f64 = 0.02;
-/// Least ratio of the error at the middle between two solutions to their own error, if the two are not one.
+/// Least ratio of the error midway between two solutions to their own error, if they are distinct.
 const BETWEEN: f64 = 10.0;
-/// Refinement of an offset wrist's angles, also where two solutions nearly meet.
+/// Refinement of an offset wrist's angles, also for two solutions that nearly meet.
 const REFINEMENT: Refinement = Refinement { exact: 1e-11, damping: 1e-6 };
 
 impl Solutions {
@@ -136,8 +138,8 @@ impl Solutions {
 }
 
 impl ClosedForm {
-    /// The angles in radians that bring the flange to `target`; where the wrist is singular, the joint that is free
-    /// keeps its angle from `reference`.
+    /// Returns the angles in radians that bring the flange to `target`. If the wrist is singular, the free joint keeps
+    /// its angle from `reference`.
     pub(crate) fn solve(&self, target: &Isometry3<f64>, reference: &[f64; 6]) -> Solutions {
         let mut found = Solutions { angles: AngleSets::new(), short_mm: None };
         match self.wrist {
@@ -154,7 +156,7 @@ impl ClosedForm {
         found
     }
 
-    /// Solves for each angle of joint 1 that brings the arm's plane to the wrist.
+    /// Calls `solve` for each angle of joint 1 that brings the arm's plane to the wrist.
     fn in_planes(&self, target: &Isometry3<f64>, found: &mut Solutions, solve: impl Fn(f64, &mut Solutions)) {
         match self.base_angles(self.wrist_centre(target), self.room()) {
             Ok(firsts) => firsts.into_iter().for_each(|first| solve(first, found)),
@@ -162,7 +164,8 @@ impl ClosedForm {
         }
     }
 
-    /// The links nearest to others that have this closed form: their lengths where it can have any, and its twists.
+    /// Returns the links of this closed form that are nearest to others: it takes their lengths where the form permits
+    /// any, and keeps its own twists.
     pub(crate) fn nearest_to(&self, links: &Links) -> Links {
         let (mut a, mut d) = (self.links.a, links.d);
         (a[2], a[3]) = (links.a[2], links.a[3]);
@@ -183,7 +186,8 @@ impl ClosedForm {
         Room { slack_mm: self.precision.slack_mm(), apart: self.precision.apart() }
     }
 
-    /// Distance of the wrist, or of the end of the forearm on an offset one, from the plane through the base axis.
+    /// Returns the distance of the wrist from the plane through the base axis; on an offset wrist, the distance of the
+    /// end of the forearm.
     fn aside(&self) -> f64 {
         let d = &self.links.d;
         match self.wrist {
@@ -192,8 +196,8 @@ impl ClosedForm {
         }
     }
 
-    /// Joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error is the distance in mm by
-    /// which the point is too near to the axis.
+    /// Returns the two angles of joint 1: the offset of a point from the plane of the arm is `x sin - y cos`. An error
+    /// is the distance, in mm, by which the point is too near to the axis.
     fn base_angles(&self, point: Point3<f64>, room: Room) -> Result<[f64; 2], f64> {
         let (offset, radius) = (self.aside(), point.x.hypot(point.y));
         let short_mm = offset.abs() - radius;
@@ -205,7 +209,8 @@ impl ClosedForm {
         Ok([direction + aside, direction + PI - aside])
     }
 
-    /// Joint 4 parallel to 2 and 3: joints 5 and 6 follow from where the plane's normal points in the flange's frame.
+    /// Solves for a joint 4 parallel to 2 and 3: joints 5 and 6 follow from the direction of the plane's normal in the
+    /// flange's frame.
     fn parallel_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Solutions) {
         let normal = target.rotation.inverse() * Vector3::new(first.sin(), -first.cos(), 0.0);
         for fifth in wrist_turns(normal.x.hypot(normal.y), normal.z).into_iter().flatten() {
@@ -218,7 +223,8 @@ impl ClosedForm {
         }
     }
 
-    /// Joints 2, 3 and 4 move in one plane: two bars reach the wrist, and joint 4 makes the rest of the rotation.
+    /// Solves for joints 2, 3 and 4, which move in one plane: two bars reach the wrist, and joint 4 makes the rest of
+    /// the rotation.
     fn planar(&self, target: &Isometry3<f64>, known: [f64; 6], found: &mut Solutions) {
         let (before, after) = (self.links.product(0..1, &known), self.links.product(4..6, &known));
         let plane = flatten(&(before.inverse() * target * after.inverse()));
@@ -236,12 +242,13 @@ impl ClosedForm {
         }
     }
 
-    /// The wrist's axes meet: two bars reach that point, and the three wrist joints make the rest of the rotation.
+    /// Solves for wrist axes that meet: two bars reach their point, and the three wrist joints make the rest of the
+    /// rotation.
     fn spherical_wrist(&self, target: &Isometry3<f64>, first: f64, reference: &[f64; 6], found: &mut Solutions) {
         let (a, d) = (&self.links.a, &self.links.d);
         let plane = flatten(&(self.links.product(0..1, &[first; 6]).inverse() * target));
         let wrist = plane * Point3::new(0.0, 0.0, -d[5]);
-        // The second bar leads from joint 3 to the wrist, at a fixed angle to the forearm's x axis.
+        // The second bar is from joint 3 to the wrist, at a fixed angle to the forearm's x axis.
         let (length, lean) = (a[3].hypot(d[3]), d[3].atan2(a[3]));
         match two_bars([a[2], length], wrist.x, wrist.y, self.room()) {
             Ok(ways) => {
@@ -253,7 +260,7 @@ impl ClosedForm {
         }
     }
 
-    /// Joints 4, 5 and 6 from `Rz(fourth) Ry(-fifth) Rz(sixth)`.
+    /// Solves for joints 4, 5 and 6 from `Rz(fourth) Ry(-fifth) Rz(sixth)`.
     fn turns(&self, target: &Isometry3<f64>, arm: [f64; 3], reference: &[f64; 6], found: &mut Solutions) {
         let [first, second, third] = arm;
         let forearm = self.links.product(0..3, &[first, second, third, 0.0, 0.0, 0.0]).rotation;
@@ -268,12 +275,12 @@ impl ClosedForm {
         }
     }
 
-    /// Joint 6 from a polynomial, the arm's plane and its two bars from where joints 4 and 5 then meet, and joints 4
-    /// and 5 from their axes.
+    /// Solves for an offset wrist. Joint 6 comes from a polynomial. The arm's plane and its two bars follow from the
+    /// point at which joints 4 and 5 then meet; joints 4 and 5 follow from their axes.
     fn offset_wrist(&self, target: &Isometry3<f64>, reference: &[f64; 6], found: &mut Solutions) {
         let (a, d, length) = (&self.links.a, &self.links.d, self.links.length());
         let wrist = self.wrist_centre(target) - Point3::new(0.0, 0.0, d[0]);
-        // Joint 4 turns the wrist about the elbow far enough that the two are the sides of a triangle.
+        // Joint 4 turns the wrist about the elbow far enough to make the two the sides of a triangle.
         let (upper_arm, forearm) = (a[2].hypot(self.aside()), d[3].hypot(d[4]));
         let short_mm = (wrist.norm() - (upper_arm + forearm)).max((upper_arm - forearm).abs() - wrist.norm());
         if short_mm > self.precision.slack_mm() {
@@ -297,7 +304,7 @@ impl ClosedForm {
         }
     }
 
-    /// Angles of the links for one of joint 6, where they may bring the flange to `target`.
+    /// Adds the guesses for an angle of joint 6 that may bring the flange to `target`.
     fn guess(&self, target: &Isometry3<f64>, equation: &OffsetWrist, sixth: f64, is_rough: bool, all: &mut Guesses) {
         let (a, d) = (&self.links.a, &self.links.d);
         let (sin, cos) = sixth.sin_cos();
@@ -308,7 +315,7 @@ impl ClosedForm {
             let place = flatten(&self.links.product(0..1, &[first; 6]).inverse()) * point;
             let Ok(ways) = two_bars([a[2], d[3]], place.x, place.y, room) else { continue };
             for (second, bend) in ways {
-                // The axis of joint 4, and with it the forearm, is a quarter turn behind the link.
+                // The axis of joint 4, and so the forearm, is a quarter turn behind the link.
                 let third = bend + FRAC_PI_2;
                 let arm = self.links.product(0..3, &[first, second, third, 0.0, 0.0, 0.0]).rotation * quarter_turn();
                 let seen = arm.inverse() * axis;
@@ -324,7 +331,7 @@ impl ClosedForm {
         }
     }
 
-    /// Adds the solution to which a guess leads, if there is one and it is new.
+    /// Adds the solution that a guess leads to, if it exists and is new.
     fn add_guess(&self, target: &Isometry3<f64>, guess: &Guess, found: &mut Solutions) {
         let error = |angles: &[f64; 6]| self.links.error(&self.links.positions(angles), target);
         let angles = match self.precision {
@@ -348,8 +355,8 @@ impl ClosedForm {
         }
     }
 
-    /// Returns the error of the flange between two solutions, after steps of the joints that are not singular. It is
-    /// above zero unless the two solutions are one.
+    /// Returns the error of the flange between two solutions, after Newton steps of the joints that are not singular.
+    /// The error is above zero unless the two solutions are one.
     fn off_between(&self, angles: &[f64; 6], target: &Isometry3<f64>) -> f64 {
         let mut joints = self.links.positions(angles);
         for _ in 0..2 {
@@ -363,10 +370,10 @@ impl ClosedForm {
     }
 }
 
-/// Two bars in a plane, joined end to end: the angles at the first joint and between the bars that bring the end to
-/// `x, y`, two ways.
+/// Returns, for two bars in a plane that are joined end to end, the angles at the first joint and between the bars that
+/// bring the end to `x, y`. There are two solutions.
 ///
-/// An error is by how many mm the end is too far away or too near, where that is more than the slack.
+/// An error is the distance, in mm, by which the end is too far away or too near, if it exceeds the slack.
 fn two_bars(bars: [f64; 2], x: f64, y: f64, room: Room) -> Result<[(f64, f64); 2], f64> {
     let ([first, second], distance) = (bars, x.hypot(y));
     let short = (distance - (first + second)).max((first - second).abs() - distance);
@@ -378,19 +385,20 @@ fn two_bars(bars: [f64; 2], x: f64, y: f64, room: Room) -> Result<[(f64, f64); 2
     Ok([bend, -bend].map(|bend| (y.atan2(x) - (second * bend.sin()).atan2(first + second * bend.cos()), bend)))
 }
 
-/// The two solutions for joint 5 from the magnitude of its sine and its cosine, or the only one where they coincide.
+/// Returns the two solutions for joint 5 from the magnitude of its sine and its cosine, or the only one if they
+/// coincide.
 fn wrist_turns(sin: f64, cos: f64) -> [Option<f64>; 2] {
     let fifth = sin.atan2(cos);
     [Some(fifth), (sin >= SINGULAR).then_some(-fifth)]
 }
 
-/// Joint 6 for a known joint 4; valid even where the wrist is singular.
+/// Returns joint 6 for a known joint 4; valid even if the wrist is singular.
 fn last_turn(left: &Rotation3<f64>, fourth: f64) -> f64 {
     let undone: Matrix3<f64> = Rotation3::from_axis_angle(&Vector3::z_axis(), -fourth) * left.matrix();
     undone[(1, 0)].atan2(undone[(1, 1)])
 }
 
-/// A transform in joint 1's frame, with the plane of the arm as x and y.
+/// Returns a transform in joint 1's frame, with the plane of the arm as x and y.
 fn flatten(transform: &Isometry3<f64>) -> Isometry3<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -FRAC_PI_2) * transform
 }

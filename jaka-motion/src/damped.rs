@@ -2,17 +2,18 @@
 
 use nalgebra::{Matrix6, Vector6};
 
-/// A Jacobian, made ready to be solved by least squares. Damping limits a joint that hardly moves the tool.
+/// Jacobian, factorised for solution by least squares. Damping limits a joint that hardly moves the tool.
 #[derive(Debug, Clone)]
 pub(crate) struct Damped {
     jacobian: Matrix6<f64>,
-    /// Of the Jacobian times its transpose and the damping: the lower triangle by Cholesky, with the inverse of each
-    /// diagonal entry.
+    /// Cholesky factor of the Jacobian times its transpose plus the damping: the lower triangle, with the inverse of
+    /// each diagonal entry.
     lower: [[f64; 6]; 6],
 }
 
 impl Damped {
-    /// With this much added to the squares of the singular values; none for numbers that are not finite.
+    /// Factorises a Jacobian, with `damping` added to the squares of the singular values; `None` if numbers are not
+    /// finite.
     pub(crate) fn new(jacobian: &Matrix6<f64>, damping: f64) -> Option<Self> {
         let mut lower = [[0.0; 6]; 6];
         for column in jacobian.as_slice().chunks_exact(6) {
@@ -37,7 +38,7 @@ impl Damped {
         Some(Self { jacobian: *jacobian, lower })
     }
 
-    /// The turns in radians for a motion of the tool, or nearly so at a singularity.
+    /// Returns the turns in radians for a motion of the tool, approximate at a singularity.
     pub(crate) fn turns(&self, moved: &Vector6<f64>) -> Vector6<f64> {
         let mut solved: [f64; 6] = (*moved).into();
         for row in 0..6 {
@@ -51,13 +52,13 @@ impl Damped {
         self.jacobian.tr_mul(&Vector6::from(solved))
     }
 
-    /// The motion of the tool for turns in radians.
+    /// Returns the motion of the tool for turns in radians.
     pub(crate) fn moved(&self, turns: &Vector6<f64>) -> Vector6<f64> {
         self.jacobian * turns
     }
 }
 
-/// Of the first entries of two rows.
+/// Returns the scalar product of the first `count` entries of two rows.
 fn product(one: &[f64; 6], other: &[f64; 6], count: usize) -> f64 {
     one.iter().zip(other).take(count).map(|(one, other)| one * other).sum()
 }

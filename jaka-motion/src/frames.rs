@@ -4,7 +4,7 @@ use jaka_proto::messages::types::Pose;
 
 use crate::transform::Transform;
 
-/// Between the flange in the arm's base and a pose as commands have it: of the tool, seen from the user frame.
+/// Conversion between the flange in the arm's base and a pose as in commands: of the tool, seen from the user frame.
 ///
 /// ```
 /// use jaka_motion::Frames;
@@ -26,54 +26,53 @@ pub struct Frames {
 }
 
 impl Frames {
-    /// The flange itself, seen from the arm's base.
+    /// Creates frames without tool, user frame and mounting: a pose is the flange, seen from the arm's base.
     pub fn new() -> Self {
         Self { mounting: Transform::identity(), user: Transform::identity(), tool: Transform::identity() }
     }
 
-    /// With this tool, seen from the flange.
+    /// Sets the tool, seen from the flange.
     #[must_use]
     pub fn with_tool(self, tool: impl Into<Transform>) -> Self {
         Self { tool: tool.into(), ..self }
     }
 
-    /// Seen from this user frame, in the frame in which the arm is mounted.
+    /// Sets the user frame, seen from the frame in which the arm is mounted.
     #[must_use]
     pub fn with_user_frame(self, user: impl Into<Transform>) -> Self {
         Self { user: user.into(), ..self }
     }
 
-    /// With the arm's base here, for example upside down on a ceiling, in a frame of the room.
+    /// Sets the place of the arm's base in a frame of the room, for example upside down on a ceiling.
     ///
-    /// No known query says how a controller takes its mounting into account; [`Model::fit`](crate::Model::fit) finds
-    /// it.
+    /// No known query tells the controller's treatment of its mounting; [`Model::fit`](crate::Model::fit) finds it.
     #[must_use]
     pub fn with_mounting(self, mounting: impl Into<Transform>) -> Self {
         Self { mounting: mounting.into(), ..self }
     }
 
-    /// The arm's base, seen from where poses are given.
+    /// Returns the arm's base, seen from the frame of poses.
     pub fn base(&self) -> Transform {
         self.user.inverse() * self.mounting
     }
 
-    /// The tool, seen from the flange.
+    /// Returns the tool, seen from the flange.
     pub fn tool(&self) -> Transform {
         self.tool
     }
 
-    /// The pose of the tool for a flange in the arm's base.
+    /// Returns the pose of the tool for a flange in the arm's base.
     pub fn pose(&self, flange: impl Into<Transform>) -> Pose {
         (self.base() * flange.into() * self.tool).into()
     }
 
-    /// The flange in the arm's base for a pose of the tool.
+    /// Returns the flange in the arm's base for a pose of the tool.
     pub fn flange(&self, pose: impl Into<Transform>) -> Transform {
         self.base().inverse() * pose.into() * self.tool.inverse()
     }
 }
 
-/// As [`Frames::new`].
+/// Creates frames as [`Frames::new`] does.
 impl Default for Frames {
     fn default() -> Self {
         Self::new()

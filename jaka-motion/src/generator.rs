@@ -1,4 +1,4 @@
-//! Set-points, one a period, on the way to a goal that may change at any time.
+//! Set-points, one a period, towards a goal that may change at any time.
 
 mod constraints;
 mod dynamics;
@@ -15,7 +15,7 @@ use crate::checker::Checker;
 use crate::limits::InvalidLimit;
 use crate::speed::TcpVelocity;
 
-/// Makes one set-point a period, on the way to a goal that may change with each of them.
+/// Makes one set-point a period, towards a goal that may change with each of them.
 ///
 /// ```
 /// use jaka_motion::{Checker, Dynamics, Frames, Generator, Goal, Limits, Model};
@@ -40,60 +40,63 @@ use crate::speed::TcpVelocity;
 ///
 /// # What is promised
 /// Whatever the goals are, and however often they change:
-/// - The first differences of the set-points, divided by the period, are within the speeds of the [`Dynamics`], the
-///   second ones, divided by its square, within the accelerations, and the third ones, divided by its cube, within the
-///   jerks, but for rounding: a billionth of the limit, and what some 1e-13 degrees make of a difference. After
-///   [`paused`](Self::paused) they start again, as if the arm had been at the last set-point for long.
+/// - The first differences of the set-points, divided by the period, are within the speeds of the [`Dynamics`]; the
+///   second ones, divided by its square, within the accelerations; the third ones, divided by its cube, within the
+///   jerks. Rounding may add a billionth of the limit, and the effect of some 1e-13 degrees on a difference. After
+///   [`paused`](Self::paused) the differences start again, as if the arm had been at the last set-point for long.
 /// - Stops are an exception: a joint that slows down may do so with the acceleration and the jerk of stops
-///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)), where these are higher. That is so with
-///   [`Goal::Rest`], and in front of a limit that the goal does not respect.
-/// - From each set-point the arm can be brought to rest so, along the velocity of its joints but for what accelerations
-///   they have, within joint ranges, regions, and the speed of the tool centre point. [`landing`](Self::landing) says
-///   where and when.
+///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)), if these are higher. This applies to
+///   [`Goal::Rest`], and in front of a limit that the goal exceeds.
+/// - From each set-point a stop can bring the arm to rest within joint ranges, regions, and the speed of the tool
+///   centre point. It follows the velocity of the joints, apart from their present accelerations.
+///   [`landing`](Self::landing) returns its position and time.
 ///
-/// # Why it holds
-/// The set-points are samples of a motion whose jerk is within its limit at each moment, so that their third
-/// differences are means of it; likewise accelerations and speeds. rsruckig proposes the jerks. They are cut to their
-/// limits and integrated here, from the state of the last set-point; the new state is taken only if speeds and
-/// accelerations have stayed within their limits, and if the way to rest from there stays within all limits. Where the
-/// tool centre point alone would be too fast, states between the proposed one and going on as fast as before are tried
-/// in the same way; elsewhere, slowing down within the accelerations of the [`Dynamics`]. Otherwise the set-point is
-/// the next one on the way to rest that was compared with the limits when the last state was taken. The arm starts at
-/// rest, within the limits. So each state has a way to rest. Once a joint brakes by more than the dynamics allow to
-/// take back before it would turn round, the arm goes on to rest.
+/// # Method
+/// The set-points are samples of a motion whose jerk is within its limit at each moment, so their third differences are
+/// means of it; likewise accelerations and speeds. rsruckig proposes the jerks. The generator clamps them to their
+/// limits and integrates them from the state of the last set-point. It takes the new state only if speeds and
+/// accelerations have stayed within their limits, and if the path to rest from there stays within all limits.
 ///
-/// # What remains
-/// - The way to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front
-///   of one.
-/// - A velocity of the tool is a velocity: what is off its way is not corrected. The arm slows to a stop in front of a
-///   limit, a region or a singularity, all axes together, so that the direction is kept but for what joints still have
-///   of an earlier motion. A singularity is not passed; to lead the arm away from one whose distance is nearly zero
-///   takes a goal in joints.
-/// - Distances from singularities count for velocities of the tool alone.
-/// - On its way between two places that are computed, a point may be beyond a region by 0.1 mm, and by 0.6 mm at an
-///   edge of a box to be kept outside of: within [`Checker::AMOUNT_MM`]. It does not come to rest there, unless that is
-///   where the session paused; it then leads on as a motion that starts beyond a limit.
+/// If only the tool centre point would be too fast, it tries in the same way states between the proposed state and the
+/// state at constant speed. For any other limit it tries to slow down within the accelerations of the [`Dynamics`]. If
+/// that fails, the set-point is the next one on the path to rest that was compared with the limits when the last state
+/// was taken. The arm starts at rest, within the limits, so each state has a path to rest.
 ///
-/// Nothing is allocated but in `new`, and where rsruckig finds no way, which then says so in a text that is dropped. No
-/// input makes it panic.
+/// A joint may brake so hard that the dynamics do not let the deceleration end before the joint turns round. Then the
+/// arm goes to rest.
+///
+/// # Limitations
+/// - The path to a goal in joints is not straight for the tool, and not planned around regions: the arm stops in front
+///   of a region.
+/// - A goal that is a velocity of the tool has no path: deviations are not corrected. The arm slows to a stop in front
+///   of a limit, a region or a singularity, all axes together, so it keeps its direction, apart from what the joints
+///   still have of an earlier motion. It does not pass a singularity. Only a goal in joints moves the arm away from a
+///   singularity whose distance is nearly zero.
+/// - Distances from singularities count for velocities of the tool only.
+/// - Between two computed places on its path, a point may be beyond a region by 0.1 mm, and by 0.6 mm at an edge of a
+///   box to be kept outside of: within [`Checker::AMOUNT_MM`]. It does not come to rest there, unless the session
+///   paused there; it then continues as a motion that starts beyond a limit.
+///
+/// Only `new` allocates, and rsruckig if it finds no path: it then makes an error text, which is dropped. No input
+/// makes the generator panic.
 #[derive(Debug, Clone)]
 pub struct Generator {
     constraints: Constraints,
     led: Led,
-    /// State at the set-point before.
+    /// State at the previous set-point.
     before: Led,
     goal: Goal,
     plan: Plan,
     rejections: u64,
 }
 
-/// State of the joints at a set-point, and the way to rest from there, which is within all limits.
+/// State of the joints at a set-point, and the path to rest from there, which is within all limits.
 #[derive(Debug, Clone, Copy)]
 struct Led {
     state: [JointState; 6],
     stops: [Stop; 6],
     bound: StopBound,
-    /// True on the way to rest.
+    /// Whether the state is on the path to rest.
     stops_already: bool,
 }
 
@@ -101,23 +104,23 @@ struct Led {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Goal {
-    /// Joint positions, which all joints reach at the same time. From rest the way is straight in joint space; it is
+    /// Joint positions, which all joints reach at the same time. From rest the path is straight in joint space; it is
     /// not straight for the tool.
     Joints(JointPosition),
-    /// A speed of each joint in deg/s, which each reaches as soon as it can. A joint stops at the end of its range, the
-    /// others go on.
+    /// Speed of each joint in deg/s, which each joint reaches as soon as it can. A joint stops at the end of its range
+    /// while the others continue.
     Velocity([f64; 6]),
-    /// A velocity of the tool.
+    /// Velocity of the tool.
     TcpVelocity(TcpVelocity),
-    /// Standstill by a stop. For one within the [`Dynamics`], there is a velocity of zero.
+    /// Standstill by a stop. For a standstill within the [`Dynamics`], use a velocity of zero.
     Rest,
 }
 
-/// One set-point, and the bound that kept it from being nearer to the goal.
+/// Set-point, and the bound that kept it from being nearer to the goal.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
-    /// The set-point.
+    /// Joint positions of the set-point.
     pub joints: JointPosition,
     /// Bound that slowed or held the motion, other than the speeds, accelerations and jerks of the joints.
     pub bound: Option<Bound>,
@@ -127,7 +130,7 @@ pub struct Step {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Bound {
-    /// A limit that is near.
+    /// Nearby limit.
     Limit(Beyond),
     /// The generator's own check refused the states computed for the goal. [`Generator::rejections`] counts these
     /// refusals.
@@ -138,7 +141,7 @@ pub enum Bound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Landing {
-    /// Its joint positions there.
+    /// Joint positions at rest.
     pub joints: JointPosition,
     /// Time until the arm rests, in seconds; 0 for an arm at rest.
     pub time_s: f64,
@@ -155,31 +158,31 @@ jaka_proto::worded! {
         TooLittle {
             /// Name of the joint's quantity, for example `speed`.
             what: &'static str,
-            /// Its unit.
+            /// Unit of the quantity.
             unit: &'static str,
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
-            /// The number that was given.
+            /// Number that was given.
             given: f64,
-            /// The least that there may be.
+            /// Least permitted value.
             least: f64,
         } => "{what} of joint {joint}: {given} {unit} is not at least {least} {unit}",
         /// A speed or an acceleration is higher than the arm's limits allow.
         BeyondLimit {
             /// Name of the joint's quantity, for example `speed`.
             what: &'static str,
-            /// Its unit.
+            /// Unit of the quantity.
             unit: &'static str,
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
-            /// The number that was given.
+            /// Number that was given.
             given: f64,
             /// Highest value that the limits allow.
             limit: f64,
         } => "{what} of joint {joint}: {given} {unit} is beyond the arm's limit of {limit} {unit}",
         /// The period is not from 1 ms to 1 s.
         Period {
-            /// The number that was given, in seconds.
+            /// Number that was given, in seconds.
             given: f64,
         } => "period: {given} s is not from 0.001 s to 1 s",
         /// The arm starts beyond a limit.
@@ -187,18 +190,18 @@ jaka_proto::worded! {
     }
 }
 
-/// The periods for which set-points can be generated, in seconds.
+/// Permitted periods, in seconds.
 const PERIODS: std::ops::RangeInclusive<f64> = 0.001..=1.0;
-/// Joint positions nearer to the goal than this, in degrees, are there.
+/// Distance to the goal, in degrees, below which joint positions count as reached.
 const THERE: f64 = 1e-6;
-/// The most of a velocity of the tool that is scaled down, in mm/s and deg/s.
+/// Greatest velocity of the tool that is scaled down, in mm/s and deg/s; a higher one means rest.
 const MOST: f64 = 1e6;
 
 impl Generator {
-    /// For an arm at rest at `start`, with a set-point each so many seconds.
+    /// Creates a generator for an arm at rest at `start`, with a set-point each `period_s`.
     ///
     /// # Errors
-    /// The start is beyond a joint's range or a region, the dynamics are beyond the limits or too small to move with,
+    /// The start is beyond a joint's range or a region, the dynamics are beyond the limits or too small for a motion,
     /// or the period is not from 1 ms to 1 s.
     pub fn new(
         checker: &Checker,
@@ -216,10 +219,10 @@ impl Generator {
         Ok(Self { constraints, led, before: led, goal: Goal::Rest, plan: Plan::new(), rejections: 0 })
     }
 
-    /// Returns the generator for a tool that must be able to stop soon. The tool centre point moves with at most this
-    /// speed, in mm/s as mean over a period. From each set-point on it comes to rest within this distance, in mm, of
-    /// which the last period before is a part. The generator approaches goals more slowly for that, but joint
-    /// positions from rest still straight in joint space.
+    /// Sets the generator up for a tool that must be able to stop soon. The tool centre point moves with at most this
+    /// speed, in mm/s as mean over a period. From each set-point on it comes to rest within this distance, in mm, which
+    /// includes the last period before. The generator approaches goals more slowly for that. The path from rest to
+    /// joint positions is still straight in joint space.
     ///
     /// # Errors
     /// The speed is not above 0.
@@ -243,10 +246,10 @@ impl Generator {
         exceeded.map_or(Ok(()), |exceeded| Err(self.constraints.beyond(exceeded)))
     }
 
-    /// The set-point a period after the last one, on the way to a goal.
+    /// Returns the set-point a period after the last one, towards a goal.
     ///
-    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow; one with a number
-    /// that is not finite, or with a velocity of the tool above 1e6 mm/s or deg/s, means rest.
+    /// A goal that [`check_goal`](Self::check_goal) refuses is approached as far as the limits allow. A goal with a
+    /// number that is not finite, or with a velocity of the tool above 1e6 mm/s or deg/s, means rest.
     pub fn next(&mut self, goal: &Goal) -> Step {
         if *goal != self.goal {
             self.goal = *goal;
@@ -278,29 +281,30 @@ impl Generator {
         self.take(&stopped, bound)
     }
 
-    /// No set-point has come when one was due: what comes next starts from standstill at the last one.
+    /// Reports that a set-point was missed: the next one starts from standstill at the last one.
     pub fn paused(&mut self) {
         self.led = self.constraints.at_rest(&positions(&self.led.state));
         self.plan.drop_way();
     }
 
-    /// The last set-point was not sent: what comes next follows the one before. Once after each [`next`](Self::next).
+    /// Reports that the last set-point was not sent: the next one follows the one before. Valid once after each
+    /// [`next`](Self::next).
     pub fn take_back(&mut self) {
         self.led = self.before;
         self.plan.drop_way();
     }
 
-    /// The last set-point.
+    /// Returns the last set-point.
     pub fn joints(&self) -> JointPosition {
         JointPosition(positions(&self.led.state))
     }
 
-    /// The speeds of the joints at the last set-point, in deg/s.
+    /// Returns the speeds of the joints at the last set-point, in deg/s.
     pub fn velocity(&self) -> [f64; 6] {
         self.led.state.map(|state| state.speed)
     }
 
-    /// The accelerations of the joints at the last set-point, in deg/s².
+    /// Returns the accelerations of the joints at the last set-point, in deg/s².
     pub fn acceleration(&self) -> [f64; 6] {
         self.led.state.map(|state| state.acceleration)
     }
@@ -316,13 +320,13 @@ impl Generator {
         Landing { joints: JointPosition(stops.map(|stop| stop.end())), time_s: longest_stop(&stops), bound }
     }
 
-    /// Returns the number of times that the states computed for a goal did not pass the check of speeds, accelerations
-    /// and jerks, or that none were found. The set-point was then one on the way to rest.
+    /// Returns the number of times that the states computed for a goal failed the check of speeds, accelerations and
+    /// jerks, or that no states were found. The set-point was then one on the path to rest.
     pub fn rejections(&self) -> u64 {
         self.rejections
     }
 
-    /// The period in seconds.
+    /// Returns the period in seconds.
     pub fn period_s(&self) -> f64 {
         self.constraints.period_s
     }
@@ -332,7 +336,7 @@ impl Generator {
         &self.constraints.checker
     }
 
-    /// Returns the states that lead to the goal, unless that is rest; and the bound that slows them.
+    /// Returns the next states towards the goal, unless the goal is rest, and the bound that slows them.
     fn proposed(&mut self) -> (Option<[JointState; 6]>, Option<Bound>) {
         let slowed = match self.goal {
             Goal::Joints(target) if finite(target.0) => {
@@ -382,7 +386,7 @@ impl Generator {
         Step { joints: self.joints(), bound }
     }
 
-    /// Whether the way is at its end and the rest of it not worth a motion.
+    /// Whether the planned path is at its end and the rest of the distance not worth a motion.
     fn is_there(&self, target: &[f64; 6]) -> bool {
         let is_near = |(stop, target): (&Stop, &f64)| (stop.end() - target).abs() < THERE;
         self.plan.is_done() && self.led.stops.iter().zip(target).all(is_near)
@@ -390,14 +394,14 @@ impl Generator {
 }
 
 impl Led {
-    /// The next state on the way to rest.
+    /// Returns the next state on the path to rest.
     fn stopped(&self, period_s: f64) -> Self {
         let stops = self.stops.map(|stop| stop.after(period_s));
         Self { state: stops.map(|stop| stop.at(0.0)), stops, stops_already: true, ..*self }
     }
 
-    /// True on a way to rest on which a joint brakes by more than these limits allow, or than they allow to take back
-    /// before it would turn round.
+    /// Whether, on a path to rest, a joint brakes by more than these limits allow, or by more than they can take back
+    /// before the joint would turn round.
     fn must_stop(&self, limits: &[JointLimits; 6]) -> bool {
         let is_hard = |(state, limits): (&JointState, &JointLimits)| {
             !state.is_within(*limits) || state.coasting_speed(limits.jerk) * state.speed < 0.0

@@ -1,5 +1,5 @@
 #![doc = include_str!("../docs/overview.md")]
-// On the host of the documentation each item says which feature it needs.
+// The documentation host shows the required feature of each item.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod arc;
@@ -36,7 +36,7 @@ pub use follower::{Follower, Overtravel, Stopping};
 pub use frames::Frames;
 #[cfg(feature = "generator")]
 pub use generator::{Bound, Dynamics, Generator, GeneratorError, Goal, Landing, Step};
-/// The types of joint positions and poses.
+/// Crate with the types of joint positions and poses.
 pub use jaka_proto as proto;
 pub use limits::{InvalidLimit, Limits, Preset, Region, RegionFrame};
 pub use model::{

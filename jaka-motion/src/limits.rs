@@ -19,7 +19,8 @@ use crate::model::Model;
 /// from singularities.
 ///
 /// A [`Checker`](crate::Checker) compares motions with them before they are sent. They are not a fence and not a safety
-/// function: motions that another program, a person at the pendant or the controller itself starts are not checked.
+/// function: they do not apply to motions that another program, a person at the pendant or the controller itself
+/// starts.
 ///
 /// ```
 /// use jaka_motion::{Limits, Model, Point, Region};
@@ -49,7 +50,7 @@ pub struct Limits {
     model: Model,
     axes: AxisLimits,
     tcp_speed: Option<f64>,
-    /// Along its way in trajectories.
+    /// Acceleration along the path in trajectories.
     tcp_acceleration: Option<f64>,
     stop_tcp_acceleration: Option<f64>,
     preset: Preset,
@@ -65,9 +66,9 @@ pub enum Preset {
     /// A joint's highest speed in 2.5 s. The default.
     #[default]
     Gentle,
-    /// A joint's highest speed in 0.75 s, and 2 m/s² for the tool centre point along its way.
+    /// A joint's highest speed in 0.75 s, and 2 m/s² for the tool centre point along its path.
     Usual,
-    /// A joint's highest speed in 0.4 s, and 5 m/s² for the tool centre point along its way.
+    /// A joint's highest speed in 0.4 s, and 5 m/s² for the tool centre point along its path.
     Quick,
 }
 
@@ -85,55 +86,55 @@ jaka_proto::worded! {
         NotPositive {
             /// Name of the quantity, for example `joint speed`.
             what: &'static str,
-            /// The number.
+            /// Number that was given.
             given: f64,
         } => "{what}: {given} is not above 0",
-        /// Joints are numbered from 1 to 6.
+        /// No joint has this number.
         NoSuchJoint {
-            /// The number that was given.
+            /// Number that was given.
             joint: usize,
         } => "there is no joint {joint}; joints are numbered from 1 to 6",
         /// The lower end of a range is above the upper one.
         EmptyRange {
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
-            /// The lower end, in degrees.
+            /// Lower end, in degrees.
             min_deg: f64,
-            /// The upper end, in degrees.
+            /// Upper end, in degrees.
             max_deg: f64,
         } => "joint {joint}: the range from {min_deg} to {max_deg} deg is empty",
         /// A limit allows more than the arm's published figure.
         Wider {
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
-            /// The limit.
+            /// Requested limit.
             given: f64,
-            /// The arm's figure.
+            /// Published figure of the arm.
             published: f64,
-            /// The unit of both, `deg` or `deg/s`.
+            /// Unit of both, `deg` or `deg/s`.
             unit: &'static str,
-            /// The arm's name.
+            /// Name of the arm.
             model: &'static str,
         } =>
             "joint {joint}: {given} {unit} is beyond the {published} {unit} of the {model}; a limit can \
              only be tighter",
-        /// A distance from a singularity is from 0 to below 1.
+        /// A distance from a singularity is not from 0 to below 1.
         NotADistance {
-            /// The number that was given.
+            /// Number that was given.
             given: f64,
         } => "distance from a singularity: {given} is not from 0 to below 1",
         /// A region has no name.
         NoName => "a region has no name",
         /// Two regions have the same name.
         NameTaken {
-            /// The name.
+            /// Name that both regions have.
             name: Arc<str>,
         } => (format!("two regions are called `{}`", name.escape_debug())),
-        /// A box is too thin: less than nothing, or to be kept outside of and thinner than 1 mm.
+        /// A box has a side below 0 mm, or below 1 mm if it is to be kept outside of.
         ThinBox {
-            /// The region's name.
+            /// Name of the region.
             name: Arc<str>,
-            /// The box's smallest side, in mm.
+            /// Smallest side of the box, in mm.
             side_mm: f64,
         } => (format!(
             "box `{}`: a side of {side_mm} mm; a box is not thinner than 0 mm, and than 1 mm if kept outside of",
@@ -141,41 +142,41 @@ jaka_proto::worded! {
         )),
         /// The direction of a half-space has no length.
         NoDirection {
-            /// The region's name.
+            /// Name of the region.
             name: Arc<str>,
         } => (format!("half-space `{}`: the direction inward has no length", name.escape_debug())),
     }
 }
 
-/// Time in which a joint reaches its acceleration by default, in seconds, in a motion and in a stop. Ours: no source
-/// has jerks of these arms.
+/// Default time in which a joint reaches its acceleration, in a motion and in a stop, in seconds. A choice of this
+/// library: no source has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
-/// Acceleration of a stop by default, in deg/s². Ours: no source has any. It is below the 720 deg/s² that the document
-/// advises for motions of joints (4.7).
+/// Default acceleration of a stop, in deg/s². A choice of this library: no source has any. It is below the 720 deg/s²
+/// that the document advises for motions of joints (4.7).
 const STOP_ACCELERATION: f64 = 570.0;
-/// Acceleration of the tool centre point in a stop by default, in mm/s²: the most that the document advises for lines
+/// Default acceleration of the tool centre point in a stop, in mm/s²: the most that the document advises for lines
 /// (4.9).
 const STOP_TCP_ACCELERATION: f64 = 8000.0;
-/// The least distance from a singularity by default. Ours: 0.6 degrees of joint 5, at which the wrist turns about a
-/// hundred times as fast as the tool.
+/// Default least distance from a singularity. A choice of this library: 0.6 degrees of joint 5, at which the wrist
+/// turns about a hundred times as fast as the tool.
 const SINGULARITY_DISTANCE: SingularityClearance = SingularityClearance(0.01);
 /// Rounding error that is allowed in an angle in degrees, a length in mm or a distance from a singularity: far below
-/// the stated amounts, and far above the error of joint positions that are found for a pose.
+/// the stated amounts, and far above the error of joint positions that are computed for a pose.
 pub(crate) const ROUNDING: f64 = 1e-5;
-/// Rounding error that is allowed in the position of a start beyond a limit: so little that it does not add up over a
-/// queue or a session.
+/// Rounding error that is allowed in the position of a start beyond a limit; too small to add up over a queue or a
+/// session.
 pub(crate) const START_ROUNDING: f64 = 1e-9;
 
 impl Limits {
-    /// Returns the published limits of an arm and, where nothing is published, careful defaults of ours.
+    /// Returns the published limits of an arm, and careful defaults of this library for the rest.
     ///
     /// - Joint ranges and speeds are the published ones.
-    /// - Joint accelerations are **not published** for these arms. The default is ours: [`Preset::Gentle`], for example
-    ///   72 deg/s² where the speed is 180 deg/s.
-    /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its way. The
-    ///   first is ours, the second is what the document advises at most for lines (4.9). No source shows an arm that
-    ///   follows set-points that brake so hard.
-    /// - The least distance from a singularity, 0.01, is ours too.
+    /// - Joint accelerations are **not published** for these arms. The default is a choice of this library:
+    ///   [`Preset::Gentle`], for example 72 deg/s² for a speed of 180 deg/s.
+    /// - A stop may be harder: 570 deg/s², reached in 0.1 s, and 8 m/s² for the tool centre point along its path. The
+    ///   first is a choice of this library, the second is the most that the document advises for lines (4.9). No source
+    ///   shows an arm that follows set-points that brake so hard.
+    /// - The least distance from a singularity, 0.01, is a choice of this library, too.
     /// - The speed of the tool is not limited, and there are no regions.
     pub fn of(model: &Model) -> Self {
         let (min, max, speeds) = (*model.joint_min(), *model.joint_max(), *model.joint_speed());
@@ -200,10 +201,10 @@ impl Limits {
         }
     }
 
-    /// The limits that a TOML text states, over those of [`of`](Self::of); `file_name` is what errors name.
+    /// Reads limits from a TOML text; keys that it leaves out are as in [`of`](Self::of). Errors show `file_name`.
     ///
-    /// Units are part of the keys. All but `model` may be left out, and a number in place of a list is for all six
-    /// joints.
+    /// Units are part of the keys. All keys but `model` may be left out, and a number in place of a list applies to all
+    /// six joints.
     ///
     /// ```
     /// use jaka_motion::Limits;
@@ -255,16 +256,16 @@ impl Limits {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong, at its line and column.
+    /// All errors in the text, each at its line and column.
     #[cfg(feature = "toml")]
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, crate::LimitsFileError> {
         file::read(text, file_name)
     }
 
-    /// With this range of a joint, 1 to 6, in degrees.
+    /// Sets the range of a joint, 1 to 6, in degrees.
     ///
     /// # Errors
-    /// There is no such joint, the range is empty, or it is wider than that of the [`model`](Self::model).
+    /// There is no such joint, the range is empty, or it is wider than the range of the [`model`](Self::model).
     pub fn with_joint_range(mut self, joint: usize, min_deg: f64, max_deg: f64) -> Result<Self, InvalidLimit> {
         let index = index_of(joint)?;
         finite("joint range", &[min_deg, max_deg])?;
@@ -282,10 +283,10 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these highest speeds of joints 1 to 6, in deg/s.
+    /// Sets the highest speeds of joints 1 to 6, in deg/s.
     ///
     /// # Errors
-    /// One is not above 0, or higher than that of the [`model`](Self::model).
+    /// A speed is not above 0, or is higher than the speed of the [`model`](Self::model).
     pub fn with_joint_speeds(mut self, deg_s: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint speed", &deg_s)?;
         for ((joint, given), published) in (1..).zip(deg_s).zip(*self.model.joint_speed()) {
@@ -297,10 +298,10 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these highest accelerations of joints 1 to 6, in deg/s², each reached in 0.1 s.
+    /// Sets the highest accelerations of joints 1 to 6, in deg/s², each reached in 0.1 s.
     ///
     /// # Errors
-    /// One is not above 0.
+    /// An acceleration is not above 0.
     pub fn with_joint_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint acceleration", &deg_s2)?;
         self.axes.accelerations = deg_s2;
@@ -308,21 +309,22 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³. Trajectories and streams are planned by them unless they
-    /// are given others, and [`Trajectory::timed`](crate::Trajectory::timed) is compared with them; nothing else is.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³. They apply to the planning of trajectories and streams,
+    /// unless these have their own, and to the check of [`Trajectory::timed`](crate::Trajectory::timed); to nothing
+    /// else.
     ///
     /// # Errors
-    /// One is not above 0.
+    /// A jerk is not above 0.
     pub fn with_joint_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint jerk", &deg_s3)?;
         self.axes.jerks = deg_s3;
         Ok(self)
     }
 
-    /// With the joint accelerations of a preset, and its acceleration of the tool centre point.
+    /// Sets the joint accelerations of a preset, and its acceleration of the tool centre point.
     ///
-    /// None of these figures is published for the arms: nobody has tried them on one. With [`Preset::Usual`] and
-    /// [`Preset::Quick`] a robot wants to know the payload and that collision detection is on.
+    /// None of these figures is published for the arms, and nobody has tried them on one. With [`Preset::Usual`] and
+    /// [`Preset::Quick`] a robot requires a known payload and collision detection.
     ///
     /// ```
     /// use jaka_motion::{Limits, Model, Preset};
@@ -339,25 +341,25 @@ impl Limits {
         self
     }
 
-    /// With this highest acceleration of the tool centre point along its way, in mm/s². Trajectories are planned by it
-    /// ([`Trajectory::through`](crate::Trajectory::through), [`curve`](crate::Trajectory::curve)); nothing else is
-    /// compared with it.
+    /// Sets the highest acceleration of the tool centre point along its path, in mm/s². It applies to the planning of
+    /// trajectories ([`Trajectory::through`](crate::Trajectory::through), [`curve`](crate::Trajectory::curve)) and to
+    /// nothing else.
     ///
     /// # Errors
-    /// It is not above 0.
+    /// The acceleration is not above 0.
     pub fn with_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
         positive("acceleration of the tool centre point", &[mm_s2])?;
         self.tcp_acceleration = Some(mm_s2);
         Ok(self)
     }
 
-    /// With these accelerations of joints 1 to 6 in a stop, in deg/s², each reached in 0.1 s.
+    /// Sets the accelerations of joints 1 to 6 in a stop, in deg/s², each reached in 0.1 s.
     ///
-    /// A stop is never gentler than a motion: where one is below that of
-    /// [`joint_accelerations`](Self::joint_accelerations), that one counts.
+    /// A stop is never gentler than a motion: a number below that of [`joint_accelerations`](Self::joint_accelerations)
+    /// counts as that number.
     ///
     /// # Errors
-    /// One is not above 0.
+    /// An acceleration is not above 0.
     pub fn with_stop_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint acceleration of a stop", &deg_s2)?;
         self.axes.stop_accelerations = deg_s2;
@@ -365,54 +367,54 @@ impl Limits {
         Ok(self)
     }
 
-    /// With these jerks of joints 1 to 6 in a stop, in deg/s³.
+    /// Sets the jerks of joints 1 to 6 in a stop, in deg/s³.
     ///
     /// # Errors
-    /// One is not above 0.
+    /// A jerk is not above 0.
     pub fn with_stop_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
         positive("joint jerk of a stop", &deg_s3)?;
         self.axes.stop_jerks = deg_s3;
         Ok(self)
     }
 
-    /// With this acceleration of the tool centre point along its way in a stop, in mm/s².
+    /// Sets the acceleration of the tool centre point along its path in a stop, in mm/s².
     ///
-    /// It is that which braking adds: what the tool loses of its speed on a curve of joints that do not slow down is
-    /// not counted. The [`joint_accelerations`](Self::joint_accelerations) of motions win over it.
+    /// It applies to the deceleration by braking only, not to a loss of the tool's speed on a curve on which the joints
+    /// keep their speeds. The [`joint_accelerations`](Self::joint_accelerations) of motions take precedence.
     ///
     /// # Errors
-    /// It is not above 0.
+    /// The acceleration is not above 0.
     pub fn with_stop_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
         positive("acceleration of the tool centre point in a stop", &[mm_s2])?;
         self.stop_tcp_acceleration = Some(mm_s2);
         Ok(self)
     }
 
-    /// With stops that the joints alone bound.
+    /// Removes the acceleration of the tool centre point in a stop: the joints alone bound stops.
     #[must_use]
     pub fn without_stop_tcp_acceleration(mut self) -> Self {
         self.stop_tcp_acceleration = None;
         self
     }
 
-    /// With this highest speed of the tool centre point, in mm/s.
+    /// Sets the highest speed of the tool centre point, in mm/s.
     ///
     /// # Errors
-    /// It is not above 0.
+    /// The speed is not above 0.
     pub fn with_tcp_speed(mut self, mm_s: f64) -> Result<Self, InvalidLimit> {
         positive("speed of the tool centre point", &[mm_s])?;
         self.tcp_speed = Some(mm_s);
         Ok(self)
     }
 
-    /// With this least distance from each of the three singularities, as
-    /// [`SingularityDistance`](crate::SingularityDistance) counts it for shoulder, elbow and wrist; 0 for none.
+    /// Sets the least distance from each of the three singularities, as defined by
+    /// [`SingularityDistance`](crate::SingularityDistance) for shoulder, elbow and wrist; 0 for none.
     ///
-    /// It counts where the tool is led: on lines, on arcs and for set-points that are poses. On a way straight in joint
-    /// space a singularity does no harm.
+    /// It applies to motions of the tool: lines, arcs and set-points that are poses. A singularity does no harm on a
+    /// straight path in joint space.
     ///
     /// # Errors
-    /// It is not from 0 to below 1.
+    /// The distance is not from 0 to below 1.
     pub fn with_singularity_distance(mut self, least: f64) -> Result<Self, InvalidLimit> {
         if !(0.0..1.0).contains(&least) {
             return Err(InvalidLimit::NotADistance { given: least });
@@ -421,10 +423,10 @@ impl Limits {
         Ok(self)
     }
 
-    /// With one more region.
+    /// Adds a region.
     ///
     /// # Errors
-    /// Another region has its name.
+    /// Another region has the same name.
     pub fn with_region(mut self, region: Region) -> Result<Self, InvalidLimit> {
         if self.regions.iter().any(|other| other.name() == region.name()) {
             return Err(InvalidLimit::NameTaken { name: region.name().clone() });
@@ -433,89 +435,89 @@ impl Limits {
         Ok(self)
     }
 
-    /// The arm.
+    /// Returns the arm's model.
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// The lower end of each joint's range in degrees.
+    /// Returns the lower end of each joint's range in degrees.
     pub fn joint_min(&self) -> &[f64; 6] {
         &self.axes.min
     }
 
-    /// The upper end of each joint's range in degrees.
+    /// Returns the upper end of each joint's range in degrees.
     pub fn joint_max(&self) -> &[f64; 6] {
         &self.axes.max
     }
 
-    /// The highest speed of each joint in deg/s.
+    /// Returns the highest speed of each joint in deg/s.
     pub fn joint_speeds(&self) -> &[f64; 6] {
         &self.axes.speeds
     }
 
-    /// The highest acceleration of each joint in deg/s².
+    /// Returns the highest acceleration of each joint in deg/s².
     pub fn joint_accelerations(&self) -> &[f64; 6] {
         &self.axes.accelerations
     }
 
-    /// The highest jerk of each joint in deg/s³.
+    /// Returns the highest jerk of each joint in deg/s³.
     pub fn joint_jerks(&self) -> &[f64; 6] {
         &self.axes.jerks
     }
 
-    /// The highest acceleration of the tool centre point along its way in mm/s², if it is limited.
+    /// Returns the highest acceleration of the tool centre point along its path in mm/s², if it is limited.
     pub fn tcp_acceleration(&self) -> Option<f64> {
         self.tcp_acceleration
     }
 
-    /// The preset that was given last.
+    /// Returns the last preset that was set.
     pub fn preset(&self) -> Preset {
         self.preset
     }
 
-    /// Acceleration of each joint in a stop, in deg/s².
+    /// Returns the acceleration of each joint in a stop, in deg/s².
     pub fn stop_accelerations(&self) -> &[f64; 6] {
         &self.axes.stop_accelerations
     }
 
-    /// Jerk of each joint in a stop, in deg/s³.
+    /// Returns the jerk of each joint in a stop, in deg/s³.
     pub fn stop_jerks(&self) -> &[f64; 6] {
         &self.axes.stop_jerks
     }
 
-    /// Acceleration of the tool centre point along its way in a stop, in mm/s², if it is limited.
+    /// Returns the acceleration of the tool centre point along its path in a stop, in mm/s², if it is limited.
     pub fn stop_tcp_acceleration(&self) -> Option<f64> {
         self.stop_tcp_acceleration
     }
 
-    /// The highest speed of the tool centre point in mm/s, if it is limited.
+    /// Returns the highest speed of the tool centre point in mm/s, if it is limited.
     pub fn tcp_speed(&self) -> Option<f64> {
         self.tcp_speed
     }
 
-    /// The least distance from a singularity; 0 for none.
+    /// Returns the least distance from a singularity; 0 for none.
     pub fn singularity_distance(&self) -> f64 {
         self.clearance.0
     }
 
-    /// The regions, in the order in which they were added.
+    /// Returns the regions, in the order of their addition.
     pub fn regions(&self) -> &[Region] {
         &self.regions
     }
 
-    /// Limits of the joints.
+    /// Returns the limits of the joints.
     pub(crate) fn axes(&self) -> &AxisLimits {
         &self.axes
     }
 
-    /// The least distance from singularities.
+    /// Returns the least distance from singularities.
     pub(crate) fn clearance(&self) -> SingularityClearance {
         self.clearance
     }
 }
 
 impl Preset {
-    /// Name in a file of limits.
+    /// Returns the name in a file of limits.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gentle => "gentle",
@@ -524,8 +526,8 @@ impl Preset {
         }
     }
 
-    /// Returns the time in which a joint reaches its highest speed, in seconds, but for the 0.1 s in which it reaches
-    /// its acceleration. Ours: no source has accelerations of these arms.
+    /// Returns the time in which a joint reaches its highest speed, in seconds, without the 0.1 s in which it reaches
+    /// its acceleration. A choice of this library: no source has accelerations of these arms.
     fn seconds(self) -> f64 {
         match self {
             Self::Gentle => 2.5,
@@ -534,7 +536,8 @@ impl Preset {
         }
     }
 
-    /// In mm/s². Ours; the document advises at most 8000 for lines (4.9).
+    /// Returns the acceleration of the tool centre point, in mm/s². A choice of this library; the document advises at
+    /// most 8000 for lines (4.9).
     fn tcp_acceleration(self) -> Option<f64> {
         match self {
             Self::Gentle => None,
@@ -546,7 +549,7 @@ impl Preset {
 
 impl std::error::Error for InvalidLimit {}
 
-/// A limit, and what rounding adds to a number that is at it.
+/// Returns a limit with the rounding error that is allowed for a number at it.
 pub(crate) fn rounded_up(limit: f64) -> f64 {
     limit * (1.0 + 1e-9)
 }

@@ -1,4 +1,4 @@
-//! The chain of links, and where it brings the frames of the joints.
+//! Chain of links, and the frames of the joints.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::Range;
@@ -15,27 +15,27 @@ pub(crate) struct Links {
 }
 
 impl Links {
-    /// The angles of the links in radians for joint positions in degrees.
+    /// Returns the angles of the links in radians for joint positions in degrees.
     pub(crate) fn angles(&self, joints: &[f64; 6]) -> [f64; 6] {
         std::array::from_fn(|index| (joints[index] + self.joint_home_offset[index]).to_radians())
     }
 
-    /// The joint positions in degrees for angles of the links in radians.
+    /// Returns the joint positions in degrees for angles of the links in radians.
     pub(crate) fn positions(&self, angles: &[f64; 6]) -> [f64; 6] {
         std::array::from_fn(|index| angles[index].to_degrees() - self.joint_home_offset[index])
     }
 
-    /// The transform across consecutive links, counted from 0, at angles in radians.
+    /// Returns the transform across consecutive links, counted from 0, at angles in radians.
     pub(crate) fn product(&self, links: Range<usize>, angles: &[f64; 6]) -> Isometry3<f64> {
         links.fold(Isometry3::identity(), |before, index| before * self.link(index, angles[index]))
     }
 
-    /// The flange in the base frame for joint positions in degrees.
+    /// Returns the flange in the base frame for joint positions in degrees.
     pub(crate) fn flange(&self, joints: &[f64; 6]) -> Isometry3<f64> {
         self.product(0..6, &self.angles(joints))
     }
 
-    /// The frame of every joint in the base frame for joint positions in degrees; the last one is the flange.
+    /// Returns the frames of all joints in the base frame for joint positions in degrees; the last one is the flange.
     pub(crate) fn frames(&self, joints: &[f64; 6]) -> [Isometry3<f64>; 6] {
         let angles = self.angles(joints);
         let mut frame = Isometry3::identity();
@@ -45,19 +45,19 @@ impl Links {
         })
     }
 
-    /// No point of the flange is further than this from the base, in mm.
+    /// Returns the greatest possible distance of a point of the flange from the base, in mm.
     pub(crate) fn length(&self) -> f64 {
         self.a.iter().chain(&self.d).map(|length| length.abs()).sum()
     }
 
-    /// Bound of the Jacobian's determinant, in mm³, on an arm with an offset wrist: upper arm, forearm, and both
-    /// together.
+    /// Returns a bound of the Jacobian's determinant, in mm³, on an arm with an offset wrist: upper arm times forearm
+    /// times their sum.
     pub(crate) fn largest_determinant(&self) -> f64 {
         let (upper_arm, forearm) = (self.a[2].abs(), self.d[3].abs());
         upper_arm * forearm * (upper_arm + forearm)
     }
 
-    /// The transform across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
+    /// Returns the transform across one link: `Rx(alpha) Tx(a) Rz(angle) Tz(d)`, multiplied out.
     fn link(&self, index: usize, angle: f64) -> Isometry3<f64> {
         let (half_sin, half_cos) = half_turn(self.alpha[index]);
         let (twist_sin, twist_cos) = (2.0 * half_sin * half_cos, half_cos * half_cos - half_sin * half_sin);
@@ -68,7 +68,7 @@ impl Links {
     }
 }
 
-/// Sine and cosine of half an angle in degrees; those of most links are known.
+/// Returns sine and cosine of half an angle in degrees; exact for the angles of most links.
 fn half_turn(degrees: f64) -> (f64, f64) {
     match degrees {
         0.0 => (0.0, 1.0),
@@ -78,7 +78,8 @@ fn half_turn(degrees: f64) -> (f64, f64) {
     }
 }
 
-/// Returns the motion of a point on the last link with each joint: mm per radian, and below it radians per radian.
+/// Returns the motion of a point on the last link with each joint: mm per radian, and in the rows below radians per
+/// radian.
 pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Matrix6<f64> {
     Matrix6::from_columns(&frames.map(|frame| {
         let axis = frame.rotation * Vector3::z();
@@ -87,8 +88,8 @@ pub(crate) fn jacobian(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>) -> Ma
     }))
 }
 
-/// Returns the change of the velocity of a point on the last link where the joints go on at these rates, in radians a
-/// second: mm/s², and below it rad/s².
+/// Returns the change of the velocity of a point on the last link while the joints keep these rates, in radians a
+/// second: mm/s², and in the rows below rad/s².
 pub(crate) fn bend(frames: &[Isometry3<f64>; 6], point: &Vector3<f64>, rates: &[f64; 6]) -> Vector6<f64> {
     let axes = frames.map(|frame| frame.rotation * Vector3::z());
     let origins = frames.map(|frame| frame.translation.vector);

@@ -1,4 +1,4 @@
-//! One arm's figures.
+//! Figures of one arm.
 
 mod fit;
 pub(crate) mod inverse;
@@ -19,8 +19,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use nalgebra::{Isometry3, Vector3};
 use std::fmt;
 
-/// The figures of one arm: its Denavit-Hartenberg parameters, joint ranges and joint speeds, in millimetres and
-/// degrees.
+/// Figures of one arm: Denavit-Hartenberg parameters, joint ranges and joint speeds, in millimetres and degrees.
 ///
 /// ```
 /// use jaka_motion::Model;
@@ -36,7 +35,7 @@ use std::fmt;
 pub struct Model {
     pub(crate) name: &'static str,
     pub(crate) links: Links,
-    /// Of the links, or of the ones nearest to them that have one.
+    /// Closed form of the links, or of the nearest links that have one.
     pub(crate) closed_form: ClosedForm,
     pub(crate) joint_min: [f64; 6],
     pub(crate) joint_max: [f64; 6],
@@ -44,14 +43,14 @@ pub struct Model {
 }
 
 jaka_proto::worded! {
-    /// A point of the arm.
+    /// Point of the arm.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum Point {
-        /// The tool centre point.
+        /// Tool centre point.
         Tcp => "tool centre point",
-        /// The end of the upper arm, on the axis of joint 3: the third of
+        /// End of the upper arm, on the axis of joint 3: the third of
         /// [`Model::joint_frames`](crate::Model::joint_frames).
         Elbow => "elbow",
         /// Point at which the axes of joints 5 and 6 meet: the fifth of
@@ -60,17 +59,17 @@ jaka_proto::worded! {
     }
 }
 
-/// Denavit-Hartenberg parameters that are not those of the published arm.
+/// Error for Denavit-Hartenberg parameters that do not match the published arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct DhMismatch {
-    /// The published arm's name.
+    /// Name of the published arm.
     pub model: &'static str,
     /// Name of the parameter that differs: `alpha`, `a`, `d` or `joint_home_offset`.
     pub parameter: &'static str,
-    /// The joint, 1 to 6.
+    /// Number of the joint, 1 to 6.
     pub joint: usize,
-    /// Value that the controller has, in mm or degrees.
+    /// Value of the controller, in mm or degrees.
     pub found: f64,
     /// Value of the published arm, in mm or degrees.
     pub published: f64,
@@ -80,13 +79,13 @@ pub struct DhMismatch {
 const LENGTH: f64 = 5.0;
 /// Greatest difference of a controller's angle from the published one, in degrees.
 const ANGLE: f64 = 1.0;
-/// Further away than this, in mm, the closed form's numbers could overflow.
+/// Distance of a target, in mm, beyond which the closed form's numbers could overflow.
 const FAR: f64 = 1e9;
-/// A joint that is beyond its limit by this many degrees or less, which is rounding, is set to the limit.
+/// Greatest distance of a joint beyond its limit, in degrees, that counts as rounding; the joint is set to the limit.
 const ON_LIMIT: f64 = 1e-6;
 
 impl Model {
-    /// Every published arm, the default first.
+    /// Returns every published arm, the default first.
     ///
     /// Lengths, ranges and speeds are those of the vendor's URDF files; a controller's own lengths can differ by some
     /// tenths of a millimetre.
@@ -94,54 +93,54 @@ impl Model {
         &PUBLISHED
     }
 
-    /// The published arm of this name; case, blanks, punctuation and a leading "JAKA" do not matter: `Zu 5`,
+    /// Returns the published arm of this name. Case, blanks, punctuation and a leading "JAKA" do not matter: `Zu 5`,
     /// `jaka_zu5`, `ZU-5`.
     pub fn named(name: &str) -> Option<&'static Self> {
         let wanted = plain(name);
         PUBLISHED.iter().find(|model| plain(model.name) == wanted)
     }
 
-    /// The vendor's name of the arm, without "JAKA".
+    /// Returns the vendor's name of the arm, without "JAKA".
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Link twists in degrees, as `get_dh_param` (section 4.82) answers them.
+    /// Returns the link twists in degrees, as in the reply of `get_dh_param` (section 4.82).
     pub fn alpha(&self) -> &[f64; 6] {
         &self.links.alpha
     }
 
-    /// Link lengths in mm, as `get_dh_param` answers them.
+    /// Returns the link lengths in mm, as in the reply of `get_dh_param`.
     pub fn a(&self) -> &[f64; 6] {
         &self.links.a
     }
 
-    /// Link offsets in mm, as `get_dh_param` answers them.
+    /// Returns the link offsets in mm, as in the reply of `get_dh_param`.
     pub fn d(&self) -> &[f64; 6] {
         &self.links.d
     }
 
-    /// The offset from each joint position to the link's angle, in degrees, as `get_dh_param` answers it.
+    /// Returns the offset from each joint position to the link's angle, in degrees, as in the reply of `get_dh_param`.
     pub fn joint_home_offset(&self) -> &[f64; 6] {
         &self.links.joint_home_offset
     }
 
-    /// The lower end of each joint's range in degrees.
+    /// Returns the lower end of each joint's range in degrees.
     pub fn joint_min(&self) -> &[f64; 6] {
         &self.joint_min
     }
 
-    /// The upper end of each joint's range in degrees.
+    /// Returns the upper end of each joint's range in degrees.
     pub fn joint_max(&self) -> &[f64; 6] {
         &self.joint_max
     }
 
-    /// The highest speed of each joint in deg/s.
+    /// Returns the highest speed of each joint in deg/s.
     pub fn joint_speed(&self) -> &[f64; 6] {
         &self.joint_speed
     }
 
-    /// The sum of all lengths in mm: no point of the flange is further from the base.
+    /// Returns the sum of all lengths in mm: no point of the flange is further from the base.
     pub fn reach_mm(&self) -> f64 {
         self.links.length()
     }
@@ -152,7 +151,7 @@ impl Model {
         joints.into().0.iter().zip(ranges).all(|(joint, (min, max))| min <= joint && joint <= max)
     }
 
-    /// The flange in the arm's base for these joint positions; the joints' ranges are not checked.
+    /// Returns the flange in the arm's base for these joint positions; the joints' ranges are not checked.
     ///
     /// Joint positions that are not finite give a transform that is not finite either. For the pose of a tool in a user
     /// frame see [`Frames::pose`](crate::Frames::pose).
@@ -160,10 +159,10 @@ impl Model {
         Transform(self.links.flange(&joints.into().0))
     }
 
-    /// The frames of the six joints in the arm's base; the last one is the flange.
+    /// Returns the frames of the six joints in the arm's base; the last one is the flange.
     ///
-    /// The axis of each joint is the z axis of its frame. The third lies at the elbow, the fifth at the wrist, where
-    /// the axes of joints 5 and 6 meet.
+    /// The axis of each joint is the z axis of its frame. The third frame is at the elbow, the fifth at the wrist,
+    /// where the axes of joints 5 and 6 meet.
     pub fn joint_frames(&self, joints: impl Into<JointPosition>) -> [Transform; 6] {
         self.links.frames(&joints.into().0).map(Transform)
     }
@@ -179,23 +178,23 @@ impl Model {
         std::array::from_fn(|row| {
             std::array::from_fn(|joint| {
                 let entry = jacobian[(row, joint)];
-                // mm for a radian are more than mm for a degree; a turn has the same unit above and below.
+                // mm per radian become mm per degree; a turn has the same unit above and below.
                 if row < 3 { entry.to_radians() } else { entry }
             })
         })
     }
 
-    /// This arm with the parameters that its controller's `get_dh_param` (section 4.82) answers.
+    /// Returns this arm with the parameters of its controller, from the reply of `get_dh_param` (section 4.82).
     ///
-    /// Joint ranges and speeds stay the published ones. No source says how a controller means its parameters, and
-    /// whether its own kinematics follow them: [`fit`](Self::fit) compares. Where the controller's are calibrated, so
-    /// that axes are no longer quite parallel or at right angles, there is no closed form: the inverse starts from that
-    /// of the nearest arm that has one and goes on step by step. It takes longer, and near a singularity it can miss a
-    /// branch, or find nothing.
+    /// Joint ranges and speeds stay the published ones. No source defines the meaning of a controller's parameters, or
+    /// shows that its own kinematics follow them: [`fit`](Self::fit) compares. The axes of a calibrated arm are not
+    /// quite parallel or at right angles, so there is no closed form. The inverse then starts from the closed form of
+    /// the nearest arm that has one, and continues by Newton steps. It takes longer, and near a singularity it can miss
+    /// a branch, or find nothing.
     ///
     /// # Errors
     /// A length differs from the published one by more than 5 mm, or an angle by more than 1 degree: it is another arm,
-    /// or the parameters are meant in another way.
+    /// or the parameters have another meaning.
     pub fn with_dh(&self, reply: &GetDhParamReply) -> Result<Self, DhMismatch> {
         let (published, GetDhParamReply { alpha, a, d, joint_home_offset, .. }) = (&self.links, reply);
         self.compare("alpha", alpha, &published.alpha, ANGLE)?;
@@ -211,8 +210,8 @@ impl Model {
         Ok(model)
     }
 
-    /// Distances of these joint positions from the singularities of shoulder, elbow and wrist, or of the whole A12; NaN
-    /// for joint positions that are not finite.
+    /// Returns the distances of these joint positions from the singularities of shoulder, elbow and wrist, or of the
+    /// whole A12; NaN for joint positions that are not finite.
     ///
     /// ```
     /// use jaka_motion::Model;
@@ -229,13 +228,14 @@ impl Model {
         SingularityDistance { shoulder, elbow, wrist, smallest_singular_value: smallest_singular_value(&unitless) }
     }
 
-    /// The joint positions that bring the flange to a pose in the arm's base, on the branch nearest to `reference`.
+    /// Returns the joint positions that bring the flange to a pose in the arm's base, on the branch nearest to
+    /// `reference`.
     ///
     /// Nearest is the least sum of squares over the six joints. A joint that may turn more than once takes the turn
-    /// nearest to the reference. Where the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the
-    /// reference's position; on the A12 joint 6 does so where it is on the axis of joint 1 and any position of it would
-    /// do. The flange is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a
-    /// user frame see [`Frames::flange`](crate::Frames::flange).
+    /// nearest to the reference. If the wrist is singular, joint 6 (joint 4 on a spherical wrist) keeps the reference's
+    /// position; so does joint 6 of the A12 if it is on the axis of joint 1 and any position of it would do. The flange
+    /// is within 0.001 mm and 0.0001 degrees of the pose. For a pose of the tool in a user frame see
+    /// [`Frames::flange`](crate::Frames::flange).
     pub fn inverse(
         &self,
         flange: impl Into<Transform>,
@@ -247,11 +247,11 @@ impl Model {
         confirmed.next().ok_or(NoSolution::NotConfirmed)
     }
 
-    /// The joint positions of every branch that bring the flange to a pose in the arm's base, as
+    /// Returns the joint positions of every branch that bring the flange to a pose in the arm's base, as
     /// [`inverse`](Self::inverse) finds them, the nearest to `reference` first.
     ///
-    /// Where the wrist is singular any position of one joint would do, and there is a branch for the reference's alone.
-    /// Where two branches of the A12 meet they are one, also within about a tenth of a degree of each other.
+    /// If the wrist is singular, any position of one joint would do; there is a branch for the reference's position
+    /// only. Branches of the A12 that meet are one, also within about a tenth of a degree of each other.
     pub fn inverse_all(
         &self,
         flange: impl Into<Transform>,
@@ -265,18 +265,18 @@ impl Model {
         if branches.is_empty() { Err(NoSolution::NotConfirmed) } else { Ok(branches) }
     }
 
-    /// Joint positions at which to ask a controller for `kine_forward` (section 4.46), which moves nothing, for
-    /// [`fit`](Self::fit): all joints differ, within the middle of their ranges.
+    /// Returns joint positions for [`fit`](Self::fit), for which to ask a controller for `kine_forward` (section 4.46),
+    /// which moves nothing. All joints differ, within the middle of their ranges.
     pub fn positions_to_compare(&self) -> [JointPosition; 12] {
         fit::positions_to_compare(self)
     }
 
-    /// Compares the model with poses that the controller's `kine_forward` (section 4.46) answers for joint positions.
+    /// Compares the model with the poses of the controller's `kine_forward` (section 4.46) for joint positions.
     ///
-    /// The controller's poses are of its tool in its user frame, and follow its mounting, which no known query gives.
-    /// So the two constant transforms before and after the arm are found first, as those that fit all poses best. What
-    /// these can take up is not compared: the height of the base, the length of the flange, and the zeros of joints 1
-    /// and 6.
+    /// The controller's poses are of its tool in its user frame, and follow its mounting, which no known query returns.
+    /// So the computation first finds the two constant transforms before and after the arm that fit all poses best. It
+    /// does not compare figures that these transforms absorb: the height of the base, the length of the flange, and the
+    /// zeros of joints 1 and 6.
     ///
     /// ```
     /// use jaka_motion::{Frames, Model, Tolerance};
@@ -297,7 +297,7 @@ impl Model {
     /// ```
     ///
     /// # Errors
-    /// The poses do not tell enough, or the model differs from them.
+    /// The poses do not determine the frames, or the model differs from the poses.
     pub fn fit(&self, pairs: &[(JointPosition, Pose)], tolerance: Tolerance) -> Result<Fit, FitError> {
         fit::fit(self, pairs, tolerance)
     }
@@ -307,24 +307,24 @@ impl Model {
         self.signed_distances(frames).map(f64::abs)
     }
 
-    /// The distances, with another sign on each side of a singularity.
+    /// Returns the distances, with opposite signs on the two sides of a singularity.
     pub(crate) fn signed_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         match self.closed_form.wrist {
             Wrist::Parallel | Wrist::Spherical => self.three_distances(frames),
             Wrist::Offset => {
                 let determinant = jacobian(frames, &frames[5].translation.vector).determinant();
-                // NaN where the frames are not finite.
+                // NaN if the frames are not finite.
                 let far = if determinant.is_finite() { 1.0 } else { f64::NAN };
                 [far, far, determinant / self.links.largest_determinant()]
             }
         }
     }
 
-    /// The determinant of the Jacobian is the product of these three and of lengths.
+    /// Returns the three distances; their product times lengths is the determinant of the Jacobian.
     fn three_distances(&self, frames: &[Isometry3<f64>; 6]) -> [f64; 3] {
         let at = |index: usize| frames[index].translation.vector;
         let axis = |index: usize| frames[index].rotation * Vector3::z();
-        // Joint 2 turns both in one plane, to which lengths along its axis do not count.
+        // Joint 2 turns both in one plane; lengths along its axis do not count.
         let in_plane = |bar: Vector3<f64>| bar - axis(1) * axis(1).dot(&bar);
         let (upper_arm, forearm) = (in_plane(at(2) - at(1)), in_plane(at(3) - at(2)));
         let (bend, turn) = (upper_arm.cross(&forearm), axis(3).cross(&axis(5)));
@@ -335,7 +335,7 @@ impl Model {
         ]
     }
 
-    /// Whether the closed form is that of other links, so that its angles are improved step by step.
+    /// Whether the closed form is that of other links, so that Newton steps must improve its angles.
     fn is_calibrated(&self) -> bool {
         self.closed_form.precision == Precision::FirstGuess
     }
@@ -347,7 +347,7 @@ impl Model {
         published: &[f64; 6],
         most: f64,
     ) -> Result<(), DhMismatch> {
-        // Not `>`: a number that is not one differs too.
+        // `<=` and not `>`: not-a-number differs, too.
         let near = |index: &usize| (found[*index] - published[*index]).abs() <= most;
         (0..6).find(|index| !near(index)).map_or(Ok(()), |index| {
             let (found, published) = (found[index], published[index]);
@@ -387,8 +387,8 @@ impl Model {
         Ok(candidates)
     }
 
-    /// Each joint by as many full turns as bring it nearest to the reference, or by how much the joint that is furthest
-    /// beyond its range is beyond it, in degrees.
+    /// Turns each joint by the number of full turns that brings it nearest to the reference. An error is for the joint
+    /// that is furthest beyond its range, with that distance in degrees.
     fn nearest_turns(&self, joints: &[f64; 6], reference: &[f64; 6]) -> Result<[f64; 6], (f64, NoSolution)> {
         let (mut turned, mut furthest) = ([0.0; 6], None::<(f64, NoSolution)>);
         for index in 0..6 {
@@ -418,8 +418,8 @@ impl Model {
             })
     }
 
-    /// The joint positions, after Newton steps if rounding has left an error; none if they do not
-    /// bring the flange to the target.
+    /// Returns the joint positions, after Newton steps if rounding has left an error; `None` if they do not bring the
+    /// flange to the target.
     fn confirmed(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> Option<JointPosition> {
         let refined = self.links.refined(*joints, target, USUAL);
         let joints = if self.is_within_range(refined) { refined } else { *joints };
@@ -427,7 +427,7 @@ impl Model {
     }
 }
 
-/// The Zu 5.
+/// Returns the Zu 5.
 impl Default for Model {
     fn default() -> Self {
         PUBLISHED[0].clone()
@@ -438,7 +438,7 @@ impl Point {
     /// All points, in the order of their numbers.
     pub(crate) const ALL: [Self; 3] = [Self::Tcp, Self::Elbow, Self::Wrist];
 
-    /// Index of the joint frame that has the point; that of the tool centre point but for the tool.
+    /// Returns the index of the joint frame at the point; for the tool centre point, of the flange.
     pub(crate) fn frame(self) -> usize {
         match self {
             Self::Tcp => 5,
@@ -461,7 +461,7 @@ impl fmt::Display for DhMismatch {
 
 impl std::error::Error for DhMismatch {}
 
-/// The letters and digits of a name in lower case, without the vendor's.
+/// Returns the letters and digits of a name in lower case, without the vendor's name.
 fn plain(name: &str) -> String {
     let letters: String = name.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
     letters.strip_prefix("jaka").map(str::to_owned).unwrap_or(letters)

@@ -1,30 +1,30 @@
-//! Joint positions improved step by step.
+//! Refinement of joint positions by Newton steps.
 
 use nalgebra::{Isometry3, Vector3, Vector6};
 
 use crate::damped::Damped;
 use crate::links::{Links, jacobian};
 
-/// The weight of one radian relative to one millimetre.
+/// Weight of one radian relative to one millimetre.
 pub(crate) const RADIAN: f64 = 1e3;
-/// Greatest error of the flange for a solution, as [`off`] counts it.
+/// Greatest error of the flange for a solution, in the unit of [`off`].
 pub(crate) const ACCEPTED: f64 = 1e-3;
 /// Settings for the refinement of joint positions.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Refinement {
-    /// An error not worth a step, as [`off`] counts it.
+    /// Error below which no further step is taken, in the unit of [`off`].
     pub(crate) exact: f64,
-    /// Added to the squares of the Jacobian's singular values, which are hundreds of mm per radian away from
-    /// singularities.
+    /// Damping that is added to the squares of the Jacobian's singular values. These are hundreds of mm per radian away
+    /// from singularities.
     pub(crate) damping: f64,
 }
 
-/// Refinement of what needs none but for rounding.
+/// Refinement of joint positions that have only rounding errors.
 pub(crate) const USUAL: Refinement = Refinement { exact: 1e-8, damping: 1.0 };
-/// The most steps. Away from singularities each squares the error.
+/// Greatest number of steps. Away from singularities each squares the error.
 const STEPS: usize = 12;
 
-/// The small translation and rotation that take one transform to the other: mm, and radians times [`RADIAN`].
+/// Returns the small translation and rotation from one transform to the other: mm, and radians times [`RADIAN`].
 pub(crate) fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
     let moved: Vector3<f64> = to.translation.vector - from.translation.vector;
     let turned = (to.rotation * from.rotation.inverse()).scaled_axis() * RADIAN;
@@ -32,12 +32,12 @@ pub(crate) fn off(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
 }
 
 impl Links {
-    /// Distance of the flange from a target, as [`off`] counts it, for joint positions in degrees.
+    /// Returns the distance of the flange from a target, in the unit of [`off`], for joint positions in degrees.
     pub(crate) fn error(&self, joints: &[f64; 6], target: &Isometry3<f64>) -> f64 {
         off(&self.flange(joints), target).norm()
     }
 
-    /// One damped Newton step: damping limits a joint that hardly moves the flange.
+    /// Returns the joint positions after one damped Newton step. Damping limits a joint that hardly moves the flange.
     pub(crate) fn newton(&self, joints: &[f64; 6], target: &Isometry3<f64>, damping: f64) -> Option<[f64; 6]> {
         let frames = self.frames(joints);
         let mut jacobian = jacobian(&frames, &frames[5].translation.vector);
@@ -46,7 +46,7 @@ impl Links {
         Some(std::array::from_fn(|index| joints[index] + step[index].to_degrees()))
     }
 
-    /// The joint positions after as many Newton steps as make the error smaller.
+    /// Returns the joint positions after Newton steps for as long as these reduce the error.
     pub(crate) fn refined(&self, joints: [f64; 6], target: &Isometry3<f64>, refinement: Refinement) -> [f64; 6] {
         let Refinement { exact, damping: least } = refinement;
         let (mut best, mut error, mut damping) = (joints, self.error(&joints, target), least);
@@ -56,7 +56,7 @@ impl Links {
             if next_error < error {
                 (best, error, damping) = (next, next_error, least);
             } else {
-                // Too far for a straight step.
+                // The step is too long for a linear approximation.
                 damping *= 100.0;
             }
         }

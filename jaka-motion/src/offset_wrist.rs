@@ -1,11 +1,11 @@
-//! Angles of joint 6 for a pose, where the three axes of the wrist do not meet.
+//! Angles of joint 6 for a pose, for wrists whose three axes do not meet.
 //!
 //! Joints 2 and 3 are parallel, the axis of joint 4 lies along the forearm and meets that of joint 5 in a point P, and
-//! the axis of joint 6 meets that of joint 5 at an offset from P. An angle of joint 6 gives the axis `z` of joint 5,
-//! and with it P. Joint 1 turns the arm's plane, with the unit normal `n`, so that P is in it: two ways. In the plane
-//! upper arm and forearm reach P two ways. At a solution the forearm is at a right angle to `z`.
+//! the axis of joint 6 meets that of joint 5 at an offset from P. An angle of joint 6 determines the axis `z` of joint
+//! 5, and so P. Joint 1 turns the arm's plane, with the unit normal `n`, until P is in it: there are two solutions. In
+//! the plane, upper arm and forearm reach P in two ways. At a solution the forearm is at a right angle to `z`.
 //!
-//! The product of this condition over both elbows is `k² (1 - (n·z)²) = (n·m)²`, where `k` is how far P is from the
+//! The product of this condition over both elbows is `k² (1 - (n·z)²) = (n·m)²`. `k` is the distance of P from the
 //! shoulder along the forearm, which follows from the lengths, and `m` the moment of `z` about the shoulder. The
 //! product over both normals is
 //!
@@ -20,18 +20,18 @@ use std::f64::consts::TAU;
 use arrayvec::ArrayVec;
 use nalgebra::Vector3;
 
-/// The equation for the angle of joint 6. All lengths are shares of that of the arm.
+/// Equation for the angle of joint 6. All lengths are shares of the arm's length.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OffsetWrist {
     /// Point at which the axes of joints 5 and 6 meet, seen from the shoulder.
     pub(crate) wrist: Vector3<f64>,
-    /// The x and y axes of the flange.
+    /// X and y axes of the flange.
     pub(crate) across: [Vector3<f64>; 2],
-    /// Upper arm and forearm.
+    /// Lengths of upper arm and forearm.
     pub(crate) bars: [f64; 2],
     /// Distance of the forearm from the plane through the base axis.
     pub(crate) aside: f64,
-    /// Distance along the axis of joint 5 from that of joint 4 to that of joint 6.
+    /// Distance along the axis of joint 5 from the axis of joint 4 to that of joint 6.
     pub(crate) offset: f64,
 }
 
@@ -40,60 +40,61 @@ pub(crate) struct OffsetWrist {
 pub(crate) struct Search {
     /// Share of the sum of the coefficients below which a value may be a root.
     pub(crate) touching: f64,
-    /// Half the width of the smallest interval that is looked at, in radians: roots that are nearer to each other are
-    /// not told apart.
+    /// Half the width of the smallest interval that is searched, in radians. The search does not separate roots that
+    /// are nearer to each other.
     pub(crate) finest: f64,
 }
 
 /// Angles of joint 6, in radians.
 #[derive(Debug, Default)]
 pub(crate) struct SixthAngles {
-    /// Roots, each alone.
+    /// Separate roots.
     pub(crate) roots: ArrayVec<f64, 32>,
-    /// Places where roots meet, or just miss each other.
+    /// Places at which roots meet, or just miss each other.
     pub(crate) touching: ArrayVec<f64, 64>,
 }
 
-/// A trigonometric polynomial: coefficients of the cosines and sines of multiples of the angle.
+/// Trigonometric polynomial: coefficients of the cosines and sines of multiples of the angle.
 #[derive(Debug)]
 struct Polynomial {
     cos: [f64; TERMS],
     sin: [f64; TERMS],
-    /// The sum of the absolute values of the coefficients, no less than any value.
+    /// Sum of the absolute values of the coefficients, no less than any value.
     sum: f64,
     /// Sum of the absolute values of the third derivative's coefficients, no less than any of its values.
     third: f64,
 }
 
-/// Terms of degrees 0 to 8.
+/// Number of terms, of degrees 0 to 8.
 const TERMS: usize = 9;
-/// As many places as determine the coefficients.
+/// Number of samples that determines the coefficients.
 const PLACES: u8 = 17;
-/// Intervals with which the search begins.
+/// Number of intervals at the start of the search.
 const INTERVALS: u8 = 32;
-/// Angle at which the search begins, in radians: no angle that is likely, so that roots lie within intervals.
+/// Angle at which the search begins, in radians. A root is unlikely there, so roots lie within intervals.
 const BEGIN: f64 = 0.123_456_7;
-/// A value below this share of the largest term is rounding: any angle would do.
+/// Share of the largest term below which a value is rounding, so that any angle is a solution.
 const ROUNDING: f64 = 1e-13;
 /// Share of the sum of the coefficients that rounding may add to a value.
 const NOISE: f64 = 1e-13;
-/// The most steps for one root; bisection alone takes 52.
+/// Greatest number of steps for one root; bisection alone takes 52.
 const STEPS: usize = 64;
 /// Number of the smallest half-widths between two places, within a region where roots meet.
 const SPACING: f64 = 50.0;
 
 impl OffsetWrist {
-    /// The axis of joint 5 for sine and cosine of the angle of joint 6.
+    /// Returns the axis of joint 5 for sine and cosine of the angle of joint 6.
     pub(crate) fn fifth_axis(&self, sin: f64, cos: f64) -> Vector3<f64> {
         self.across[0] * sin + self.across[1] * cos
     }
 
-    /// All angles of joint 6 at which the other joints may bring the flange to its pose; none where any angle would do.
+    /// Returns all angles of joint 6 at which the other joints may bring the flange to its pose; `None` if any angle
+    /// would do.
     pub(crate) fn sixth_angles(&self, search: Search) -> Option<SixthAngles> {
         Some(self.polynomial()?.zeros(search))
     }
 
-    /// The polynomial through its values; none where they are nothing but rounding.
+    /// Returns the polynomial through its values; `None` if they are nothing but rounding.
     fn polynomial(&self) -> Option<Polynomial> {
         let turns: [(f64, f64); PLACES as usize] = {
             let mut place = 0.0;
@@ -108,7 +109,7 @@ impl OffsetWrist {
             let (value, size) = self.value(sin, cos);
             largest = f64::max(largest, size);
             for degree in 0..TERMS {
-                // The last of the places is the whole turn.
+                // The last sample is a whole turn.
                 let (sin, cos) = turns[(place * degree + turns.len() - 1) % turns.len()];
                 let share = if degree == 0 { 1.0 } else { 2.0 } / f64::from(PLACES);
                 polynomial.cos[degree] += share * value * cos;
@@ -121,11 +122,11 @@ impl OffsetWrist {
             polynomial.third += degree.powi(3) * cos.hypot(*sin);
             degree += 1.0;
         }
-        // Not `<=`: numbers that are not finite have no roots either.
+        // `>` and not a negated `<=`: numbers that are not finite have no roots either.
         (polynomial.sum > ROUNDING * largest).then_some(polynomial)
     }
 
-    /// The value of the equation, and the size of what it is the difference of.
+    /// Returns the value of the equation, and the magnitude of the terms whose difference it is.
     fn value(&self, sin: f64, cos: f64) -> (f64, f64) {
         let axis = self.fifth_axis(sin, cos);
         let [upper_arm, forearm] = self.bars;
@@ -145,7 +146,7 @@ impl OffsetWrist {
 }
 
 impl Polynomial {
-    /// Value, and first and second derivatives.
+    /// Returns the value, and first and second derivatives.
     fn at(&self, angle: f64) -> [f64; 3] {
         let (sin, cos) = angle.sin_cos();
         let ((mut before_cos, mut before_sin), (mut this_cos, mut this_sin)) = ((cos, -sin), (1.0, 0.0));
@@ -163,8 +164,8 @@ impl Polynomial {
         values
     }
 
-    /// All zeros: intervals are halved until each shows that it has none, or one at most, or is as small as the search
-    /// allows.
+    /// Returns all zeros. Intervals are halved until each is known to have none, or one at most, or is as small as the
+    /// search allows.
     fn zeros(&self, search: Search) -> SixthAngles {
         let (mut found, mut touching) = (SixthAngles::default(), None::<(f64, f64)>);
         let half = 0.5 * TAU / f64::from(INTERVALS);
@@ -199,7 +200,7 @@ impl Polynomial {
         found
     }
 
-    /// The zero in an interval in which the value only rises or only falls.
+    /// Returns the zero in an interval in which the value is monotonic.
     fn zero_between(&self, mut from: f64, mut to: f64) -> Option<f64> {
         let [at_from, at_to] = [from, to].map(|angle| self.at(angle)[0]);
         if at_from * at_to > 0.0 {
@@ -225,12 +226,12 @@ impl Polynomial {
 }
 
 impl SixthAngles {
-    /// One angle alone, where any would do.
+    /// Creates a single angle, for an equation that any angle solves.
     pub(crate) fn one(angle: f64) -> Self {
         Self { roots: ArrayVec::new(), touching: std::iter::once(angle).collect() }
     }
 
-    /// Places in a region where roots meet.
+    /// Adds places in a region where roots meet.
     fn touch(&mut self, region: Option<(f64, f64)>, search: Search) {
         let Some((from, to)) = region else { return };
         let spacing = SPACING * search.finest;

@@ -1,4 +1,4 @@
-//! A part of a motion of the joints: a polynomial of time of at most the fifth degree for each.
+//! Part of a motion of the joints: for each joint a polynomial of time of at most the fifth degree.
 
 pub(crate) mod bernstein;
 
@@ -10,31 +10,31 @@ use self::bernstein::{differences, largest, part, peak, sum, value, weights};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sample {
-    /// The joint positions.
+    /// Joint positions.
     #[cfg_attr(feature = "serde", serde(rename = "joints_deg"))]
     pub joints: JointPosition,
-    /// The speed of each joint, in deg/s.
+    /// Speed of each joint, in deg/s.
     #[cfg_attr(feature = "serde", serde(rename = "velocity_deg_s"))]
     pub velocity: [f64; 6],
-    /// The acceleration of each joint, in deg/s².
+    /// Acceleration of each joint, in deg/s².
     #[cfg_attr(feature = "serde", serde(rename = "acceleration_deg_s2"))]
     pub acceleration: [f64; 6],
 }
 
-/// A polynomial of time for each joint.
+/// Polynomial of time for each joint.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Piece {
     pub(crate) start_s: f64,
     pub(crate) seconds: f64,
     from: [f64; 6],
-    /// The Bernstein coefficients of each joint, as degrees from where it starts; the first, which is 0, is left out.
+    /// Bernstein coefficients of each joint, in degrees from its start, without the first, which is 0.
     way: [[f64; 5]; 6],
 }
 
-/// Bounds within which a piece stays.
+/// Bounds of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hull {
-    /// The lowest and the highest position of each joint, in degrees.
+    /// Lowest and highest position of each joint, in degrees.
     positions: [[f64; 2]; 6],
     /// Upper bound of each joint's speed, in deg/s.
     pub(crate) speeds: [f64; 6],
@@ -43,17 +43,17 @@ pub(crate) struct Hull {
 }
 
 impl Hull {
-    /// Whether all positions are between these; not where one is not a number.
+    /// Whether all positions are between these; false if one is not a number.
     pub(crate) fn is_between(&self, least: &[f64; 6], most: &[f64; 6]) -> bool {
         let between = |joint: usize| {
             let [lowest, highest] = self.positions[joint];
-            // Without a number there is neither.
+            // With NaN this is false.
             least[joint] <= lowest && lowest <= highest && highest <= most[joint]
         };
         (0..6).all(between)
     }
 
-    /// Returns the greatest turn of each joint in so many seconds, in radians.
+    /// Returns the greatest turn of each joint in this time, in radians.
     pub(crate) fn turned(&self, seconds: f64) -> [f64; 6] {
         self.speeds.map(|speed| speed.to_radians() * seconds)
     }
@@ -65,14 +65,14 @@ impl Hull {
 }
 
 impl Piece {
-    /// From one sample to another, with the speeds and accelerations of both.
+    /// Creates the piece from one sample to another, with the speeds and accelerations of both.
     pub(crate) fn between(start_s: f64, seconds: f64, from: &Sample, to: &Sample) -> Self {
         let moved = std::array::from_fn(|joint| to.joints.0[joint] - from.joints.0[joint]);
         Self::moving(start_s, seconds, moved, from, to)
     }
 
-    /// As [`between`](Self::between), over exactly these degrees, of which the difference of two positions would have
-    /// lost digits.
+    /// Creates a piece as [`between`](Self::between) does, over exactly these degrees; the difference of two positions
+    /// would have lost digits.
     pub(crate) fn moving(start_s: f64, seconds: f64, moved: [f64; 6], from: &Sample, to: &Sample) -> Self {
         let way = std::array::from_fn(|joint| {
             let moved = moved[joint];
@@ -87,7 +87,7 @@ impl Piece {
         self.start_s + self.seconds
     }
 
-    /// At a share of its time.
+    /// Returns the sample at a share of its time.
     pub(crate) fn at(&self, share: f64) -> Sample {
         let (first, second) = (weights::<5>(share), weights::<4>(share));
         let (by_speed, by_acceleration) = (5.0 / self.seconds, 20.0 / self.seconds / self.seconds);
@@ -100,13 +100,13 @@ impl Piece {
         Sample { joints: JointPosition(self.joints(share)), velocity, acceleration }
     }
 
-    /// The joint positions at a share of its time.
+    /// Returns the joint positions at a share of its time.
     pub(crate) fn joints(&self, share: f64) -> [f64; 6] {
         let [_, weights @ ..] = weights::<6>(share);
         std::array::from_fn(|joint| self.from[joint] + sum(&weights, &self.way[joint]))
     }
 
-    /// The part of it between two shares of its time.
+    /// Returns the part between two shares of its time.
     pub(crate) fn part(&self, from: f64, to: f64) -> Self {
         let seconds = (to - from) * self.seconds;
         let start = self.joints(from);
@@ -117,32 +117,32 @@ impl Piece {
         Self { start_s: self.start_s + from * self.seconds, seconds, from: start, way }
     }
 
-    /// The third derivative of each joint at a share of its time.
+    /// Returns the third derivative of each joint at a share of its time.
     pub(crate) fn jerk(&self, share: f64) -> [f64; 6] {
         std::array::from_fn(|joint| value(&self.jerks(joint), share))
     }
 
-    /// The joint positions at its start and its end.
+    /// Returns the joint positions at its start and its end.
     pub(crate) fn ends(&self) -> [[f64; 6]; 2] {
         [self.from, std::array::from_fn(|joint| self.from[joint] + self.way[joint][4])]
     }
 
-    /// The Bernstein coefficients of a joint's position.
+    /// Returns the Bernstein coefficients of a joint's position.
     pub(crate) fn positions(&self, joint: usize) -> [f64; 6] {
         self.way(joint).map(|way| self.from[joint] + way)
     }
 
-    /// The Bernstein coefficients of a joint's speed.
+    /// Returns the Bernstein coefficients of a joint's speed.
     pub(crate) fn speeds(&self, joint: usize) -> [f64; 5] {
         differences(&self.way(joint), 5.0 / self.seconds)
     }
 
-    /// The Bernstein coefficients of a joint's acceleration.
+    /// Returns the Bernstein coefficients of a joint's acceleration.
     pub(crate) fn accelerations(&self, joint: usize) -> [f64; 4] {
         differences(&self.speeds(joint), 4.0 / self.seconds)
     }
 
-    /// Returns the bounds within which it stays, found at once.
+    /// Returns quick bounds of the piece, from its coefficients.
     pub(crate) fn hull(&self) -> Hull {
         let mut hull = Hull { positions: [[0.0; 2]; 6], speeds: [0.0; 6], accelerations: [0.0; 6] };
         for joint in 0..6 {
@@ -157,22 +157,22 @@ impl Piece {
         hull
     }
 
-    /// The highest speed of each joint, or a little more.
+    /// Returns the highest speed of each joint, or a little more.
     pub(crate) fn top_speeds(&self) -> [f64; 6] {
         std::array::from_fn(|joint| peak(&self.speeds(joint)))
     }
 
-    /// The largest acceleration of each joint, or a little more.
+    /// Returns the largest acceleration of each joint, or a little more.
     pub(crate) fn top_accelerations(&self) -> [f64; 6] {
         std::array::from_fn(|joint| peak(&self.accelerations(joint)))
     }
 
-    /// The largest jerk of each joint, or a little more.
+    /// Returns the largest jerk of each joint, or a little more.
     pub(crate) fn top_jerks(&self) -> [f64; 6] {
         std::array::from_fn(|joint| peak(&self.jerks(joint)))
     }
 
-    /// Returns an upper bound of each joint's jerk, in deg/s³, found at once.
+    /// Returns a quick upper bound of each joint's jerk, in deg/s³.
     pub(crate) fn jerks_at_most(&self) -> [f64; 6] {
         std::array::from_fn(|joint| largest(&self.jerks(joint)))
     }

@@ -1,27 +1,28 @@
-//! Speeds that are asked for.
+//! Requested speeds.
 
 #[cfg(feature = "generator")]
 use nalgebra::Vector3;
 
 use crate::beyond::Exceeded;
 
-/// Requested speed of a motion straight in joint space: that of the joint with the longest path, the others less in
+/// Requested speed of a straight motion in joint space: speed of the joint with the longest path, the others less in
 /// proportion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointSpeed {
-    /// The speed, in deg/s.
+    /// Speed, in deg/s.
     pub speed_deg_s: f64,
-    /// The acceleration, in deg/s². Without one the motion is refused, since the controller's own is not known.
+    /// Acceleration, in deg/s². The checker refuses a motion without one, since the controller's own is not known.
     pub acceleration_deg_s2: Option<f64>,
 }
 
-/// Requested speed of a line or an arc, and the greatest distance from its path to which blending may take the arm.
+/// Requested speed of a line or an arc, and the greatest distance by which blending may move the arm away from its
+/// path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TcpSpeed {
-    /// The speed of the tool centre point, in mm/s.
+    /// Speed of the tool centre point, in mm/s.
     pub speed_mm_s: f64,
-    /// Greatest distance of the arm from its path, in mm: regions allow less by as much, at the start too. The checker
-    /// refuses a tolerance longer than the arm with its tool.
+    /// Greatest distance of the arm from its path, in mm. It reduces the permitted distance of regions, at the start
+    /// too. The checker refuses a tolerance longer than the arm with its tool.
     pub tolerance_mm: f64,
 }
 
@@ -30,24 +31,24 @@ pub struct TcpSpeed {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct TcpVelocity {
-    /// Along x, y and z, in mm/s.
+    /// Velocity along x, y and z, in mm/s.
     pub linear_mm_s: [f64; 3],
-    /// About x, y and z, in deg/s.
+    /// Angular velocity about x, y and z, in deg/s.
     pub angular_deg_s: [f64; 3],
     /// Frame of x, y and z.
     pub frame: VelocityFrame,
 }
 
-/// Frame whose axes a velocity has.
+/// Frame of the axes of a velocity.
 #[cfg(feature = "generator")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum VelocityFrame {
-    /// The arm's own base, as [`Model::forward`](crate::Model::forward) has it.
+    /// Base of the arm, as in [`Model::forward`](crate::Model::forward).
     ArmBase,
-    /// The frame in which poses are given: the user frame.
+    /// User frame, the frame of poses.
     User,
-    /// The tool, which takes its axes along.
+    /// Tool, whose axes move with it.
     Tool,
 }
 
@@ -59,7 +60,7 @@ impl JointSpeed {
 }
 
 impl TcpSpeed {
-    /// `reach_mm` is that of the arm with its tool.
+    /// Checks the numbers; `reach_mm` is the reach of the arm with its tool.
     pub(crate) fn check(&self, reach_mm: f64) -> Result<(), Exceeded> {
         above_zero("speed", self.speed_mm_s)?;
         let tolerance = self.tolerance_mm;
@@ -73,18 +74,18 @@ impl TcpSpeed {
 
 #[cfg(feature = "generator")]
 impl TcpVelocity {
-    /// No motion, in the axes of a frame.
+    /// Creates a velocity of zero, in the axes of a frame.
     pub fn new(frame: VelocityFrame) -> Self {
         Self { linear_mm_s: [0.0; 3], angular_deg_s: [0.0; 3], frame }
     }
 
-    /// With this velocity of the tool centre point along x, y and z, in mm/s.
+    /// Sets the velocity of the tool centre point along x, y and z, in mm/s.
     #[must_use]
     pub fn with_linear(self, mm_s: [f64; 3]) -> Self {
         Self { linear_mm_s: mm_s, ..self }
     }
 
-    /// With this turn of the tool about x, y and z, in deg/s.
+    /// Sets the turn of the tool about x, y and z, in deg/s.
     #[must_use]
     pub fn with_angular(self, deg_s: [f64; 3]) -> Self {
         Self { angular_deg_s: deg_s, ..self }
@@ -103,7 +104,7 @@ pub(crate) fn above_zero(what: &'static str, given: f64) -> Result<(), Exceeded>
     if given.is_finite() && given > 0.0 { Ok(()) } else { Err(Exceeded::Asked { what, given }) }
 }
 
-/// The longest way of a joint, in degrees.
+/// Returns the longest path of a joint, in degrees.
 pub(crate) fn longest(moved: &[f64; 6]) -> f64 {
     moved.iter().fold(0.0, |longest, moved| longest.max(moved.abs()))
 }

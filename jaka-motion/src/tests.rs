@@ -1,4 +1,4 @@
-//! Helpers that the tests share: a deterministic source of numbers, and differences between transforms.
+//! Shared helpers of the tests: a deterministic random generator, and differences between transforms.
 
 #[cfg(feature = "generator")]
 mod braking;
@@ -47,12 +47,12 @@ impl Random {
     }
 }
 
-/// The transform of a pose in mm and degrees.
+/// Returns the transform of a pose in mm and degrees.
 fn from_pose(pose: [f64; 6]) -> Transform {
     Pose::from(pose).into()
 }
 
-/// The pose in mm and degrees of a transform.
+/// Returns the pose in mm and degrees of a transform.
 fn to_pose(transform: Transform) -> [f64; 6] {
     Pose::from(transform).into()
 }

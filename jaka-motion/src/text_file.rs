@@ -4,7 +4,7 @@ use std::fmt;
 
 use jaka_proto::text::Visible;
 
-/// One thing that is wrong with a file, and where.
+/// Error in a file, with its position.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FileError {
     /// Name of the file, as it was given.
@@ -17,38 +17,38 @@ pub struct FileError {
     pub message: String,
 }
 
-/// Everything that is wrong with a file, each at its line and column: the first hundred errors that were found, in the
-/// order of the lines, and the number of the others.
+/// Errors in a file, each at its line and column: the first hundred that were found, in the order of the lines, and the
+/// number of the others.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct FileErrors {
     first: Vec<FileError>,
     more: usize,
 }
 
-/// Errors of a file so far.
+/// Errors found in a file so far.
 #[derive(Debug)]
 pub(crate) struct Report<'t> {
     text: &'t str,
     file_name: &'t str,
-    /// Starts of lines, so that many errors do not take long.
+    /// Starts of lines, which make many errors quick.
     lines: Vec<usize>,
     errors: FileErrors,
 }
 
-/// Number of characters that are shown at most of what was found.
+/// Greatest number of characters of the text that an error shows.
 #[cfg(feature = "trajectory-files")]
 const SHOWN: usize = 40;
 
-/// Number of errors that are kept.
+/// Greatest number of errors that are kept.
 const MOST: usize = 100;
 
 impl FileErrors {
-    /// Errors one by one: the first hundred that were found.
+    /// Returns the errors one by one: the first hundred that were found.
     pub fn iter(&self) -> std::slice::Iter<'_, FileError> {
         self.first.iter()
     }
 
-    /// Number of errors beyond the first hundred.
+    /// Returns the number of errors beyond the first hundred.
     pub fn more(&self) -> usize {
         self.more
     }
@@ -61,7 +61,7 @@ impl<'t> Report<'t> {
         Self { text, file_name, lines, errors: FileErrors::default() }
     }
 
-    /// Reports an error at an offset in bytes; within a character, at its start.
+    /// Reports an error at an offset in bytes. An offset within a character counts as its start.
     pub(crate) fn error(&mut self, at: usize, message: impl Into<String>) {
         let FileErrors { first, more } = &mut self.errors;
         if first.len() == MOST {
@@ -78,7 +78,7 @@ impl<'t> Report<'t> {
         }
     }
 
-    /// Reports what was found in place of something.
+    /// Reports a text that is not the expected one.
     #[cfg(feature = "trajectory-files")]
     pub(crate) fn found(&mut self, at: usize, what: &str, found: &str, expected: &str) {
         let short: String = found.chars().take(SHOWN).collect();
@@ -93,7 +93,7 @@ impl<'t> Report<'t> {
     }
 }
 
-/// The known name that is most like `name`, if one is at all: by at most a third of its length.
+/// Returns the known name that is most like `name`, if one differs by at most a third of its length.
 pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let most = name.len().div_ceil(3);
     let length = name.chars().count();
@@ -103,7 +103,7 @@ pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> O
     distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)
 }
 
-/// Number of characters to put in, take out or change to turn one name into the other.
+/// Returns the number of insertions, deletions and changes of characters from one name to the other.
 fn distance(one: &str, other: &str) -> usize {
     let mut row: Vec<usize> = (0..=other.chars().count()).collect();
     for (i, a) in one.chars().enumerate() {
@@ -118,7 +118,7 @@ fn distance(one: &str, other: &str) -> usize {
     row.last().copied().unwrap_or_default()
 }
 
-/// In one line, whatever the file holds.
+/// Writes the error in one line, for any content of the file.
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, line, column, message } = self;

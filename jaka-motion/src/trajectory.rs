@@ -38,26 +38,27 @@ use crate::checker::Checker;
 use crate::piece::bernstein::{highest, part, peak};
 use crate::piece::{Piece, Sample};
 
-/// A motion of the joints that is known, and was compared with an arm's limits, from start to end.
+/// Motion of the joints that is known, and was compared with an arm's limits, from start to end.
 ///
 /// Each joint moves by polynomials of time of at most the fifth degree, one after the other; its speed is continuous.
 /// It starts and ends at rest.
 ///
-/// # What is compared
-/// [`timed`](Self::timed) and the like compare the whole of it, not samples: joint ranges, speeds and accelerations by
-/// bounds of the polynomials, the speed of the tool centre point and regions in steps that leave nothing out but the
-/// amounts of a [`Checker`]. And there is room to stop: as for a set-point ([`Checker::check_set_point`]) the arm could
-/// land straight on in joint space, looked at each 8 ms.
+/// # Checks
+/// [`timed`](Self::timed) and the other constructors compare the whole motion, not samples. Joint ranges, speeds and
+/// accelerations are compared by bounds of the polynomials. The speed of the tool centre point and regions are compared
+/// in steps that leave out no more than the amounts of a [`Checker`]. The arm also has room to stop: as for a set-point
+/// ([`Checker::check_set_point`]) it could stop straight on in joint space, checked each 8 ms.
 ///
 /// # Reserve
-/// Who follows it at another rate, to pause, to slow down or to stop along the way, accelerates the joints in addition.
-/// [`rate_change`](Self::rate_change) says how much of that is within the limits.
+/// A change of the rate, for a pause, a slower motion or a stop along the path, accelerates the joints in addition.
+/// [`rate_change`](Self::rate_change) returns the change that is within the limits.
 ///
-/// # What it takes
-/// All is made and checked beforehand. With optimisation, 10,000 points with times take some 5 ms. A plan without times
-/// takes in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve near 10,000 points
-/// that takes 80 s. A piece has some 300 bytes: there is one between two points with times, and some 50 for each second
-/// of a plan. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates nothing.
+/// # Cost
+/// Everything is computed and checked beforehand. With optimisation, 10,000 points with times take some 5 ms. A plan
+/// without times takes time in proportion to the duration of the motion: some 0.7 ms for a second, 60 ms for a curve of
+/// 80 s near 10,000 points. A piece has some 300 bytes: there is one between two points with times, and some 50 for
+/// each second of a plan. Clones share them. [`at`](Self::at) takes about a tenth of a microsecond, and allocates
+/// nothing.
 ///
 /// # serde
 /// With the feature `serde` a trajectory is described: `model`, `duration_s`, `start_deg`, `end_deg`, `way_points` and
@@ -74,14 +75,14 @@ struct Shared {
     checker: Checker,
 }
 
-/// Point that a trajectory was made of: the time at which it is reached, and the manner of passing it.
+/// Time at which a trajectory reaches one of its points, and the manner of passing it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct WayPoint {
-    /// Time at which the arm is there, or nearest to it, in seconds from the start.
+    /// Time at which the arm is at the point, or nearest to it, in seconds from the start.
     pub time_s: f64,
-    /// Manner in which the arm passes it.
+    /// Manner in which the arm passes the point.
     pub passing: Passing,
 }
 
@@ -90,38 +91,38 @@ pub struct WayPoint {
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Passing {
-    /// It stops there.
+    /// The arm stops at the point.
     Stops,
-    /// It goes through it.
+    /// The arm moves through the point.
     Through,
-    /// It rounds the corner, within the tolerance that was named.
+    /// The arm rounds the corner, within the requested tolerance.
     Rounded,
 }
 
-/// Most by which the rate of a trajectory may change in a second, with all joints within their accelerations; infinite
-/// where no joint moves.
+/// Greatest change of a trajectory's rate in a second, with all joints within their accelerations; infinite if no joint
+/// moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RateChange {
-    /// Most by which it may fall, in 1/s.
+    /// Greatest fall, in 1/s.
     pub fall: f64,
-    /// Most by which it may rise, in 1/s.
+    /// Greatest rise, in 1/s.
     pub rise: f64,
 }
 
 impl Trajectory {
-    /// Through points at their times, compared with an arm's limits.
+    /// Returns the trajectory through points at their times, compared with an arm's limits.
     ///
     /// - With velocities and accelerations each piece is the polynomial of the fifth degree that has those of both
     ///   ends.
-    /// - With velocities alone it has accelerations of its own: the mean of those that polynomials of the third degree
-    ///   have before and after a point.
+    /// - With velocities alone a point has the mean of the accelerations that polynomials of the third degree have
+    ///   before and after it.
     /// - With neither, pieces of the third degree, and of the fourth at both ends, have the velocities for which
     ///   accelerations do not step.
     ///
     /// It begins and ends at rest and without acceleration, accelerations step nowhere, and jerks are within
-    /// [`Limits::joint_jerks`](crate::Limits::joint_jerks). It does exactly what the points say, within limits, and
-    /// leaves a reserve for other rates only where they do: see [`rate_change`](Self::rate_change).
+    /// [`Limits::joint_jerks`](crate::Limits::joint_jerks). It follows the points exactly, within limits, and leaves a
+    /// reserve for other rates only if they do: see [`rate_change`](Self::rate_change).
     ///
     /// ```
     /// use jaka_motion::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
@@ -143,7 +144,7 @@ impl Trajectory {
     /// ```
     ///
     /// # Errors
-    /// What is wrong with the points, or the first place that is beyond a limit.
+    /// Invalid points, or the first place that is beyond a limit.
     pub fn timed(points: &[TimedPoint], checker: &Checker) -> Result<Self, TrajectoryError> {
         let (pieces, way_points) = timed::parts(points)?;
         let trajectory = Self::checked((pieces, way_points, Vec::new()), checker)?;
@@ -151,8 +152,8 @@ impl Trajectory {
         Ok(trajectory)
     }
 
-    /// Through points, straight from one to the next, in joint space or on lines of the tool centre point, with corners
-    /// rounded.
+    /// Plans a trajectory through points, straight from one to the next, in joint space or on lines of the tool centre
+    /// point, with rounded corners.
     ///
     /// ```
     /// use jaka_motion::proto::messages::types::Pose;
@@ -174,7 +175,7 @@ impl Trajectory {
         Through::new(points.into_iter().map(Into::into).collect())
     }
 
-    /// A curve near dense points, such as those of a taught or a sampled path.
+    /// Plans a curve near dense points, such as those of a taught or a sampled path.
     ///
     /// ```
     /// use jaka_motion::proto::messages::types::Pose;
@@ -198,9 +199,9 @@ impl Trajectory {
         Curve::new(points.into_iter().map(Into::into).collect())
     }
 
-    /// Places at which the tool is slower than the speed that [`Through::tcp_speed`] or [`Curve::tcp_speed`] asked for,
-    /// by 3 % or more: the slowest first, 20 at most. Those from which the speed rises to both sides, but for stops;
-    /// where the speed is reached nowhere between two stops, the fastest place.
+    /// Returns the places at which the tool is slower by 3 % or more than the speed set by [`Through::tcp_speed`] or
+    /// [`Curve::tcp_speed`]: the slowest first, 20 at most. Each is a minimum of the speed other than a stop. Between
+    /// two stops without such a minimum it is the fastest place, if that is slow, too.
     pub fn slow_places(&self) -> &[SlowPlace] {
         &self.0.slow
     }
@@ -215,35 +216,35 @@ impl Trajectory {
         self.0.pieces.last().map_or(0.0, Piece::end_s)
     }
 
-    /// Joint position at the start.
+    /// Returns the joint position at the start.
     pub fn start(&self) -> JointPosition {
         self.at(0.0).joints
     }
 
-    /// Joint position at the end.
+    /// Returns the joint position at the end.
     pub fn end(&self) -> JointPosition {
         self.at(f64::INFINITY).joints
     }
 
-    /// Returns the joint positions at a time in seconds from the start, with their speeds and accelerations; times
-    /// before the start and after the end count as these.
+    /// Returns the joint positions at a time in seconds from the start, with their speeds and accelerations. A time
+    /// before the start counts as the start, and a time after the end as the end.
     ///
-    /// Speeds and accelerations are with respect to the trajectory's own time. Where an acceleration steps, it is that
-    /// after the step.
+    /// Speeds and accelerations are with respect to the trajectory's own time. At a step of an acceleration, the value
+    /// after the step counts.
     pub fn at(&self, time_s: f64) -> Sample {
-        // What is not a number counts as the start.
+        // Not-a-number counts as the start.
         let time_s = time_s.max(0.0);
         let piece = &self.0.pieces[self.piece_at(time_s)];
         piece.at(((time_s - piece.start_s) / piece.seconds).clamp(0.0, 1.0))
     }
 
-    /// The way-points in their order.
+    /// Returns the way-points in their order.
     pub fn way_points(&self) -> &[WayPoint] {
         &self.0.way_points
     }
 
-    /// Compares it with the limits of an arm, as was done where it was made: with the same limits and frames, that is
-    /// the answer.
+    /// Compares it with the limits of an arm, as its constructor did. With the same limits and frames it returns
+    /// success without a new check.
     ///
     /// # Errors
     /// The first place, in time, that is beyond a limit.
@@ -251,23 +252,23 @@ impl Trajectory {
         if *checker == self.0.checker { Ok(()) } else { self.0.check(checker) }
     }
 
-    /// Room for changes of the rate at a time.
+    /// Returns the room for changes of the rate at a time.
     ///
     /// The rate is the trajectory's time that passes in a second: 1 as planned, 0 at a pause. At rate r that changes by
     /// r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So a
-    /// joint that gains speed leaves more for a fall than for a rise, and one that loses speed less. Where an
-    /// acceleration steps, the worse one counts.
+    /// joint that gains speed leaves more for a fall than for a rise, and one that loses speed less. At a step of an
+    /// acceleration, the worse value counts.
     ///
-    /// A trajectory can leave nothing for a fall at rate 1, where it loses speed as fast as a joint can. A follower
-    /// then goes on at this rate until something is left: a pause or a stop along the way begins so much later.
+    /// A trajectory can leave nothing for a fall at rate 1, if it loses speed as fast as a joint can. A follower then
+    /// keeps this rate until something is left: a pause or a stop along the path begins that much later.
     pub fn rate_change(&self, time_s: f64, rate: f64) -> RateChange {
         self.rate_change_between(time_s, time_s, rate)
     }
 
-    /// Room for changes of the rate all the while between two times, as [`rate_change`](Self::rate_change): at most the
-    /// least of those in between, and rarely less.
+    /// Returns the room for changes of the rate that holds throughout between two times, as
+    /// [`rate_change`](Self::rate_change) does for one: at most the least room in between, and rarely less.
     pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> RateChange {
-        // What is not a number counts as the start.
+        // Not-a-number counts as the start.
         let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));
         // A step of acceleration at the time itself counts with both sides.
         let last = self.piece_at(to_s.max(from_s));
@@ -277,12 +278,12 @@ impl Trajectory {
         changes.fold(RateChange::ANY, RateChange::least)
     }
 
-    /// By which accelerations, in deg/s², that is counted.
+    /// Returns the joint accelerations for that, in deg/s².
     pub(crate) fn joint_accelerations(&self) -> &[f64; 6] {
         self.0.checker.limits().joint_accelerations()
     }
 
-    /// One that was checked; `pieces` are at least one.
+    /// Creates a trajectory from pieces, at least one, after a check against the limits.
     fn checked(
         (mut pieces, mut way_points, slow): (Vec<Piece>, Vec<WayPoint>, Vec<SlowPlace>),
         checker: &Checker,
@@ -312,7 +313,7 @@ impl Trajectory {
             if speed <= 0.0 {
                 return RateChange::ANY;
             }
-            // Of a joint that turns round, each acceleration counts in both directions.
+            // For a joint that turns round, each acceleration counts in both directions.
             let [losing, gaining] = if speeds.iter().all(|speed| *speed >= 0.0) {
                 [highest(&accelerations.map(|each| -each)), highest(&accelerations)]
             } else if speeds.iter().all(|speed| *speed <= 0.0) {

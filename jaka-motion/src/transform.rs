@@ -7,9 +7,8 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// Position, in mm, and orientation of a frame, seen from another.
 ///
-/// A [`Pose`] in the form in which it is computed with: `a * b` is frame `b`, given in frame `a`, seen from where `a`
-/// is given. A pose becomes a transform and a transform a pose with `from` or `into`; see [`jaka_proto::geometry`] for
-/// the angles.
+/// It is a [`Pose`] in a form for computation: `a * b` is frame `b`, given in frame `a`, seen from the frame in which
+/// `a` is given. `from` and `into` convert between poses and transforms; see [`jaka_proto::geometry`] for the angles.
 ///
 /// ```
 /// use jaka_motion::Transform;
@@ -22,28 +21,28 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 /// assert!((tip * gripper.inverse()).distance_mm(&flange) < 1e-9);
 /// ```
 ///
-/// A pose that holds something other than finite numbers gives a transform without finite numbers, which
-/// [`Model::inverse`](crate::Model::inverse) refuses, and such a transform a pose without.
+/// A pose with numbers that are not finite gives a transform without finite numbers, which
+/// [`Model::inverse`](crate::Model::inverse) refuses; such a transform gives a pose without finite numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform(pub(crate) Isometry3<f64>);
 
-/// Half a turn has two signs. One that is nearer to it than this, in degrees, is positive, so that rounding does not
-/// choose.
+/// Greatest distance from half a turn, in degrees, at which the sign is positive. Half a turn has two signs, and
+/// rounding must not choose one.
 const ROUNDING: f64 = 1e-9;
 
 impl Transform {
-    /// The frame from which it is seen.
+    /// Returns the frame from which it is seen.
     pub fn identity() -> Self {
         Self(Isometry3::identity())
     }
 
-    /// The other frame, seen from this one.
+    /// Returns the other frame, seen from this one.
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self(self.0.inverse())
     }
 
-    /// The position x, y, z in mm.
+    /// Returns the position x, y, z in mm.
     pub fn position_mm(&self) -> [f64; 3] {
         self.0.translation.vector.into()
     }
@@ -53,27 +52,27 @@ impl Transform {
         (self.0.translation.vector - other.0.translation.vector).norm()
     }
 
-    /// The angle of the one turn that takes one orientation to the other, 0 to 180 degrees.
+    /// Returns the angle of the single turn from one orientation to the other, 0 to 180 degrees.
     pub fn angle_deg(&self, other: &Self) -> f64 {
         self.0.rotation.angle_to(&other.0.rotation).to_degrees()
     }
 
-    /// The frame moved by an offset along the axes of the frame from which it is seen, and turned about these
-    /// directions where it is.
+    /// Returns the frame moved by an offset along the axes of the frame from which it is seen, and turned about these
+    /// directions at its place.
     ///
-    /// So a relative `moveL` (section 4.9) takes its offset.
+    /// A relative `moveL` (section 4.9) applies its offset in this way.
     #[must_use]
     pub fn displaced(&self, offset: &Self) -> Self {
         let place = self.0.translation.vector + offset.0.translation.vector;
         Self(Isometry3::from_parts(Translation3::from(place), offset.0.rotation * self.0.rotation))
     }
 
-    /// The frame at a share, from 0 to 1, of the straight way to another, turned evenly about one axis.
+    /// Returns the frame at a share, from 0 to 1, of the straight path to another, turned evenly about one axis.
     #[must_use]
     pub fn between(&self, to: &Self, share: f64) -> Self {
         let (from, to) = (&self.0, &to.0);
         let place = from.translation.vector.lerp(&to.translation.vector, share);
-        // By axis and angle, which unlike slerp knows a way also for half a turn.
+        // Axis and angle, unlike slerp, define a path also for half a turn.
         let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * share;
         Self(Isometry3::from_parts(Translation3::from(place), from.rotation * UnitQuaternion::from_scaled_axis(turn)))
     }
@@ -100,7 +99,7 @@ impl From<Transform> for Pose {
         let turn = frame.rotation.to_rotation_matrix();
         let rows = [0, 1, 2].map(|row| [0, 1, 2].map(|column| turn[(row, column)]));
         let unturned = Self::from_millimetres_degrees(frame.translation.vector.into(), [f64::NAN; 3]);
-        // Only numbers that are not finite are not a rotation here.
+        // The matrix is a rotation unless its numbers are not finite.
         let pose = unturned.with_rotation_matrix(rows).unwrap_or(unturned);
         let half_turn = |angle: f64| if angle < ROUNDING - 180.0 { 180.0 } else { angle };
         // Adding zero turns -0 into 0.

@@ -1,4 +1,4 @@
-//! Trees of messages and of values.
+//! Trees read from messages and values.
 
 use jaka_spec::{COMMAND_NAME, Command, ERROR_CODE, ERROR_MESSAGE, Field, Reply, Request, Shape, Spec};
 use serde_json::{Map, Value};
@@ -11,20 +11,20 @@ use crate::slot::{Slot, variants};
 
 /// Messages.
 impl<'s> Node<'s> {
-    /// Packet of port 10000.
+    /// Reads a packet of port 10000.
     pub fn status(spec: &'s Spec, packet: Value) -> Self {
         let Value::Object(found) = packet else { return Self::no_object(packet) };
         Self::message(spec, spec.status_fields(), object(spec, spec.status_fields(), found))
     }
 
-    /// Reply to a command; to one that is not known, the spec describes nothing of it.
+    /// Reads a reply to a command. Of a reply to an unknown command the spec describes nothing.
     ///
-    /// Of a refusal only the envelope is compared with the spec, for it carries no payload. A bare Python tuple, which
+    /// For a refusal only the envelope is compared with the spec, since it has no payload. A bare Python tuple, which
     /// some firmware sends in place of a reply, is given as a JSON string.
     ///
-    /// Of a key that comes twice, a [`Value`] has the last alone, and a number with a fraction is rounded: what parses
-    /// the reply must refuse such, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync
-    /// never gets a reply in which one of the three keys of the envelope comes twice and says different things.
+    /// For a repeated key a [`Value`] has only the last value, and it rounds a number with a fraction. The parser of
+    /// the reply must refuse these, as the decoder of jaka-proto does for a [`Value`]. A client that uses jaka-sync
+    /// never gets a reply in which one of the three keys of the envelope is repeated with different values.
     pub fn reply(spec: &'s Spec, command: impl Into<Option<&'s Command>>, reply: Value) -> Self {
         let command = command.into();
         let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
@@ -39,7 +39,7 @@ impl<'s> Node<'s> {
         Self { departures, ..Self::message(spec, fields, parts) }
     }
 
-    /// Request for a command, `cmdName` and all.
+    /// Reads a request for a command, with or without `cmdName`.
     pub fn request(spec: &'s Spec, command: &'s Command, mut found: Map<String, Value>) -> Self {
         found.remove(COMMAND_NAME);
         let choice = match &command.request {
@@ -64,7 +64,7 @@ impl<'s> Node<'s> {
         Self { body: Body::Parts(parts), ..Self::blank(Label::Message, Slot::of_object(spec, fields)) }
     }
 
-    /// A message that is no object.
+    /// Creates the node of a message that is no object.
     fn no_object(found: Value) -> Self {
         let departures = departures("", Fit::Unreadable(DepartureKind::Form), &found, || "an object".to_owned());
         Self { departures, ..Self::undescribed(Label::Message, found) }
@@ -77,7 +77,7 @@ impl<'s> Node<'s> {
 
 /// Values.
 impl<'s> Node<'s> {
-    /// Value of a field, if the message has it.
+    /// Reads the value of a field, if the message has it.
     pub fn field(spec: &'s Spec, field: &'s Field, found: impl Into<Option<Value>>) -> Self {
         let (label, slot) = (Label::Field(field), Slot::of(spec, field));
         let found = match found.into() {
@@ -108,7 +108,7 @@ impl<'s> Node<'s> {
     }
 }
 
-/// Parts of a value, if it has those of its type, and the fit of the value without them.
+/// Returns the parts of a value, if it has those of its type, and the fit of the value without them.
 fn read<'s>(slot: &Slot<'s>, value: Value) -> (Body<'s>, Fit) {
     let (too_long, unlisted) = (Fit::Lenient(DepartureKind::Length), Fit::Lenient(DepartureKind::Unlisted));
     match (slot.shape, value) {
@@ -154,12 +154,12 @@ fn read<'s>(slot: &Slot<'s>, value: Value) -> (Body<'s>, Fit) {
     }
 }
 
-/// A value of another JSON type.
+/// Returns the result for a value of another JSON type.
 fn misfit<'s>(value: Value) -> (Body<'s>, Fit) {
     (Body::Leaf(value), Fit::Unreadable(DepartureKind::Form))
 }
 
-/// Keys of an object without a description, then its fields.
+/// Returns the keys of an object without a description, then its fields.
 fn object<'s>(spec: &'s Spec, fields: &'s [Field], mut found: Map<String, Value>) -> Vec<Node<'s>> {
     let fields: Vec<_> = fields.iter().map(|field| Node::field(spec, field, found.remove(&field.wire))).collect();
     let unknown = found.into_iter().map(|(key, value)| Node {
@@ -173,7 +173,7 @@ fn undescribed<'s>(found: Map<String, Value>) -> Vec<Node<'s>> {
     found.into_iter().map(|(key, value)| Node::undescribed(Label::Unknown(key), value)).collect()
 }
 
-/// Elements of a struct that is an array on the wire, and those beyond its fields.
+/// Returns the elements of a struct that is an array on the wire, and those beyond its fields.
 fn elements<'s>(
     spec: &'s Spec,
     fields: &'s [Field],
@@ -185,12 +185,12 @@ fn elements<'s>(
     members.into_iter().chain(beyond)
 }
 
-/// Tag of a choice.
+/// Reads the tag of a choice.
 fn wire(tag: &Value) -> Option<i64> {
     scalar::int(tag).map(|(wire, _)| wire)
 }
 
-/// Departures of a value that fits so, without those of its parts.
+/// Returns the departures for this fit of a value, without those of its parts.
 fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> String) -> Vec<Departure> {
     let (kind, reading) = match fit {
         Fit::Plain => return Vec::new(),
@@ -202,7 +202,7 @@ fn departures(field: &str, fit: Fit, value: &Value, expected: impl FnOnce() -> S
     vec![Departure { field, kind, found, expected, reading, advisory: false, more: 0 }]
 }
 
-/// The reply that a bare Python tuple stands for.
+/// Returns the reply that a bare Python tuple represents.
 fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     let name = command.bare_reply.as_ref()?;
     let field = command.reply.own_fields().iter().find(|field| field.name == *name)?;
@@ -210,7 +210,7 @@ fn bare_reply(command: &Command, reply: &Value) -> Option<Map<String, Value>> {
     is_tuple.then(|| Map::from_iter([(field.wire.clone(), reply.clone())]))
 }
 
-/// Takes from a reply the keys that every reply has: their departures, where the command is known.
+/// Removes from a reply the keys that every reply has; returns their departures, if the command is known.
 fn envelope(command: Option<&Command>, found: &mut Map<String, Value>) -> Vec<Departure> {
     let [code, message, name] =
         [ERROR_CODE, ERROR_MESSAGE, COMMAND_NAME].map(|key| found.remove(key).unwrap_or_default());
@@ -232,15 +232,15 @@ fn envelope(command: Option<&Command>, found: &mut Map<String, Value>) -> Vec<De
     [code, message, departures(COMMAND_NAME, name_fit, &name, || format!("`{}`", command.wire))].concat()
 }
 
-/// True for the reply to a command that was carried out.
+/// Whether it is the reply to a command that was carried out.
 pub(crate) fn is_success(reply: &Map<String, Value>) -> bool {
     let code = reply.get(ERROR_CODE).and_then(scalar::error_code);
     code.is_some_and(jaka_proto::ErrorCode::is_success)
 }
 
-/// Type that a value looks like, in the spec's notation.
+/// Returns the apparent type of a value, in the spec's notation.
 ///
-/// Numbers in arrays are floats: where all of them are whole, others of their kind need not be. A number that is too
+/// Numbers in arrays are floats: even if all of them are whole, others of their kind need not be. A number that is too
 /// large for an `int` is `json`, which keeps all its digits.
 pub fn notation(value: &Value) -> String {
     match value {

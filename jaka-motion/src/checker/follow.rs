@@ -12,39 +12,40 @@ use crate::limits::{Limits, rounded_up};
 use crate::model::{Point, Singularity};
 use crate::speed::TcpSpeed;
 
-/// A path shorter than this, in mm, only turns the tool.
+/// Length of a path, in mm, below which it only turns the tool.
 const ONLY_TURNS_MM: f64 = 0.1;
-/// The longest step, in mm of the path and in degrees of the tool's turn.
+/// Longest step, in mm of the path and in degrees of the tool's turn.
 const LONGEST_STEP: (f64, f64) = (10.0, 2.0);
-/// The most that a joint moves in a step, in degrees.
+/// Greatest motion of a joint in a step, in degrees.
 const JOINT_STEP: f64 = 1.0;
-/// The most that a joint is away from an even turn within a step, in degrees.
+/// Greatest deviation of a joint from an even turn within a step, in degrees.
 const JOINT_BEND: f64 = 0.05;
-/// The most that a step differs from the mean of the rates at its ends, in degrees: else it leads to another branch.
+/// Greatest difference between a step and the mean of the rates at its ends, in degrees: a greater one means another
+/// branch.
 const JOINT_JUMP: f64 = 0.1;
-/// The least step, as a share of the path. A joint that turns a degree in it is at a singularity.
+/// Least step, as a share of the path. A joint that turns a degree in it is at a singularity.
 const LEAST_FOLLOWED: f64 = 1e-9;
-/// The most steps, right and wrong.
+/// Greatest number of steps, including rejected ones.
 const MOST_STEPS: u32 = 50_000;
-/// A joint is fast near a singularity where its distance is below this.
+/// Distance from a singularity below which an error for a fast joint names the singularity.
 const NEAR: f64 = 0.1;
-/// The points that are looked at for how far the path is out of reach.
+/// Number of samples in the search for the place at which the path is furthest out of reach.
 const REACH_STEPS: u32 = 64;
 
-/// A line or an arc being checked.
+/// Check of a line or an arc.
 pub(super) struct Following<'a> {
     arm: &'a Arm,
     limits: &'a Limits,
     regions: PlacedRegions<'a>,
     path: ToolPath,
     tolerance: f64,
-    /// Share of the path that is covered in a second; none if the path only turns the tool.
+    /// Share of the path that is covered in a second; `None` if the path only turns the tool.
     per_second: Option<f64>,
-    /// The joint positions at the start.
+    /// Joint positions at the start.
     start: [f64; 6],
-    /// The frames of the joints at the start.
+    /// Frames of the joints at the start.
     start_frames: [Isometry3<f64>; 6],
-    /// The least distance from each singularity.
+    /// Least permitted distance from each singularity.
     least: [f64; 3],
 }
 
@@ -55,7 +56,7 @@ struct PathSample {
     joints: [f64; 6],
     /// Rates of the joints, in degrees for the length of the whole path.
     rates: [f64; 6],
-    /// Changes of the rates, for a good guess of the next sample.
+    /// Changes of the rates, from which the next sample is guessed.
     curve: [f64; 6],
     frames: [Isometry3<f64>; 6],
     distances: [f64; 3],
@@ -118,7 +119,7 @@ impl<'a> Following<'a> {
         (most_mm / self.path.length_mm()).min(most_deg / even_turn.turn.norm().to_degrees()).clamp(LEAST_STEP, 1.0)
     }
 
-    /// The next sample, if nothing between it and this one can have been missed.
+    /// Returns the next sample, or `None` if a violation between it and this one could go unnoticed.
     fn advance(&self, even_turn: &EvenTurn, here: &PathSample, share: f64) -> Result<Option<PathSample>, Found> {
         let step = share - here.share;
         let guess = std::array::from_fn(|index| {
@@ -144,7 +145,7 @@ impl<'a> Following<'a> {
         Some(PathSample { share, joints: solved.joints, rates, curve: [0.0; 6], frames: solved.frames, distances })
     }
 
-    /// Checks what holds at each share of the path.
+    /// Checks the limits that hold at each share of the path.
     fn check(&self, here: &PathSample) -> Result<(), Found> {
         let there = |exceeded| (exceeded, here.share);
         self.limits.axes().check_positions(&here.joints, &self.start).map_err(there)?;
@@ -175,7 +176,7 @@ impl<'a> Following<'a> {
         self.regions.check(point, Some(&start), &place(point, frames), self.tolerance).map(|_| ())
     }
 
-    /// Whether no joint can have been faster between two samples than its limit by more than the stated amount.
+    /// Whether no joint can have exceeded its speed limit between two samples by more than the stated amount.
     fn speeds_clear(&self, here: &PathSample, next: &PathSample) -> bool {
         let Some(per_second) = self.per_second else { return true };
         let limits = self.limits.joint_speeds();
@@ -186,7 +187,7 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Whether no singularity can have been nearer between two samples than the least distance, but for the stated
+    /// Whether no singularity can have been nearer between two samples than the least distance, up to the stated
     /// amount.
     fn singularities_clear(&self, here: &PathSample, next: &PathSample) -> bool {
         let turned = |index: usize| {
@@ -201,7 +202,7 @@ impl<'a> Following<'a> {
     }
 
     /// Checks that elbow or wrist cannot have been beyond a region between two samples by more than the stated amount;
-    /// false if the step is too long to tell.
+    /// returns false if the step is too long to decide.
     fn point_clear(
         &self,
         even_turn: &EvenTurn,
@@ -214,7 +215,7 @@ impl<'a> Following<'a> {
         }
         let step = next.share - here.share;
         let change = velocity(point, next) - velocity(point, here);
-        // Twice as much as an even change would be.
+        // Twice the deviation for an even change.
         if 0.25 * step * change.norm() > BEND_MM {
             return Ok(false);
         }
@@ -255,13 +256,13 @@ impl<'a> Following<'a> {
 }
 
 impl PathSample {
-    /// The step in which no joint turns by quite as much as it may.
+    /// Returns the longest step in which no joint turns by more than 0.95 of the permitted angle.
     fn joint_step(&self) -> f64 {
         0.95 * JOINT_STEP / self.rates.iter().fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()))
     }
 }
 
-/// Whether the joints went from one sample to the other without a jump, and evenly enough.
+/// Whether the joints moved from one sample to the other without a jump, and evenly enough.
 fn continuous(here: &PathSample, next: &PathSample) -> bool {
     let step = next.share - here.share;
     (0..6).all(|index| {

@@ -1,4 +1,4 @@
-//! Points of the arm compared with regions, where the joints move.
+//! Points of the arm compared with regions while the joints move.
 
 use jaka_proto::messages::types::JointPosition;
 use nalgebra::Point3;
@@ -14,7 +14,7 @@ use crate::braking::{Stop, longest_stop};
 use crate::model::Point;
 use crate::piece::{Hull, Piece};
 
-/// The points of an arm that regions are for.
+/// Points of an arm that regions apply to.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LimitedPoints<'a> {
     pub(super) arm: &'a Arm,
@@ -42,7 +42,7 @@ impl LimitedPoints<'_> {
             .try_for_each(|point| self.regions.check(point, None, &self.arm.point(point, joints), 0.0).map(|_| ()))
     }
 
-    /// Checks all points on a way straight in joint space.
+    /// Checks all points on a straight path in joint space.
     pub(super) fn check_joint_way(&self, from: &[f64; 6], to: &[f64; 6]) -> Result<(), Found> {
         let moved: [f64; 6] = std::array::from_fn(|index| to[index] - from[index]);
         self.all().try_for_each(|point| {
@@ -60,7 +60,8 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// Checks all points on the ways of the joints to a stop. Where the arm has rested, if it has, counts as within.
+    /// Checks all points on the paths of the joints to a stop. The position at which the arm has rested, if any, counts
+    /// as within.
     #[cfg(feature = "generator")]
     pub(super) fn check_stops(&self, rested: Option<&[f64; 6]>, stops: &[Stop; 6]) -> Result<(), Found> {
         let seconds = longest_stop(stops);
@@ -74,7 +75,7 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// Whether no point gets to a region where the joints turn by at most so many radians from a start.
+    /// Whether no point gets to a region while the joints turn by at most these radians from a start.
     pub(super) fn are_far(&self, start: &PieceEnd, turned: &[f64; 6]) -> bool {
         self.all().all(|point| {
             let clear = self.regions.check(point, None, start.point(point), 0.0);
@@ -82,8 +83,8 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// Whether all points are within their regions on a line with these ends, on which the joints turn by at most so
-    /// many radians.
+    /// Whether all points are within their regions on a line with these ends, on which the joints turn by at most these
+    /// radians.
     pub(super) fn are_clear_on_line(&self, ends: [&Solved; 2], turned: &[f64; 6]) -> bool {
         self.all().all(|point| {
             let places = ends.map(|end| end.point(point));
@@ -98,7 +99,7 @@ impl LimitedPoints<'_> {
         })
     }
 
-    /// With how far the point that was found beyond a region is beyond it at an end, if that is further.
+    /// Replaces the distance of a violation by the distance beyond the same region at an end, if that is greater.
     pub(super) fn further_at(&self, end: &[f64; 6], found: Exceeded) -> Exceeded {
         let Exceeded::Region { name, point, by_mm, tolerance_mm } = found else { return found };
         let at_end = self.regions.beyond_named(&name, point, &self.arm.point(point, end));
@@ -107,7 +108,7 @@ impl LimitedPoints<'_> {
 }
 
 impl RoomToStop<'_> {
-    /// Checks the way to a stop after a set-point.
+    /// Checks the path to a stop after a set-point.
     pub(super) fn check_step(&self, last: &[f64; 6], target: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
         let steps = self.checker.straight_stop([JointPosition(*last), JointPosition(*target)], period_s).steps();
         let end = std::array::from_fn(|index| target[index] + steps * (target[index] - last[index]));
@@ -116,24 +117,24 @@ impl RoomToStop<'_> {
         on_way.map_err(|(exceeded, _)| self.points.further_at(&end, exceeded).at_stop())
     }
 
-    /// Checks the ways to a stop from each set-point on a piece.
+    /// Checks the paths to a stop from each set-point on a piece.
     pub(super) fn check_piece(&self, piece: &Piece) -> Result<(), Found> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count, and too many are cut")]
         let count = (piece.seconds / PERIOD_S).ceil().clamp(1.0, 1e6) as u32;
         (0..=count).map(|place| f64::from(place) / f64::from(count)).try_for_each(|share| {
             let here = piece.at(share);
             let joints = &here.joints.0;
-            // The last step before a set-point is half a period older than the speed at it.
+            // The mean time of the last step is half a period before the speed at the set-point.
             let last = std::array::from_fn(|joint| joints[joint] - here.velocity[joint] * PERIOD_S);
             self.check_step(&last, joints, PERIOD_S).map_err(|exceeded| (exceeded, share))
         })
     }
 
-    /// Seconds for which joints could go on with their speed on the way that they may take to stop from a piece.
+    /// Returns the longest path to a stop from a piece, as seconds at the joints' speeds.
     pub(super) fn seconds(&self, hull: &Hull) -> f64 {
         let (limits, velocity) = (self.checker.limits(), &hull.speeds);
         let tool = limits.stop_tcp_acceleration().map_or(f64::INFINITY, |most| {
-            // Each joint may be slower than its speed here.
+            // Each joint may be slower at this place than its speed in the hull.
             TOOL_USED * most / self.points.arm.radii().tcp_rate_at_most(velocity)
         });
         limits.axes().stop_rates(velocity, limits.stop_jerks(), tool).length_s() + PERIOD_S

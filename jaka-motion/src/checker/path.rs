@@ -13,7 +13,7 @@ pub(super) enum ToolPath {
     Arc(Arc),
 }
 
-/// A part of a path on which the tool turns evenly.
+/// Part of a path on which the tool turns evenly.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EvenTurn {
     /// End of the part, as a share of the path.
@@ -22,7 +22,7 @@ pub(super) struct EvenTurn {
     pub(super) turn: Vector3<f64>,
 }
 
-/// A turn of this many degrees or more could as well be the other way round.
+/// Least angle, in degrees, of a turn whose direction is undetermined.
 const HALF_TURN: f64 = 179.99;
 
 impl ToolPath {
@@ -50,8 +50,8 @@ impl ToolPath {
         }
     }
 
-    /// Returns the bounds of the tool centre point's motion: on a circle the change of its speed is the angle times the
-    /// speed.
+    /// Returns the bounds of the tool centre point's motion. On a circle the change of its velocity is the angle times
+    /// the speed.
     pub(super) fn motion(&self) -> PointMotion {
         let rate_mm = self.length_mm();
         let bend_mm = match self {
@@ -61,7 +61,7 @@ impl ToolPath {
         PointMotion { rate_mm, bend_mm }
     }
 
-    /// The parts on which the tool turns evenly; none where it turns half way round on one.
+    /// Returns the parts on which the tool turns evenly; `None` if it makes half a turn on one.
     pub(super) fn even_turns(&self) -> Option<[EvenTurn; 2]> {
         let piece = |from: Transform, to: Transform, start: f64, end: f64| {
             let turn = from.0.rotation * (from.0.rotation.inverse() * to.0.rotation).scaled_axis() / (end - start);

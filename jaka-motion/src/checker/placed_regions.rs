@@ -1,4 +1,4 @@
-//! Regions, and points on their way through them.
+//! Regions, and points that move through them.
 
 use nalgebra::{Isometry3, Point3};
 
@@ -11,7 +11,7 @@ use crate::model::Point;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PlacedRegions<'a> {
     pub(super) regions: &'a [Region],
-    /// The arm's base, seen from the user frame.
+    /// Base of the arm, seen from the user frame.
     pub(super) base: &'a Isometry3<f64>,
 }
 
@@ -30,9 +30,10 @@ impl<'a> PlacedRegions<'a> {
         self.of(point).find(|region| **region.name() == *name).map(|region| self.beyond(region, at))
     }
 
-    /// Checks a point at one place, and returns how far it is within all its regions at least, in mm.
+    /// Checks a point at one place, and returns its least distance from the borders of its regions, in mm.
     ///
-    /// Where it was at the start counts as within. Blending takes off what is `tolerance`, at the start too.
+    /// The place at the start counts as within. The distance is smaller by `tolerance`, for blending, also for a motion
+    /// that starts there.
     pub(super) fn check(
         &self,
         point: Point,
@@ -50,7 +51,8 @@ impl<'a> PlacedRegions<'a> {
         })
     }
 
-    /// Shares of a straight way between two places at which it is in the midst of boxes to be kept outside of.
+    /// Returns the shares of a straight path between two places at which it is in the middle of boxes to be kept
+    /// outside of.
     pub(super) fn crossings(
         &self,
         point: Point,
@@ -65,7 +67,7 @@ impl<'a> PlacedRegions<'a> {
         })
     }
 
-    /// Checks a point along a way; `at` is its place for a share of the way. Where it starts counts as within.
+    /// Checks a point along a path; `at` gives its place for a share of the path. The start counts as within.
     pub(super) fn check_way(
         &self,
         point: Point,
@@ -77,7 +79,8 @@ impl<'a> PlacedRegions<'a> {
         self.check_way_from(point, start, tolerance, motion, at)
     }
 
-    /// As [`check_way`](Self::check_way), with the place that counts as within, if there is one.
+    /// Checks a point along a path, as [`check_way`](Self::check_way) does, with `start` as the place that counts as
+    /// within, if any.
     pub(super) fn check_way_from(
         &self,
         point: Point,
@@ -89,7 +92,7 @@ impl<'a> PlacedRegions<'a> {
         if !self.limit(point) {
             return Ok(());
         }
-        // A chord of this length is nowhere further from its arc than this.
+        // A chord of this length deviates from its arc by at most `BEND_MM`.
         let step = (8.0 * BEND_MM / motion.bend_mm).sqrt().min(1.0);
         if step.is_nan() || step < LEAST_STEP {
             return Err((Exceeded::TooLong, 0.0));
@@ -120,7 +123,7 @@ impl<'a> PlacedRegions<'a> {
         start.map_or(0.0, |start| self.beyond(region, start).max(0.0))
     }
 
-    /// The arm's base, seen from the frame of a region.
+    /// Returns the arm's base, seen from the frame of a region.
     fn seen_from(&self, region: &Region) -> Isometry3<f64> {
         match region.frame() {
             RegionFrame::ArmBase => Isometry3::identity(),

@@ -1,4 +1,4 @@
-//! Bounds of how points of the arm move where joints turn.
+//! Bounds of the motion of points of the arm while joints turn.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -7,10 +7,10 @@ use crate::links::Links;
 use crate::model::{Model, Point};
 use crate::piece::{Hull, Piece};
 
-/// Distances of points from the axes of joints, which bound how far joints move the points.
+/// Distances of points from the axes of joints, which bound the motion of the points.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Radii {
-    /// The most that each point can be away from the axis of each joint, in mm; 0 for a joint that does not move it.
+    /// Greatest distance of each point from the axis of each joint, in mm; 0 for a joint that does not move it.
     of: [[f64; 6]; 3],
     /// Greatest change of each distance from a singularity for a turn of a joint by one radian.
     distances: [[f64; 6]; 3],
@@ -19,18 +19,18 @@ pub(crate) struct Radii {
 /// Bounds of the motion of a point along a path, whose length is 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PointMotion {
-    /// The most that it moves, in mm.
+    /// Greatest distance that the point moves, in mm.
     pub(super) rate_mm: f64,
-    /// The most that its speed changes, in mm.
+    /// Greatest change of the point's velocity, in mm.
     pub(super) bend_mm: f64,
 }
 
-/// Points of the arm at the end of a piece, and the levers of its joints.
+/// Points of the arm at the end of a piece, with the levers of its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct PieceEnd {
-    /// In the order of [`Point::ALL`], in the arm's base.
+    /// Positions in the order of [`Point::ALL`], in the arm's base.
     points: [Point3<f64>; 3],
-    /// Motion of the tool centre point with each joint, in mm a radian.
+    /// Motion of the tool centre point for a turn of each joint, in mm a radian.
     levers: [Vector3<f64>; 6],
 }
 
@@ -38,11 +38,11 @@ pub(crate) struct PieceEnd {
 /// box's side by which [`Region::crossed`](crate::limits::Region) reduces it, at least 0.25 mm, a path through the box
 /// has a sample in it.
 pub(super) const BEND_MM: f64 = 0.1;
-/// The least share of a way between two samples, which bounds their number.
+/// Least share of a path between two samples, which bounds their number.
 pub(super) const LEAST_STEP: f64 = 5e-5;
 
 impl Radii {
-    /// For a model with a tool, at this place on its flange.
+    /// Creates the bounds for a model with a tool at this place on its flange.
     pub(super) fn new(model: &Model, tool: &Vector3<f64>) -> Self {
         let links = &model.links;
         let of = Point::ALL.map(|point| {
@@ -60,12 +60,12 @@ impl Radii {
         &self.of[point as usize]
     }
 
-    /// Returns a bound of the distance that the tool centre point moves where the joints turn by these degrees, in mm.
+    /// Returns a bound of the distance that the tool centre point moves while the joints turn by these degrees, in mm.
     pub(crate) fn tcp_rate_at_most(&self, moved: &[f64; 6]) -> f64 {
         self.of(Point::Tcp).iter().zip(moved).map(|(radius, moved)| radius * moved.abs().to_radians()).sum()
     }
 
-    /// Returns a bound of the change of each distance from a singularity where the joints turn by so many radians.
+    /// Returns a bound of the change of each distance from a singularity while the joints turn by these radians.
     pub(crate) fn distances_change(&self, turned: &[f64; 6]) -> [f64; 3] {
         self.distances.map(|rates| rates.iter().zip(turned).map(|(rate, turned)| rate * turned).sum())
     }
@@ -75,7 +75,8 @@ impl Radii {
         let (mut rate_mm, mut bend_mm, mut sum) = (0.0, 0.0, 0.0);
         for (radius, turned) in self.of(point).iter().zip(turned) {
             rate_mm += turned * radius;
-            // A turn changes how another joint moves the point: at most by both turns times the outer one's distance.
+            // A turn changes the motion of the point by another joint: at most by both turns times the outer one's
+            // distance.
             bend_mm += (2.0 * sum + turned) * turned * radius;
             sum += turned;
         }
@@ -87,8 +88,8 @@ impl Radii {
         self.motion(point, &moved.map(|degrees| degrees.abs().to_radians()))
     }
 
-    /// Returns the bounds of a point's motion while the joints turn by at most the radians of `turned`, and the turns
-    /// themselves change by at most those of `swung`.
+    /// Returns the bounds of a point's motion while the joints turn by at most the radians of `turned`, and these turns
+    /// change by at most those of `swung`.
     pub(super) fn motion_with_swings(&self, point: Point, turned: &[f64; 6], swung: &[f64; 6]) -> PointMotion {
         let motion = self.motion(point, turned);
         let swings: f64 = self.of(point).iter().zip(swung).map(|(radius, swung)| radius * swung).sum();
@@ -102,10 +103,10 @@ impl Radii {
 
     /// Returns a bound of the tool centre point's speed on a piece, in mm/s.
     ///
-    /// If levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree, no
-    /// larger than its Bernstein coefficients. The other change of the levers is at most an eighth of their second
-    /// derivative: the joints' accelerations, and their speeds twice, times the distance from the outermost axis of
-    /// those that count.
+    /// If the levers changed evenly from one end to the other, the velocity would be a polynomial of the fifth degree,
+    /// no larger than its Bernstein coefficients. The remaining change of the levers is at most an eighth of their
+    /// second derivative. That derivative is bounded by the joints' accelerations and twice the products of their
+    /// speeds, times the distance from the outermost axis involved.
     pub(super) fn tcp_speed_at_most(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> f64 {
         let speeds: [[f64; 5]; 6] = std::array::from_fn(|joint| piece.speeds(joint).map(f64::to_radians));
         let moved = |end: usize, index: usize| ends[end].moved(speeds.map(|speed| speed[index]));
@@ -126,7 +127,8 @@ impl Radii {
     }
 }
 
-/// Bounds of how the distances from singularities change with the joints, for the wrist's distances from their axes.
+/// Returns bounds of the change of the distances from singularities with the joints, for the wrist's distances from
+/// their axes.
 fn distances(model: &Model, wrist: &[f64; 6]) -> [[f64; 6]; 3] {
     match model.closed_form.wrist {
         Wrist::Parallel | Wrist::Spherical => {
@@ -137,12 +139,13 @@ fn distances(model: &Model, wrist: &[f64; 6]) -> [[f64; 6]; 3] {
     }
 }
 
-/// Bounds of how the determinant of an offset wrist's Jacobian changes with the joints, as a share of its bound.
+/// Returns bounds of the change of the determinant of an offset wrist's Jacobian with the joints, as a share of its
+/// bound.
 ///
-/// Up to the sign it is the length of the upper arm times `p q s + p e t + u t f + v q f`, where `p` is the lever of
-/// the wrist about the elbow, `q` about the base axis, `u` along the axis of joint 2, `t` and `v` parts of the offset,
-/// and `s`, `e` and `f` cosines between directions. Each is no larger than its length, and changes at most by that
-/// length or the one with which a joint turns it.
+/// Up to the sign it is the length of the upper arm times `p q s + p e t + u t f + v q f`. `p` is the lever of the
+/// wrist about the elbow, `q` about the base axis, `u` along the axis of joint 2. `t` and `v` are parts of the offset;
+/// `s`, `e` and `f` are cosines between directions. Each factor is no larger than its length, and changes by at most
+/// that length or the length with which a joint turns it.
 fn determinant(model: &Model) -> [f64; 6] {
     let Links { a, d, .. } = &model.links;
     let (offset, upper_arm) = (a[4].hypot(d[4]), a[2].hypot(d[2]));
@@ -168,7 +171,7 @@ fn determinant(model: &Model) -> [f64; 6] {
 }
 
 impl PieceEnd {
-    /// For the frames of the joints, and a tool on the flange.
+    /// Creates the points and levers for the frames of the joints and a tool on the flange.
     pub(super) fn new(frames: &[Isometry3<f64>; 6], tool: &Isometry3<f64>) -> Self {
         let tcp = (frames[5] * tool).translation.vector;
         let lever = |frame: &Isometry3<f64>| (frame.rotation * Vector3::z()).cross(&(tcp - frame.translation.vector));
@@ -181,7 +184,7 @@ impl PieceEnd {
         &self.points[point as usize]
     }
 
-    /// Returns the motion of the tool centre point where the joints turn by these radians, in mm.
+    /// Returns the motion of the tool centre point while the joints turn by these radians, in mm.
     pub(super) fn moved(&self, turns: [f64; 6]) -> Vector3<f64> {
         self.levers.iter().zip(turns).map(|(lever, turn)| lever * turn).sum()
     }

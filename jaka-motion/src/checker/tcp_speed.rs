@@ -1,4 +1,4 @@
-//! The speed of the tool centre point compared with its limit.
+//! Check of the speed of the tool centre point.
 
 use super::Checker;
 use super::arm::Arm;
@@ -18,15 +18,15 @@ use crate::speed::{JointSpeed, longest};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TcpSpeedLimit<'a> {
     pub(super) arm: &'a Arm,
-    /// In mm/s, if there is one.
+    /// Limit in mm/s, if there is one.
     pub(super) limit_mm_s: Option<f64>,
 }
 
-/// Share of itself by which the speed may change between two places on a piece, where it is near its limit.
+/// Greatest relative change of the speed between two places on a piece, near the limit.
 const SPEED_STEP: f64 = 1e-3;
-/// The most places at which it is compared on one piece.
+/// Greatest number of places on one piece at which the speed is compared.
 const MOST_STEPS: usize = 1_000_000;
-/// The most periods of a way to rest in which it is compared.
+/// Greatest number of periods of a stop in which the speed is compared.
 #[cfg(feature = "generator")]
 const MOST_PERIODS: f64 = 4096.0;
 
@@ -43,7 +43,7 @@ impl TcpSpeedLimit<'_> {
         self.check(self.arm.tcp_distance(target, last) / period_s)
     }
 
-    /// Checks the speed on a way straight in joint space.
+    /// Checks the speed on a straight path in joint space.
     pub(super) fn check_joint_way(&self, from: &[f64; 6], moved: &[f64; 6], asked: JointSpeed) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limit_mm_s else { return Ok(()) };
         let seconds = longest(moved) / asked.speed_deg_s;
@@ -69,7 +69,7 @@ impl TcpSpeedLimit<'_> {
         }
     }
 
-    /// Checks the speed on a piece, by bounds where these suffice.
+    /// Checks the speed on a piece, by bounds if these suffice.
     pub(super) fn check_piece(&self, piece: &Piece, hull: &Hull, ends: &[PieceEnd; 2]) -> Result<(), Found> {
         let Some(limit_mm_s) = self.limit_mm_s else { return Ok(()) };
         let radii = self.arm.radii();
@@ -77,7 +77,7 @@ impl TcpSpeedLimit<'_> {
         if rate_mm <= limit_mm_s * piece.seconds || radii.tcp_speed_at_most(piece, hull, ends) <= limit_mm_s {
             return Ok(());
         }
-        // How fast the speed can change for the whole of the piece.
+        // Greatest change of the speed over the whole piece.
         let change = bend_mm / piece.seconds;
         let mut share = 0.0;
         for _ in 0..MOST_STEPS {
@@ -92,8 +92,8 @@ impl TcpSpeedLimit<'_> {
         Err((Exceeded::TooLong, share))
     }
 
-    /// Checks the mean speed over each period from the last set-point to rest, and that the tool centre point goes on
-    /// for no more than `limit_mm`.
+    /// Checks the mean speed over each period from the last set-point to rest, and that the tool centre point travels
+    /// no more than `limit_mm`.
     #[cfg(feature = "generator")]
     pub(super) fn check_stops(
         &self,

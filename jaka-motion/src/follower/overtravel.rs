@@ -1,4 +1,4 @@
-//! Overtravel of the tool after a contact, if the arm is then braked along a trajectory.
+//! Overtravel of the tool after a contact, if the arm then brakes along a trajectory.
 
 use super::{ChangeLimits, Follower, State};
 use crate::checker::Checker;
@@ -7,17 +7,17 @@ use crate::checker::Checker;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Overtravel {
-    /// The trajectory time of the contact, in seconds.
+    /// Trajectory time of the contact, in seconds.
     pub time_s: f64,
-    /// Distance that the tool centre point travels from there until it rests, in mm along its path; infinite where
-    /// braking takes longer than 0.5 s and the rest of the trajectory is longer than the allowed distance.
+    /// Distance that the tool centre point travels from the contact to rest, in mm along its path; infinite if braking
+    /// takes longer than 0.5 s and the rest of the trajectory is longer than the allowed distance.
     pub way_mm: f64,
-    /// Time from the contact until the tool is braked, in seconds: the delay, rounded up to periods, and one period
-    /// more, since the contact can come at any moment of one.
+    /// Time from the contact until the tool brakes, in seconds: the delay, rounded up to periods, and one period more,
+    /// since the contact can come at any moment of a period.
     pub unbraked_s: f64,
-    /// Its greatest speed on that way, as mean over a period, in mm/s.
+    /// Greatest speed of the tool on that path, as mean over a period, in mm/s.
     pub speed_mm_s: f64,
-    /// The even deceleration by which it would be braked in as far, in mm/s²; infinite where it rests at once.
+    /// Even deceleration with the same braking distance, in mm/s²; infinite if the tool rests at once.
     pub braking_mm_s2: f64,
 }
 
@@ -31,16 +31,16 @@ pub(super) struct Travel<'a> {
 
 /// Longest time that braking may take, in seconds.
 const LONGEST_S: f64 = 0.5;
-/// Number of contacts that are bounded together.
+/// Number of contacts that share a bound.
 const TOGETHER: usize = 16;
-/// Numbers of periods of braking for which a bound is tried.
+/// Numbers of periods of braking, each tried for a bound.
 const AHEAD: [usize; 3] = [2, 12, 64];
-/// Share of itself by which [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may state a
-/// speed or an acceleration too high.
+/// Relative error by which [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may overstate a
+/// speed or an acceleration.
 const PEAK: f64 = 1e-4;
 
 impl<'a> Travel<'a> {
-    /// For a contact at any set-point at the rate 1, and braking some seconds after it.
+    /// Creates the travel for a contact at any set-point at the rate 1, and braking some seconds after it.
     pub(super) fn new(follower: &'a Follower, checker: &Checker, delay_s: f64) -> Self {
         let unbraked = periods(delay_s, follower.period_s).saturating_add(1);
         let mut travel = Self { follower, gone_mm: Vec::new(), unbraked };
@@ -55,7 +55,7 @@ impl<'a> Travel<'a> {
         travel
     }
 
-    /// The contact after which the tool goes on the furthest, if that is further than is allowed.
+    /// Returns the contact with the longest travel of the tool after it, if that is longer than allowed.
     pub(super) fn worst(&self, allowed_mm: f64) -> Option<Overtravel> {
         let unbraked = self.contacts().map(|contact| (contact, self.between(contact, self.braked_from(contact))));
         let furthest = furthest(unbraked)?;
@@ -67,8 +67,7 @@ impl<'a> Travel<'a> {
         Some(self.told(contact, way_mm))
     }
 
-    /// The contact after which the tool goes on the furthest until it rests, and how far, if that is further than is
-    /// allowed.
+    /// Returns the contact with the longest travel of the tool to rest, and its length, if that is longer than allowed.
     fn furthest_braked(&self, allowed_mm: f64) -> Option<(usize, f64)> {
         let (contacts, mut worst) = (self.contacts(), None);
         for first in contacts.clone().step_by(TOGETHER) {
@@ -85,8 +84,8 @@ impl<'a> Travel<'a> {
         worst
     }
 
-    /// Returns the largest number of trajectory periods that it still covers if it is braked after any of these
-    /// set-points, if that is known: in each one the rate falls by as much as it may all the while.
+    /// Returns a bound of the number of trajectory periods that braking still covers after any of these set-points, if
+    /// it is known. For the bound the rate falls in each period by the least fall that is permitted in all of them.
     fn braking_at_most(&self, first: usize, last: usize) -> Option<usize> {
         let limits = self.follower.trajectory.joint_accelerations();
         if (0..6).any(|joint| self.follower.checker.limits().joint_accelerations()[joint] < limits[joint]) {
@@ -94,7 +93,7 @@ impl<'a> Travel<'a> {
         }
         AHEAD.into_iter().find_map(|ahead| {
             let (from_s, to_s) = (self.time_at(first.saturating_sub(1)), self.time_at(last + ahead + 1));
-            // A joint that gains speed leaves the least where the rate is low, others where it is high.
+            // A joint that gains speed leaves the least room at a low rate, others at a high one.
             let at_rate = |rate: f64| self.follower.trajectory.rate_change_between(from_s, to_s, rate).fall;
             let fall = (at_rate(1.0 + PEAK).min(at_rate(0.0)) * (1.0 - 2.0 * PEAK) * self.follower.period_s).min(1.0);
             let falls = (1.0 / fall).floor();
@@ -110,7 +109,8 @@ impl<'a> Travel<'a> {
         rest.map_or(f64::INFINITY, |rest| self.between(contact, rest))
     }
 
-    /// The set-point at or after which it rests, if it is braked after this one; none where that takes too long.
+    /// Returns the set-point at or after which the tool rests, if it brakes after this one; `None` if that takes too
+    /// long.
     fn rest_from(&self, place: usize) -> Option<usize> {
         let (time_s, before_s) = (self.time_at(place), self.time_at(place.saturating_sub(1)));
         let (joints, before) =
@@ -151,13 +151,13 @@ impl<'a> Travel<'a> {
         periods * self.follower.period_s
     }
 
-    /// The set-points after which something can be touched; without those at the end, after which less of the way is
-    /// left than after these.
+    /// Returns the set-points after which a contact is possible, without those at the end, which leave less travel than
+    /// these.
     fn contacts(&self) -> std::ops::Range<usize> {
         0..self.last().saturating_sub(self.unbraked) + 1
     }
 
-    /// The last set-point that does not brake.
+    /// Returns the last set-point that does not brake.
     fn braked_from(&self, contact: usize) -> usize {
         contact.saturating_add(self.unbraked).min(self.last())
     }

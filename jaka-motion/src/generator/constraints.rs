@@ -1,4 +1,4 @@
-//! The limits of a generated motion, and how much of it they allow.
+//! Limits of a generated motion, and the pace that they allow.
 
 use jaka_proto::messages::types::JointPosition;
 
@@ -9,14 +9,14 @@ use crate::braking::{JointLimits, JointState, Stop, StopBound};
 use crate::checker::Checker;
 use crate::speed::TcpVelocity;
 
-/// Limits of a generated motion: those of the arm, of its joints' dynamics, and of a tool that must be able to stop.
+/// Limits of a generated motion: limits of the arm, of its joints' dynamics, and of a tool that must be able to stop.
 ///
-/// States are those of the last set-point.
+/// The parameter `state` is the state at the last set-point.
 #[derive(Debug, Clone)]
 pub(super) struct Constraints {
     pub(super) checker: Checker,
     pub(super) limits: [JointLimits; 6],
-    /// The most of each joint in a stop, in deg/s³.
+    /// Greatest jerk of each joint in a stop, in deg/s³.
     stop_jerks: [f64; 6],
     pub(super) period_s: f64,
     /// Longest distance that the tool may still travel until the arm stops, in mm.
@@ -27,38 +27,39 @@ pub(super) struct Constraints {
 pub(super) struct ToolPace {
     /// Allowed share of the rates.
     pub(super) share: f64,
-    /// Limits of the joints for that, in proportion to the rates, so that all joints do the same at a time: a straight
-    /// way stays straight.
+    /// Limits of the joints at this pace, in proportion to the rates. All joints then move alike, so a straight path
+    /// stays straight.
     pub(super) limits: [JointLimits; 6],
-    /// Limit that allows no more, unless it is the reserve alone.
+    /// Limit that restricts the pace; `None` if only the reserve does.
     pub(super) exceeded: Option<Exceeded>,
 }
 
-/// Planned share of the tool's limits: the rest is for the different motion that joint speeds give the tool on the way.
+/// Planned share of the tool's limits. The rest covers changes of the tool's motion along the path at constant joint
+/// speeds.
 const PACE_USED: f64 = 0.9;
 /// Greatest number of cuts of the speed for a stop that is too long, and the factor of each cut.
 const CUTS: u32 = 24;
 const CUT: f64 = 0.8;
-/// Share of the tool's limits that the search uses: its result is compared with all of them, more exactly.
+/// Share of the tool's limits that the search uses; its result is compared with the full limits, more exactly.
 const STEP_USED: f64 = 0.98;
-/// Greatest number of halvings of the step towards the proposed states. The step is above 1e-10 then.
+/// Greatest number of halvings of the step towards the proposed states, which leaves the step above 1e-10.
 const HALVINGS: f64 = 32.0;
-/// Number of bisections of the count of halvings, which leaves an eighth of one.
+/// Number of bisections of the count of halvings, down to an eighth of a halving.
 const BISECTIONS: u32 = 8;
-/// Number of steps that are compared with all limits, each a quarter of the one before.
+/// Number of steps that are compared with all limits, each a quarter of the step before.
 const TRIES: u32 = 3;
-/// Greatest share of the speeds that is asked for.
+/// Greatest requested share of the speeds.
 const VELOCITY_USED: f64 = 0.99;
-/// Share of accelerations and jerks on which slowing in front of a limit counts: the rest is for the change of the
-/// joints' speeds on the tool's path.
+/// Share of accelerations and jerks that slowing in front of a limit relies on. The rest covers changes of the joints'
+/// speeds on the tool's path.
 const COUNTED_ON: f64 = 0.5;
 /// Least number of periods for the rest of the path in front of a limit.
 const CREEP_PERIODS: f64 = 10.0;
-/// A joint is fast near a singularity where its distance is below this.
+/// Distance from a singularity below which an error for a fast joint names the singularity.
 const NEAR: f64 = 0.1;
-/// Least share of a motion's acceleration with which a joint stops, however slow it is beside others.
+/// Least share of a motion's acceleration with which a joint stops, however slow it is relative to others.
 const LEAST_STOP: f64 = 1e-3;
-/// A share of the speeds below which the motion counts as slowed.
+/// Share of the speeds below which the motion counts as slowed.
 const SLOWED: f64 = 0.98;
 
 impl Constraints {
@@ -73,7 +74,7 @@ impl Constraints {
         Led { state, stops, bound, stops_already: false }
     }
 
-    /// The arm led to these states, from which it can stop.
+    /// Moves the arm to these states if it can stop from them.
     pub(super) fn led(&self, state: &[JointState; 6], next: [JointState; 6]) -> Result<Led, Exceeded> {
         let (stops, bound) = self.stops(&next);
         let last = positions(state);
@@ -82,14 +83,14 @@ impl Constraints {
         Ok(Led { state: next, stops, bound, stops_already: false })
     }
 
-    /// The arm led on to rest within the dynamics, if it can stop from the next state.
+    /// Moves the arm on towards rest within the dynamics, if it can stop from the next state.
     pub(super) fn slowed(&self, state: &[JointState; 6]) -> Option<Led> {
         let stops: [Stop; 6] = std::array::from_fn(|index| Stop::of(state[index], self.limits[index]));
         self.may_be(state, stops.map(|stop| stop.at(self.period_s)))
     }
 
-    /// The ways of the joints to rest by a stop from these states, along the velocity that they have without the
-    /// accelerations that do not brake.
+    /// Returns the paths of the joints to rest by a stop from these states. The stop follows their velocity once
+    /// accelerations that do not brake have ended.
     fn stops(&self, state: &[JointState; 6]) -> ([Stop; 6], StopBound) {
         let velocity = std::array::from_fn(|index| state[index].coasting_speed(self.stop_jerks[index]));
         let rates = self.checker.stop_rates(&positions(state), &velocity, &self.stop_jerks);
@@ -101,13 +102,13 @@ impl Constraints {
         (stops, rates.bound)
     }
 
-    /// The nearest joint positions within the joints' ranges.
+    /// Returns the nearest joint positions within the joints' ranges.
     pub(super) fn in_range(&self, target: JointPosition) -> [f64; 6] {
         let limits = self.checker.limits();
         std::array::from_fn(|index| target.0[index].clamp(limits.joint_min()[index], limits.joint_max()[index]))
     }
 
-    /// The joint that rests at the end of its range, and is meant to go on.
+    /// Returns the limit of a joint that stops at the end of its range although its goal is beyond.
     pub(super) fn held_in_range(&self, state: &[JointState; 6], speeds: &[f64; 6]) -> Option<Exceeded> {
         let limits = self.checker.limits();
         (0..6).find_map(|index| {
@@ -132,15 +133,15 @@ impl Constraints {
         self.checker.beyond_of(Way::SetPoint, exceeded)
     }
 
-    /// Returns the pace that the tool allows on the way to a target; none if it allows all speeds of the joints.
+    /// Returns the pace that the tool allows on the path to a target; `None` if it allows all speeds of the joints.
     pub(super) fn tool_pace_to(&self, state: &[JointState; 6], target: &[f64; 6]) -> Option<ToolPace> {
         let by: [f64; 6] = std::array::from_fn(|index| target[index] - state[index].position);
         let seconds = (0..6).map(|index| by[index].abs() / self.limits[index].speed).fold(0.0, f64::max);
         self.tool_pace(state, &by, 1.0 / seconds)
     }
 
-    /// Returns the pace that the tool allows for these rates, of which the joints allow `most`; none if it allows as
-    /// much.
+    /// Returns the pace that the tool allows for these rates; `None` if that is no less than `most`, the share that the
+    /// joints allow.
     pub(super) fn tool_pace(&self, state: &[JointState; 6], rates: &[f64; 6], most: f64) -> Option<ToolPace> {
         let limit_mm_s = self.checker.limits().tcp_speed()?;
         let here = positions(state);
@@ -160,11 +161,11 @@ impl Constraints {
         })
     }
 
-    /// The states on the way from as fast as before, or from braking where that is too fast already, to the proposed
-    /// ones: about the furthest that the tool may get to.
+    /// Returns about the furthest states towards the proposed ones that the tool allows. The search starts from the
+    /// states at constant speed, or from braking if constant speed is already too fast.
     ///
-    /// The jerks that lead there are means of those of both ends, and so are accelerations and speeds: they keep their
-    /// limits.
+    /// The jerks to the result are means of the jerks to both ends, and so are accelerations and speeds: they keep
+    /// their limits.
     pub(super) fn slower(&self, state: &[JointState; 6], proposed: &[JointState; 6]) -> Option<Led> {
         let coasted = self.coasted(state);
         let led = self.may_be(state, coasted).or_else(|| self.slowed(state))?;
@@ -190,7 +191,7 @@ impl Constraints {
     }
 
     /// Returns the speeds of the joints for a velocity of the tool, in deg/s, all scaled by one factor, and the limit
-    /// that made it less than 1.
+    /// that made the factor less than 1.
     pub(super) fn speeds_for(&self, state: &[JointState; 6], velocity: &TcpVelocity) -> ([f64; 6], Option<Exceeded>) {
         let here = positions(state);
         let twist = self.checker.twist_in_base(velocity, &here);
@@ -218,8 +219,8 @@ impl Constraints {
         Stop::of(fast, self.limits[index]).end()
     }
 
-    /// Returns the distance that the tool travels in a period at this share of the rates, and then until it rests, in
-    /// mm; 0 if that does not matter.
+    /// Returns the distance that the tool travels in a period at this share of the rates, and then to rest, in mm; 0 if
+    /// there is no bound for it.
     fn way_to_rest(&self, here: &[f64; 6], rates: &[f64; 6], share: f64, rate_mm: f64) -> f64 {
         if self.stopping_mm.is_infinite() {
             return 0.0;
@@ -229,7 +230,7 @@ impl Constraints {
         share * rate_mm * (self.period_s + stop.end())
     }
 
-    /// Limits for these speeds, or those that the joints have.
+    /// Returns the limits in proportion to these speeds, or to the joints' present speeds if they are higher.
     fn in_proportion(&self, state: &[JointState; 6], speeds: &[f64; 6]) -> [JointLimits; 6] {
         let speeds: [f64; 6] = std::array::from_fn(|index| {
             let speed = speeds[index].abs().max(state[index].speed.abs()).max(LEAST);
@@ -238,13 +239,13 @@ impl Constraints {
         let least = |of: fn(&JointLimits) -> f64, start: f64| {
             self.limits.iter().zip(&speeds).map(|(limits, speed)| of(limits) / speed).fold(start, f64::min)
         };
-        // As for all limits, none is reached in less than a period.
+        // No limit is reached in less than a period, as in `Dynamics::joint_limits`.
         let faster = least(|limits| limits.acceleration, 1.0 / self.period_s);
         let sooner = least(|limits| limits.jerk, faster / self.period_s);
         speeds.map(|speed| JointLimits { speed, acceleration: faster * speed, jerk: sooner * speed })
     }
 
-    /// As fast as before, with accelerations that go to zero together.
+    /// Returns the states at constant speed, with accelerations that go to zero together.
     fn coasted(&self, state: &[JointState; 6]) -> [JointState; 6] {
         let ramp_s = self.ramp_s(state);
         state.map(|state| state.coasted(self.period_s, ramp_s))
@@ -256,14 +257,14 @@ impl Constraints {
         each.fold(0.0, f64::max)
     }
 
-    /// The arm led to these states, where the dynamics allow them and it can stop from them.
+    /// Moves the arm to these states if the dynamics allow them and it can stop from them.
     fn may_be(&self, state: &[JointState; 6], next: [JointState; 6]) -> Option<Led> {
         let is_within = next.iter().zip(&self.limits).all(|(next, limits)| next.is_within(*limits));
         if is_within { self.led(state, next).ok() } else { None }
     }
 
-    /// Whether the tool is slow enough, as far as a few places tell, on the way to these states and where it goes on as
-    /// fast from there, so that it can.
+    /// Whether the tool is slow enough, at a few sampled places, on the path to these states and beyond them at
+    /// constant speed.
     fn seems_slow(&self, state: &[JointState; 6], next: &[JointState; 6]) -> bool {
         let ramp_s = self.ramp_s(next);
         let settled = next.map(|state| state.coasted(ramp_s, ramp_s));
@@ -281,7 +282,7 @@ impl Constraints {
         self.checker.arm().tcp_distance(&positions(from), &self.stops(from).0.map(|stop| stop.end()))
     }
 
-    /// Returns the share of the velocity that the speed limits allow, and the limit that allows no more.
+    /// Returns the share of the velocity that the speed limits allow, and the limit that restricts it.
     fn full_share(&self, velocity: &TcpVelocity, rates: &[f64; 6], near: &Exceeded) -> (f64, Option<Exceeded>) {
         let share = |index: usize| VELOCITY_USED * self.limits[index].speed / rates[index].abs();
         let least = (0..6).map(share).fold(1.0, f64::min);
@@ -294,7 +295,7 @@ impl Constraints {
         }
     }
 
-    /// The joint that is the fastest compared with its limit, and the singularity that is near, if one is.
+    /// Returns the error for the joint that is fastest relative to its limit, with the nearby singularity, if any.
     fn too_fast(&self, rates: &[f64; 6], near: &Exceeded) -> Exceeded {
         let over = |index: usize| rates[index].abs() / self.limits[index].speed;
         let index = (0..6).fold(0, |worst, index| if over(index) > over(worst) { index } else { worst });
@@ -317,7 +318,7 @@ impl Constraints {
         stop.max(share * CREEP_PERIODS * self.period_s)
     }
 
-    /// The share of the rates from which a stop takes this length.
+    /// Returns the share of the rates from which a stop takes this length.
     fn share_for(&self, rates: &[f64; 6], length: f64) -> f64 {
         let (acceleration, jerk) = self.along(rates);
         let ramp = acceleration / jerk;
@@ -330,7 +331,7 @@ impl Constraints {
         share.min(length / CREEP_PERIODS / self.period_s)
     }
 
-    /// The most acceleration and jerk along the rates, as shares of them.
+    /// Returns the greatest acceleration and jerk along the rates, as shares of the rates.
     fn along(&self, rates: &[f64; 6]) -> (f64, f64) {
         let least = |of: fn(&JointLimits) -> f64| {
             let share = |index: usize| COUNTED_ON * of(&self.limits[index]) / rates[index].abs();
@@ -340,7 +341,7 @@ impl Constraints {
     }
 }
 
-/// Positions of the joints.
+/// Returns the positions of the joints.
 pub(super) fn positions(state: &[JointState; 6]) -> [f64; 6] {
     state.map(|state| state.position)
 }

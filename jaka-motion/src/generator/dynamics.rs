@@ -4,7 +4,7 @@ use super::GeneratorError;
 use crate::braking::JointLimits;
 use crate::limits::Limits;
 
-/// Bounds of the joints' motion: the speed, acceleration and jerk of each, in deg/s, deg/s² and deg/s³.
+/// Bounds of the joints' motion: speed, acceleration and jerk of each joint, in deg/s, deg/s² and deg/s³.
 ///
 /// ```
 /// use jaka_motion::{Dynamics, Limits, Model};
@@ -24,53 +24,53 @@ pub struct Dynamics {
     jerks: [f64; 6],
 }
 
-/// The least speed, acceleration and jerk. A joint that is slower takes hours for a turn.
+/// Least speed, acceleration and jerk. A slower joint takes hours for a turn.
 pub(super) const LEAST: f64 = 1e-3;
 
 impl Dynamics {
-    /// Speeds, accelerations and jerks of the limits.
+    /// Returns the speeds, accelerations and jerks of the limits.
     pub fn of(limits: &Limits) -> Self {
         let (speeds, accelerations) = (*limits.joint_speeds(), *limits.joint_accelerations());
         Self { speeds, accelerations, jerks: *limits.joint_jerks() }
     }
 
-    /// With these highest speeds of joints 1 to 6, in deg/s.
+    /// Sets the highest speeds of joints 1 to 6, in deg/s.
     ///
     /// # Errors
-    /// One is not a number of at least 0.001.
+    /// A number is not at least 0.001.
     pub fn with_speeds(self, deg_s: [f64; 6]) -> Result<Self, GeneratorError> {
         Ok(Self { speeds: enough("speed", "deg/s", deg_s)?, ..self })
     }
 
-    /// With these highest accelerations of joints 1 to 6, in deg/s².
+    /// Sets the highest accelerations of joints 1 to 6, in deg/s².
     ///
     /// # Errors
-    /// One is not a number of at least 0.001.
+    /// A number is not at least 0.001.
     pub fn with_accelerations(self, deg_s2: [f64; 6]) -> Result<Self, GeneratorError> {
         Ok(Self { accelerations: enough("acceleration", "deg/s²", deg_s2)?, ..self })
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³.
     ///
-    /// One above the acceleration divided by the period of the set-points limits nothing.
+    /// A jerk above the acceleration divided by the period of the set-points has no effect.
     ///
     /// # Errors
-    /// One is not a number of at least 0.001.
+    /// A number is not at least 0.001.
     pub fn with_jerks(self, deg_s3: [f64; 6]) -> Result<Self, GeneratorError> {
         Ok(Self { jerks: enough("jerk", "deg/s³", deg_s3)?, ..self })
     }
 
-    /// The highest speed of each joint in deg/s.
+    /// Returns the highest speed of each joint in deg/s.
     pub fn speeds(&self) -> &[f64; 6] {
         &self.speeds
     }
 
-    /// The highest acceleration of each joint in deg/s².
+    /// Returns the highest acceleration of each joint in deg/s².
     pub fn accelerations(&self) -> &[f64; 6] {
         &self.accelerations
     }
 
-    /// The highest jerk of each joint in deg/s³.
+    /// Returns the highest jerk of each joint in deg/s³.
     pub fn jerks(&self) -> &[f64; 6] {
         &self.jerks
     }
@@ -84,8 +84,7 @@ impl Dynamics {
         within("acceleration", "deg/s²", &self.accelerations, limits.joint_accelerations())
     }
 
-    /// Returns the limits for the computation: a joint does not reach its speed, nor its acceleration, in less than a
-    /// period.
+    /// Returns the limits for the computation: a joint takes at least a period to reach its speed or its acceleration.
     pub(super) fn joint_limits(&self, period_s: f64) -> [JointLimits; 6] {
         std::array::from_fn(|index| {
             let speed = self.speeds[index];

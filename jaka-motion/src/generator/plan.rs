@@ -1,4 +1,4 @@
-//! The way to a goal as rsruckig computes it: a proposal, of which only the jerks are taken.
+//! Path to a goal, computed by rsruckig: a proposal, of which the generator takes only the jerks.
 
 use std::fmt;
 
@@ -10,31 +10,31 @@ use rsruckig::prelude::{
 
 use crate::braking::{JointLimits, JointState};
 
-/// A way to a goal, once it was computed.
+/// Path to a goal, if one was computed.
 #[derive(Clone)]
 pub(super) struct Plan {
     calculator: TargetCalculator<6>,
     input: InputParameter<6>,
     way: Trajectory<6>,
-    /// Memory for a way that may be better.
+    /// Memory for a path that may be better.
     other: Trajectory<6>,
-    /// Elapsed time of the way, in seconds; none if there is no way.
+    /// Elapsed time of the path, in seconds; `None` if there is no path.
     elapsed: Option<f64>,
 }
 
-/// Share of the limits that the way may use: less than 1, so that rounding is not beyond them.
+/// Share of the limits that the path may use; less than 1, so that rounding does not exceed them.
 const USED: f64 = 0.999;
-/// Longest time for which a joint that is to keep a speed goes on, in seconds.
+/// Longest time for which a joint keeps a requested speed, in seconds.
 const HORIZON: f64 = 1000.0;
-/// A speed below which a joint is meant to rest, in deg/s.
+/// Speed below which a joint's goal counts as rest, in deg/s.
 const NEXT_TO_NOTHING: f64 = 1e-6;
 
-/// Relative distance from the greatest speed within which a joint counts as moving with it.
+/// Relative distance from the greatest speed within which a joint counts as moving at that speed.
 const AT_SPEED: f64 = 1e-6;
-/// Relative change of the greatest speed by which a singular case is left.
+/// Relative change of the greatest speed that avoids a singular case.
 const NUDGE: f64 = 1e-9;
 
-/// Says by the result that there is no way.
+/// Handler that ignores errors of rsruckig: the result shows that there is no path.
 struct Quiet;
 
 impl RuckigErrorHandler for Quiet {
@@ -59,24 +59,25 @@ impl Plan {
         self.elapsed = None;
     }
 
-    /// Whether there is a way, of which less than half of the horizon is behind the arm.
+    /// Whether there is a path of which less than half of the horizon has elapsed.
     pub(super) fn is_fresh(&self) -> bool {
         self.elapsed.is_some_and(|elapsed| elapsed < 0.5 * HORIZON)
     }
 
-    /// Whether the way is at its end, or there is none.
+    /// Whether the path is at its end, or there is none.
     pub(super) fn is_done(&self) -> bool {
         self.elapsed.is_none_or(|elapsed| elapsed >= self.way.duration)
     }
 
-    /// To joint positions, which all joints reach at the same time.
+    /// Plans a path to joint positions, which all joints reach at the same time.
     pub(super) fn lead_to_joints(&mut self, from: &[JointState; 6], limits: &[JointLimits; 6], target: &[f64; 6]) {
         self.start(from, limits, Synchronization::Phase);
         self.input.target_position = DataArrayOrVec::Stack(*target);
         self.compute();
     }
 
-    /// To speeds, which each joint reaches as soon as it can, and keeps until it has to stop at the end of its range.
+    /// Plans a path to speeds. Each joint reaches its speed as soon as it can, and keeps it until it must stop at the
+    /// end of its range.
     pub(super) fn lead_to_speeds(
         &mut self,
         from: &[JointState; 6],
@@ -99,7 +100,7 @@ impl Plan {
         self.compute();
     }
 
-    /// To speeds, which all joints reach at the same time.
+    /// Plans a path to speeds, which all joints reach at the same time.
     pub(super) fn lead_to_speeds_together(
         &mut self,
         from: &[JointState; 6],
@@ -112,7 +113,7 @@ impl Plan {
         self.compute();
     }
 
-    /// The states a period later: none if there is no way, or one that is beyond the limits.
+    /// Returns the states a period later; `None` if there is no path or it is beyond the limits.
     pub(super) fn next(
         &self,
         from: &[JointState; 6],
@@ -146,14 +147,14 @@ impl Plan {
         input.per_dof_control_interface = Some(DataArrayOrVec::Stack([ControlInterface::Position; 6]));
     }
 
-    /// The way, by Ruckig. Where a joint moves with its greatest speed, or is just about to, Ruckig is singular:
-    /// rounding decides between ways of which one takes up to twice as long. The best of three greatest speeds that
-    /// differ by a billionth is taken then.
+    /// Computes the path by Ruckig. For a joint at its greatest speed, or about to reach it, Ruckig is singular:
+    /// rounding decides between paths, one of which takes up to twice as long. Then the shortest of the paths for three
+    /// greatest speeds that differ by a billionth is taken.
     fn compute(&mut self) {
         let speeds: [f64; 6] = std::array::from_fn(|index| self.input.max_velocity[index]);
         let is_at_speed = |index: usize| {
             let (speed, acceleration) = (self.input.current_velocity[index], self.input.current_acceleration[index]);
-            // Where it is once the acceleration has ended.
+            // Speed once the acceleration has ended.
             let soon = speed + acceleration * acceleration.abs() / (2.0 * self.input.max_jerk[index]);
             (soon.abs() - speeds[index]).abs() <= AT_SPEED * speeds[index]
         };
@@ -170,19 +171,20 @@ impl Plan {
                 std::mem::swap(&mut self.way, &mut self.other);
             }
         }
-        // The best one is kept beside the one that was computed last.
+        // The best path is kept beside the last computed one.
         std::mem::swap(&mut self.way, &mut self.other);
         self.elapsed = best.map(|_| 0.0);
     }
 
-    /// Computes a way; returns its duration in seconds, or none if there is none.
+    /// Computes a path; returns its duration in seconds, or `None` if there is no path.
     fn calculate(&mut self) -> Option<f64> {
         let result = self.calculator.calculate::<Quiet>(&self.input, &mut self.way, 0.0);
         matches!(result, Ok(RuckigResult::Working)).then_some(self.way.duration)
     }
 }
 
-/// A joint a period later, after so many seconds of its profile; none if it is beyond its limits on the way.
+/// Returns the state of a joint a period later, after this time of its profile; `None` if it exceeds its limits on the
+/// path.
 fn led(profile: &Profile, from: JointState, limits: JointLimits, elapsed: f64, period_s: f64) -> Option<JointState> {
     let brake = profile.brake.t.into_iter().zip(profile.brake.j);
     let phases = brake.chain(profile.t.into_iter().zip(profile.j));

@@ -1,4 +1,4 @@
-//! Limits of the six joints, and how positions and motions of joints compare with them.
+//! Limits of the six joints, and checks of positions and motions of joints against them.
 
 use super::{ROUNDING, START_ROUNDING, rounded_up};
 use crate::beyond::{Exceeded, Found};
@@ -12,7 +12,7 @@ use crate::speed::{JointSpeed, longest};
 /// Range, speed, acceleration and jerk of each joint, in degrees, deg/s, deg/s² and deg/s³, and acceleration and jerk
 /// of its stops.
 ///
-/// Each range is within that of the model, and not empty; the others are above 0.
+/// Each range is within that of the model, and not empty; the other numbers are above 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AxisLimits {
     pub(super) min: [f64; 6],
@@ -33,7 +33,7 @@ const STEP_ROUNDING: f64 = 1e-6;
 const PIECE_ROUNDING: f64 = 1e-7;
 
 impl AxisLimits {
-    /// Checks that all joints are within their ranges, or no further beyond than where the motion started.
+    /// Checks that all joints are within their ranges, or no further beyond than at the start of the motion.
     pub(crate) fn check_positions(&self, joints: &[f64; 6], start: &[f64; 6]) -> Result<(), Exceeded> {
         let (min, max) = (&self.min, &self.max);
         let least = |index: usize| (min[index] - ROUNDING).min(start[index] - START_ROUNDING);
@@ -47,8 +47,7 @@ impl AxisLimits {
         })
     }
 
-    /// Checks the speed and acceleration of each joint, where the one with the longest way has those that are
-    /// asked for.
+    /// Checks the speed and acceleration of each joint, if the joint with the longest path has the requested ones.
     pub(crate) fn check_pace(&self, moved: &[f64; 6], asked: JointSpeed) -> Result<(), Exceeded> {
         let longest = longest(moved);
         let worst = |most: &[f64; 6]| {
@@ -72,8 +71,8 @@ impl AxisLimits {
         Ok(())
     }
 
-    /// Checks the mean speed of each joint over the period of a set-point, and the change of it from the period before:
-    /// by the acceleration of motions, and where a joint slows down, by that of stops.
+    /// Checks the mean speed of each joint over the period of a set-point, and its change from the period before. The
+    /// limit of the change is the acceleration of motions, and that of stops for a joint that slows down.
     pub(crate) fn check_step(&self, moved: &[f64; 6], before: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
         let speeds = moved.map(|moved| moved.abs() / period_s);
         if let Some((joint, speed_deg_s, limit_deg_s)) = first_above(&speeds, &self.speeds, 0.0) {
@@ -82,7 +81,7 @@ impl AxisLimits {
         self.check_change(moved, before, period_s)
     }
 
-    /// Checks how much the mean speed of each joint changes from one period to the next.
+    /// Checks the change of the mean speed of each joint from one period to the next.
     pub(crate) fn check_change(&self, moved: &[f64; 6], before: &[f64; 6], period_s: f64) -> Result<(), Exceeded> {
         let changes: [f64; 6] = std::array::from_fn(|index| (moved[index] - before[index]).abs() / period_s / period_s);
         let limits = std::array::from_fn(|index| {
@@ -96,10 +95,11 @@ impl AxisLimits {
         })
     }
 
-    /// Deceleration of a stop along a velocity of the joints in deg/s, where the tool centre point has an acceleration
-    /// of its own. It is within those of stops, reached within these jerks, and never below that of motions.
+    /// Returns the deceleration of a stop along a velocity of the joints in deg/s, if the tool centre point has an
+    /// acceleration limit of its own. The deceleration is within those of stops, reached within these jerks, and never
+    /// below that of motions.
     ///
-    /// `tool` is the greatest share of the velocity by which the tool may slow down each second.
+    /// `tool` is the greatest share of the velocity that the tool may lose in a second.
     pub(crate) fn stop_rates(&self, velocity: &[f64; 6], jerks: &[f64; 6], tool: f64) -> StopRates {
         let [joints, motion] = [least_share(&self.stop_accelerations, velocity), self.motion_share(velocity)];
         let (share, bound) = match joints.min(tool) {
@@ -110,17 +110,17 @@ impl AxisLimits {
         StopRates { share, ramp_s: (share / least_share(jerks, velocity)).max(LEAST_RAMP_S), bound }
     }
 
-    /// Share of a velocity by which it may change in a second within the accelerations of motions.
+    /// Returns the share of a velocity by which it may change in a second within the accelerations of motions.
     pub(crate) fn motion_share(&self, velocity: &[f64; 6]) -> f64 {
         least_share(&self.accelerations, velocity)
     }
 
-    /// Greatest acceleration of a joint: of motions or of stops.
+    /// Returns the greatest acceleration of a joint: of motions or of stops.
     fn most(&self, index: usize) -> f64 {
         self.accelerations[index].max(self.stop_accelerations[index])
     }
 
-    /// Checks ranges, speeds and accelerations on a piece, by its hull where that suffices.
+    /// Checks ranges, speeds and accelerations on a piece, by its hull if that suffices.
     pub(crate) fn check_piece(&self, piece: &Piece, hull: &Hull) -> Result<(), Found> {
         let at_most = |found: &[f64; 6], limits: &[f64; 6]| {
             found.iter().zip(limits).all(|(found, limit)| *found <= rounded_up(*limit))
@@ -192,15 +192,15 @@ impl AxisLimits {
         hull.is_between(&self.min, &self.max)
     }
 
-    /// Whether no joint gets to an end of its range where it goes on for some seconds from a piece.
+    /// Whether no joint reaches an end of its range if it continues for some seconds from a piece.
     pub(crate) fn contain_for(&self, hull: &Hull, seconds: f64) -> bool {
         let room = hull.speeds.map(|speed| seconds * speed);
         let least = std::array::from_fn(|joint| self.min[joint] + room[joint]);
         hull.is_between(&least, &std::array::from_fn(|joint| self.max[joint] - room[joint]))
     }
 
-    /// Seconds at a rate until a joint is at the end of its range, and what it would exceed; none where it does not
-    /// move.
+    /// Returns the seconds at a rate until a joint is at the end of its range, and the limit that it would exceed;
+    /// `None` if it does not move.
     #[cfg(feature = "generator")]
     pub(crate) fn room(&self, index: usize, position: f64, rate: f64) -> Option<(f64, Exceeded)> {
         let limit_deg = if rate > 0.0 { self.max[index] } else { self.min[index] };
@@ -214,7 +214,7 @@ fn least_share(of: &[f64; 6], velocity: &[f64; 6]) -> f64 {
     (0..6).map(|index| of[index] / velocity[index].abs()).fold(f64::MAX, f64::min)
 }
 
-/// The joint that is above its limit by the largest factor, with both.
+/// Returns the joint that exceeds its limit by the largest factor, with its value and its limit.
 fn first_above(values: &[f64; 6], limits: &[f64; 6], rounding: f64) -> Option<(usize, f64, f64)> {
     let above = |index: &usize| values[*index] > rounded_up(limits[*index]) + rounding;
     let factor = |index: &usize| values[*index] / limits[*index];

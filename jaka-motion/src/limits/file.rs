@@ -12,7 +12,7 @@ pub(super) fn read(text: &str, file_name: &str) -> Result<Limits, FileErrors> {
     read_file((text, file_name), limits)
 }
 
-/// Without a model, which is an error, the rest is read for its errors.
+/// Reads the limits of a file. Without a model, which is an error, it reads the rest for its errors.
 fn limits(file: &Table<'_, '_>) -> Limits {
     let model = model(file);
     let mut limits = model.map_or_else(|| Limits::of(&Model::default()), Limits::of);
@@ -63,7 +63,7 @@ fn model(file: &Table<'_, '_>) -> Option<&'static Model> {
     model
 }
 
-/// Ranges and speeds are compared with the model's, if it is known.
+/// Reads the limits of joints. Compares ranges and speeds with the model's, if it is known.
 fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
     let Some(table) = file.table("joints") else { return };
     let keys = ["min_deg", "max_deg", "speed_deg_s", "acceleration_deg_s2", "jerk_deg_s3"];
@@ -76,7 +76,7 @@ fn joints(file: &Table<'_, '_>, known: bool, limits: &mut Limits) {
         let [low, high] = [min, max].map(|given| given.map(|given| given[joint - 1]));
         let low_deg = low.map_or(limits.axes.min[joint - 1], |low| low.value);
         let high_deg = high.map_or(limits.axes.max[joint - 1], |high| high.value);
-        // Each end by itself first, so that an error stands at the one that is wrong.
+        // Each end is checked alone first, so that an error is at the wrong one.
         let ends = [(low, low_deg, low_deg), (high, high_deg, high_deg), (low.or(high), low_deg, high_deg)];
         for (given, min, max) in ends {
             let Some(given) = given else { continue };
@@ -112,10 +112,10 @@ fn six(table: &Table<'_, '_>, key: &'static str) -> Option<Six> {
     table.numbers(key, "a finite number, or a list of six", |one| Some([one; 6]))
 }
 
-/// One number for each joint.
+/// Number for each joint.
 type Six = [Placed<f64>; 6];
 
-/// Applies six numbers one by one, so that an error stands at the one that is wrong.
+/// Applies six numbers one by one, so that an error is at the wrong one.
 fn each(
     file: &Table<'_, '_>,
     given: Option<&Six>,
@@ -127,13 +127,13 @@ fn each(
         let mut values = now(limits);
         values[index] = given.value;
         if !apply(file, given.at, limits, |limits| with(limits, values)) {
-            // One number for all six joints is wrong once.
+            // A single number for all six joints gives a single error.
             return;
         }
     }
 }
 
-/// Applies a limit; if it makes no sense, reports an error at its place and returns false.
+/// Applies a limit; if it is invalid, reports an error at its place and returns false.
 fn apply(
     file: &Table<'_, '_>,
     at: usize,
@@ -173,8 +173,7 @@ fn name(table: &Table<'_, '_>) -> Option<String> {
     table.text("name").map(|name| name.value.to_owned())
 }
 
-/// Reads the point that a region is for and the frame from which it is seen. Both must be stated: neither has a
-/// default.
+/// Reads the point that a region is for and the frame from which it is seen. Both are required.
 fn seen(table: &Table<'_, '_>) -> Option<(Point, RegionFrame)> {
     let point = choice(table, "of", &[("tcp", Point::Tcp), ("elbow", Point::Elbow), ("wrist", Point::Wrist)]);
     let frame = choice(table, "frame", &[("base", RegionFrame::ArmBase), ("user", RegionFrame::User)]);
@@ -187,13 +186,13 @@ fn three(table: &Table<'_, '_>, key: &'static str) -> Option<[f64; 3]> {
     Some(numbers.map(|number| number.value))
 }
 
-/// One of the words, which must be there.
+/// Reads a required key whose value is one of these words.
 fn choice<T: Copy>(table: &Table<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
     table.require(key);
     optional_choice(table, key, words)
 }
 
-/// One of the words, if the key is there.
+/// Reads a key whose value is one of these words, if the key is there.
 fn optional_choice<T: Copy>(table: &Table<'_, '_>, key: &'static str, words: &[(&str, T)]) -> Option<T> {
     let text = table.text(key)?;
     let found = words.iter().find(|(word, _)| *word == text.value).map(|(_, value)| *value);

@@ -9,9 +9,9 @@ use crate::model::Point;
 
 /// Region for a point of the arm: the inside of a box, the outside of one, or one side of a plane.
 ///
-/// By default it is for the tool centre point, seen from the user frame. The distance of a point beyond a box is
-/// measured along the box's axes: for a box to be kept inside of, the longest distance along one of them; for a box to
-/// be kept outside of, the shortest.
+/// By default it applies to the tool centre point, seen from the user frame. The distance of a point beyond a box is
+/// along the box's axes: for a box to be kept inside of, the longest distance along one of them; for a box to be kept
+/// outside of, the shortest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
     name: Arc<str>,
@@ -25,10 +25,10 @@ pub struct Region {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum RegionFrame {
-    /// The arm's own base, as [`Model::forward`](crate::Model::forward) has it: it goes where the arm is mounted.
+    /// Base of the arm, as in [`Model::forward`](crate::Model::forward): it moves with the mounting of the arm.
     #[cfg_attr(feature = "serde", serde(rename = "base"))]
     ArmBase,
-    /// The frame in which poses are given: the user frame.
+    /// User frame, the frame of poses.
     User,
 }
 
@@ -39,11 +39,11 @@ pub(super) enum Shape {
     HalfSpace { border: Point3<f64>, inward: Unit<Vector3<f64>> },
 }
 
-/// The thinnest box that can be kept outside of, in mm.
+/// Least side of a box that can be kept outside of, in mm.
 const THINNEST: f64 = 1.0;
 
 impl Region {
-    /// Inside a box between two corners, in mm.
+    /// Creates the inside of a box between two corners, in mm.
     ///
     /// # Errors
     /// A number is not finite, a lower corner is above the upper one, or the name is empty.
@@ -51,7 +51,7 @@ impl Region {
         Self::boxed(name.into(), min_mm, max_mm, 0.0, |min, max| Shape::Inside { min, max })
     }
 
-    /// Outside of a box between two corners, in mm.
+    /// Creates the outside of a box between two corners, in mm.
     ///
     /// # Errors
     /// A number is not finite, a side is shorter than 1 mm, or the name is empty.
@@ -59,8 +59,8 @@ impl Region {
         Self::boxed(name.into(), min_mm, max_mm, THINNEST, |min, max| Shape::Outside { min, max })
     }
 
-    /// On the side of a plane to which a direction points; the plane goes through a point, in mm, at right angles to
-    /// the direction.
+    /// Creates the half-space on one side of a plane. `inward` points to that side; the plane goes through a point, in
+    /// mm, at right angles to it.
     ///
     /// # Errors
     /// A number is not finite, the direction has no length, or the name is empty.
@@ -68,7 +68,7 @@ impl Region {
         let name = name.into();
         finite("half-space", &point_mm)?;
         finite("half-space", &inward)?;
-        // Divided by the largest first: a tiny or huge one has a direction too.
+        // Division by the largest number first gives a tiny or huge vector a direction, too.
         let inward = Vector3::from(inward);
         let Some(inward) = Unit::try_new(inward / inward.amax(), 0.1) else {
             return Err(InvalidLimit::NoDirection { name });
@@ -76,29 +76,29 @@ impl Region {
         Self::new(name, Shape::HalfSpace { border: point_mm.into(), inward })
     }
 
-    /// For this point of the arm.
+    /// Sets the point of the arm that the region applies to.
     #[must_use]
     pub fn of(self, point: Point) -> Self {
         Self { point, ..self }
     }
 
-    /// Seen from this frame.
+    /// Sets the frame from which the region is seen.
     #[must_use]
     pub fn seen_from(self, frame: RegionFrame) -> Self {
         Self { frame, ..self }
     }
 
-    /// Its name, for messages.
+    /// Returns the name for messages.
     pub fn name(&self) -> &Arc<str> {
         &self.name
     }
 
-    /// The point of the arm that it is for.
+    /// Returns the point of the arm that the region applies to.
     pub fn point(&self) -> Point {
         self.point
     }
 
-    /// Returns the frame from which it is seen.
+    /// Returns the frame from which the region is seen.
     pub fn frame(&self) -> RegionFrame {
         self.frame
     }
@@ -142,11 +142,11 @@ impl Region {
         }
     }
 
-    /// Returns the place at which a straight path between two points is in the midst of a box to be kept outside of, as
-    /// a share of the path.
+    /// Returns the place at which a straight path between two points is in the middle of a box to be kept outside of,
+    /// as a share of the path.
     ///
-    /// The box is smaller by `depth` mm on each side, and by a quarter of its thinnest side or half a millimetre, so
-    /// that a path along a side does not count.
+    /// The box is smaller by `depth` mm on each side, and by the lesser of a quarter of its thinnest side and half a
+    /// millimetre, so that a path along a side does not count.
     pub(crate) fn crossed(&self, from: &Point3<f64>, to: &Point3<f64>, depth: f64) -> Option<f64> {
         let Shape::Outside { min, max } = &self.shape else { return None };
         let less = depth + (0.25 * (max - min).min()).min(0.5);

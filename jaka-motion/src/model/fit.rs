@@ -1,4 +1,4 @@
-//! A model compared with what a controller computes.
+//! Comparison of a model with poses from a controller.
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 use nalgebra::{
@@ -12,30 +12,30 @@ use crate::transform::Transform;
 /// Greatest difference of a model from the controller's own poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// Of the position, in mm.
+    /// Difference of the position, in mm.
     pub position_mm: f64,
-    /// Of the orientation, in degrees.
+    /// Difference of the orientation, in degrees.
     pub angle_deg: f64,
 }
 
-/// 0.5 mm and 0.01 degrees. Four poses of a real Zu 5 (captured on firmware 1.5.14) are within 0.42 mm and 0.00001
-/// degrees of the published model.
+/// Returns 0.5 mm and 0.01 degrees. Four poses of a real Zu 5 (captured on firmware 1.5.14) are within 0.42 mm and
+/// 0.00001 degrees of the published model.
 impl Default for Tolerance {
     fn default() -> Self {
         Self { position_mm: 0.5, angle_deg: 0.01 }
     }
 }
 
-/// A model that agrees with the controller.
+/// Result for a model that agrees with the controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
-    /// Frames before and after the arm in the controller's poses: mounting and user frame together as the mounting, and
-    /// the tool.
+    /// Frames before and after the arm in the controller's poses: the mounting, which includes the user frame, and the
+    /// tool.
     pub frames: Frames,
-    /// The largest difference of a position, in mm.
+    /// Largest difference of a position, in mm.
     pub position_mm: f64,
-    /// The largest difference of an orientation, in degrees.
+    /// Largest difference of an orientation, in degrees.
     pub angle_deg: f64,
 }
 
@@ -51,26 +51,26 @@ jaka_proto::worded! {
             /// Least number of poses.
             least: usize,
         } => "too few poses to compare; at least {least} are needed",
-        /// A joint hardly moves over the poses, so that they do not tell about it.
+        /// A joint hardly moves over the poses, so they give no evidence about it.
         JointNotMoved {
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
             /// Angle by which the joint moves, in degrees.
             moved_deg: f64,
             /// Least angle by which the joint must move, in degrees.
             least_deg: f64,
         } => "joint {joint} moves by {moved_deg:.1} deg over the poses to compare; at least {least_deg} deg are needed",
-        /// The poses are turned about one axis alone, so that more than one tool and mounting fit them.
+        /// The poses are turned about a single axis, so more than one tool and mounting fit them.
         TooAlike => "the poses to compare are turned about one axis alone",
-        /// The model differs from the controller: it is another arm, or one that is calibrated differently.
+        /// The model differs from the controller: the arm is another one, or is calibrated differently.
         Differs {
-            /// The model's name.
+            /// Name of the model.
             model: &'static str,
             /// Joint position at which the position of the pose differs most.
             joints: JointPosition,
-            /// The largest difference of a position, in mm.
+            /// Largest difference of a position, in mm.
             position_mm: f64,
-            /// The largest difference of an orientation, in degrees.
+            /// Largest difference of an orientation, in degrees.
             angle_deg: f64,
             /// Allowed difference.
             tolerance: Tolerance,
@@ -82,23 +82,23 @@ jaka_proto::worded! {
     }
 }
 
-/// The least that each joint must move over the poses, in degrees.
+/// Least motion of each joint over the poses, in degrees.
 const LEAST_MOVED: f64 = 20.0;
-/// The least number of poses. Three determine the frames, and more show whether the model agrees.
+/// Least number of poses. Three determine the frames, and more show whether the model agrees.
 const LEAST_POSES: usize = 6;
-/// Shares of a joint's range in steps that never come together: the fractions of square roots of primes.
+/// Steps through a joint's range, as shares of it, that never coincide: the fractions of square roots of primes.
 const STEPS: [f64; 6] = [0.414_213_6, 0.732_050_8, 0.236_068, 0.645_751_3, 0.316_624_8, 0.605_551_3];
 /// Least amount by which the second singular value must be below the first, for one solution. Both are 1 for turns
 /// about a single axis.
 const ONE_SOLUTION: f64 = 1e-3;
-/// The most rounds of the search for singular values.
+/// Greatest number of rounds of the search for singular values.
 const ROUNDS: usize = 1000;
 
 type Pairs = [(Isometry3<f64>, Isometry3<f64>)];
 
 impl std::error::Error for FitError {}
 
-/// Joint positions at which to compare a model: see [`Model::positions_to_compare`].
+/// Returns the joint positions for a comparison: see [`Model::positions_to_compare`].
 pub(super) fn positions_to_compare(model: &Model) -> [JointPosition; 12] {
     let mut step = 0.0;
     [(); 12].map(|()| {
@@ -131,7 +131,7 @@ pub(super) fn fit(model: &Model, pairs: &[(JointPosition, Pose)], tolerance: Tol
     }
 }
 
-/// Checks that the poses can tell anything of the model.
+/// Checks that the poses are sufficient for a comparison.
 fn check(pairs: &[(JointPosition, Pose)]) -> Result<(), FitError> {
     let finite = |(joints, pose): &(JointPosition, Pose)| {
         joints.0.iter().chain(&<[f64; 6]>::from(*pose)).all(|number| number.is_finite())
@@ -152,10 +152,11 @@ fn check(pairs: &[(JointPosition, Pose)]) -> Result<(), FitError> {
     Ok(())
 }
 
-/// Transforms before and after the arm that fit pairs of flange and pose best; none if more than one solution fits.
+/// Returns the transforms before and after the arm that fit pairs of flange and pose best; `None` if more than one
+/// solution fits.
 ///
-/// With `P = L F R` for each pair, where L and R are wanted: for the rotations `P R^-1 = L F` is linear in the entries
-/// of `R^-1` and of L, and their best values are the first singular vectors of the sum of the Kronecker products of the
+/// Each pair satisfies `P = L F R`, with L and R unknown. For the rotations, `P R^-1 = L F` is linear in the entries of
+/// `R^-1` and of L. Their best values are the first singular vectors of the sum of the Kronecker products of the
 /// transposes of F and P. The positions are then linear in those of L and R. Nothing is iterated, so nothing depends on
 /// a first guess.
 fn best_frames(model: &Model, pairs: &[(JointPosition, Pose)]) -> Option<Frames> {
@@ -184,7 +185,7 @@ fn rotations(pairs: &Pairs) -> Option<(Rotation3<f64>, Rotation3<f64>)> {
     }
     let after_inverse = square(&parts.u?.column(0).into_owned());
     let before = square(&parts.v_t?.row(0).transpose());
-    // Both signs solve the equation; a rotation does not mirror.
+    // Both signs solve the equation; a rotation has a positive determinant.
     let sign = after_inverse.determinant().signum();
     Some((nearest_rotation(&(before * sign))?, nearest_rotation(&(after_inverse * sign))?.inverse()))
 }
@@ -200,7 +201,7 @@ fn nearest_rotation(matrix: &Matrix3<f64>) -> Option<Rotation3<f64>> {
     Some(Rotation3::from_matrix_unchecked(u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, mirrored)) * v_t))
 }
 
-/// The positions of L and R, by least squares.
+/// Returns the positions of L and R, by least squares.
 fn positions(pairs: &Pairs, before: &Rotation3<f64>) -> Option<(Vector3<f64>, Vector3<f64>)> {
     let (mut normal, mut right) = (Matrix6::zeros(), Vector6::zeros());
     for (flange, pose) in pairs {

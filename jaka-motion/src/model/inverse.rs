@@ -6,8 +6,8 @@ use std::ops::Deref;
 use arrayvec::ArrayVec;
 use jaka_proto::messages::types::JointPosition;
 
-/// The joint positions that bring the flange to a pose, one for each branch: a slice, nearest first: at
-/// most eight, and sixteen for the A12.
+/// Joint positions that bring the flange to a pose, one for each branch, as a slice with the nearest first: at most
+/// eight, and sixteen for the A12.
 #[derive(Clone, Default)]
 pub struct Branches(ArrayVec<JointPosition, 16>);
 
@@ -20,34 +20,35 @@ jaka_proto::worded! {
         NotFinite => "a number of the pose or of the reference is not finite",
         /// The pose is too far away, or too near to the axis of joint 1.
         OutOfReach {
-            /// Least change of the arm's length between shoulder and wrist with which it would reach, in mm.
+            /// Least change of the distance between shoulder and wrist that would bring the pose within reach, in mm.
             by_mm: f64,
         } => "out of reach by {by_mm:.1} mm",
         /// The position is within reach, but not with this orientation.
         Orientation => "the orientation is out of reach",
-        /// The pose is within reach, but each way to it turns a joint beyond its range. This is the least of it.
+        /// The pose is within reach, but each branch turns a joint beyond its range. The fields are those of the least
+        /// excess.
         BeyondRange {
-            /// The joint, 1 to 6.
+            /// Number of the joint, 1 to 6.
             joint: usize,
             /// Position that the joint would have, in degrees.
             position_deg: f64,
-            /// The end of its range, in degrees.
+            /// End of the joint's range, in degrees.
             limit_deg: f64,
         } => "joint {joint} would be at {position_deg:.1} deg; limit {limit_deg}",
-        /// The joint positions that were found do not bring the flange there well enough, which is so at the edge of
-        /// reach.
+        /// The joint positions from the solver do not bring the flange close enough to the pose. This happens at the
+        /// edge of reach.
         NotConfirmed => "at the edge of reach: no joint position was confirmed",
     }
 }
 
-/// Two branches nearer to each other than this, in degrees, are one.
+/// Distance, in degrees, below which two branches are one.
 const SAME: f64 = 1e-6;
 
 impl Branches {
-    /// Adds a branch that is not there yet.
+    /// Adds a branch unless it is there already.
     pub(crate) fn add(&mut self, joints: JointPosition) {
         if !self.iter().any(|other| other.max_distance(&joints) < SAME) {
-            // A seventeenth is dropped: the arms here have no more than sixteen.
+            // A seventeenth is dropped: the supported arms have no more than sixteen.
             let _ = self.0.try_push(joints);
         }
     }

@@ -1,21 +1,21 @@
-//! The published arms.
+//! Published arms.
 //!
 //! Sources: the URDF files of the vendor's ROS 2 package, `JakaCobot/jaka_ros2`
-//! `src/jaka_description/urdf/jaka_*.urdf` (commit 7e985b78, September 2025). Each gives the frame of every joint,
-//! from which the parameters here are taken, the joint limits (rounded in radians there: -1.48 to 4.62 is -85 to
-//! 265 degrees, 3.05 is 175) and the joint speeds. The Zu, Pro 16 and `MiniCobo` lengths and the limits in degrees
-//! agree with the Python package `robotkinematicscatalogue` 1.1.2 (`JAKA_*.py`), and speeds and most lengths with the
-//! Rust crate `libjaka` 0.1.16 (`src/jaka/jaka_*.rs`), apart from signs and from:
+//! `src/jaka_description/urdf/jaka_*.urdf` (commit 7e985b78, September 2025). Each gives the frame of every joint, the
+//! source of the parameters here, the joint limits (rounded in radians there: -1.48 to 4.62 is -85 to 265 degrees, 3.05
+//! is 175) and the joint speeds. The Zu, Pro 16 and `MiniCobo` lengths and the limits in degrees agree with the Python
+//! package `robotkinematicscatalogue` 1.1.2 (`JAKA_*.py`), and speeds and most lengths with the Rust crate `libjaka`
+//! 0.1.16 (`src/jaka/jaka_*.rs`), apart from signs and from:
 //! - Zu 7: the URDF has 303.53 for the forearm; both others, and the URDF of C7, S7 and Pro 7, have 303.5, followed
 //!   here.
 //! - Zu 3: both others have a 246 and d6 105, and d4 116 and 113; the URDF, followed here, has 248, 106.5 and 115.
 //! - Zu 12 and Zu 18: the catalogue has tighter limits, followed here: 270 degrees for joints 1, 5 and 6, and on the Zu
 //!   18 -50 to 230 for joint 2 and 155 for joint 3.
-//! - A12: `jaka_a12.urdf` alone has it. Its wrist is another than those of all others.
+//! - A12: only `jaka_a12.urdf` has it. Its wrist differs from those of all other arms.
 //! - A5: `libjaka` has d4 114, and 265 deg/s for joints 4 to 6.
 //! - `MiniCobo`: the catalogue has 125 degrees for joint 2; `libjaka` has 180 deg/s.
 //!
-//! What the URDF files have beyond that is noise of the drawings and is left out: lateral offsets under 0.4 mm, the
+//! All other details of the URDF files are noise of the drawings and are left out: lateral offsets under 0.4 mm, the
 //! position of the base mesh, the rotation of joint 6's mesh on the S7. `tests/tests/offline/kinematics.rs` of the
 //! repository compares each model with its chain.
 
@@ -60,8 +60,8 @@ const SLOW_BASE: [f64; 6] = [120.0, 120.0, 120.0, 180.0, 180.0, 180.0];
 const SLOW_SHOULDER: [f64; 6] = [120.0, 120.0, 180.0, 180.0, 180.0, 180.0];
 const FAST_WRIST: [f64; 6] = [120.0, 120.0, 120.0, 220.0, 220.0, 220.0];
 
-/// An arm whose joints 2, 3 and 4 are parallel, from its lengths in mm: base height, upper arm, forearm, and the
-/// offsets of joints 4, 5 and 6.
+/// Returns an arm whose joints 2, 3 and 4 are parallel, from its lengths in mm: base height, upper arm, forearm, and
+/// the offsets of joints 4, 5 and 6.
 const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Model {
     let [base, upper_arm, forearm, wrist_1, wrist_2, wrist_3] = lengths;
     let links = Links {
@@ -80,7 +80,7 @@ const fn arm(name: &'static str, lengths: [f64; 6], joint_speed: [f64; 6]) -> Mo
     }
 }
 
-/// The arm whose forearm turns about itself, with an offset in its wrist. The drawing has no ranges but two turns for
+/// Arm whose forearm turns about itself, with an offset in its wrist. The drawing has no ranges except two turns for
 /// each joint.
 const A12: Model = {
     let links = Links {
@@ -99,7 +99,7 @@ const A12: Model = {
     }
 };
 
-/// The small arm with a spherical wrist, which stands upright at zero.
+/// Small arm with a spherical wrist, upright at zero.
 const MINICOBO: Model = {
     let links = Links {
         alpha: [0.0, 90.0, 0.0, -90.0, 90.0, -90.0],

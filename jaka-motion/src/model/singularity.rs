@@ -2,13 +2,13 @@
 
 use nalgebra::Matrix6;
 
-/// Distance of joint positions from the singularities. At a singularity the tool cannot be moved or turned in some
-/// direction; near one, a slow motion of the tool takes a fast one of the joints.
+/// Distance of joint positions from the singularities. At a singularity the tool cannot move or turn in some direction;
+/// near one, a slow motion of the tool requires a fast motion of the joints.
 ///
 /// Each number is zero at a singularity and has no unit.
 ///
-/// The A12, whose wrist has an offset, has no singularities that a single joint shows: its forearm may be stretched,
-/// and its joint 5 at any position, without the loss of a direction. There `wrist` counts for the whole arm, and
+/// The A12, whose wrist has an offset, has no singularities of a single joint: its forearm may be stretched, and its
+/// joint 5 at any position, without the loss of a direction. For this arm `wrist` is the distance of the whole arm, and
 /// `shoulder` and `elbow` are 1. It is a product, and so mostly smaller than the distances of other arms: half of all
 /// joint positions are below 0.11, and one in nine below 0.01.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,14 +18,14 @@ pub struct SingularityDistance {
     /// is parallel to the axis of joint 2, divided by [`Model::reach_mm`](super::Model::reach_mm). It is zero if the
     /// wrist is above the shoulder.
     pub shoulder: f64,
-    /// The sine of the angle between upper arm and forearm, zero where the arm is stretched.
+    /// Sine of the angle between upper arm and forearm; zero if the arm is stretched.
     pub elbow: f64,
-    /// The sine of the angle between the axes of joints 4 and 6, zero where joint 5 puts them in line.
+    /// Sine of the angle between the axes of joints 4 and 6; zero if joint 5 puts them in line.
     ///
-    /// On the A12 the determinant of the Jacobian for radians of the joints and mm, divided by the lengths of upper arm
-    /// and forearm and by their sum; it is never above 0.85.
+    /// On the A12 it is the determinant of the Jacobian for radians of the joints and mm, divided by the lengths of
+    /// upper arm and forearm and by their sum; it is never above 0.85.
     pub wrist: f64,
-    /// The smallest singular value of the Jacobian at the flange, for radians of the joints, with lengths divided by
+    /// Smallest singular value of the Jacobian at the flange, for radians of the joints, with lengths divided by
     /// [`Model::reach_mm`](super::Model::reach_mm).
     pub smallest_singular_value: f64,
 }
@@ -48,18 +48,18 @@ impl Singularity {
     /// All three, in the order of the joints.
     pub(crate) const ALL: [Self; 3] = [Self::Shoulder, Self::Elbow, Self::Wrist];
 
-    /// The nearest one of these distances, and its distance.
+    /// Returns the nearest singularity of these distances, and its distance.
     pub(crate) fn nearest(distances: &[f64; 3]) -> (Self, f64) {
         let distances = Self::ALL.into_iter().zip(*distances);
         distances.min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((Self::Wrist, f64::NAN))
     }
 }
 
-/// The most rounds of the search for singular values. It takes about ten.
+/// Greatest number of rounds of the search for singular values. It takes about ten.
 const ROUNDS: usize = 200;
 
-/// NaN for a matrix that is not finite, on which the search would not end; zero, as at a singularity, where it does
-/// not.
+/// Returns the smallest singular value of a matrix: NaN if the matrix is not finite, for which the search would not
+/// end; zero, as at a singularity, if the search fails.
 pub(super) fn smallest_singular_value(matrix: &Matrix6<f64>) -> f64 {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return f64::NAN;

@@ -8,7 +8,7 @@ fn some_limits(random: &mut Random) -> JointLimits {
     JointLimits { speed: one(0.0, 2.5), acceleration: one(0.5, 4.0), jerk: one(1.0, 5.5) }
 }
 
-/// A state from which a joint can stop within its limits.
+/// Returns a state from which a joint can stop within its limits.
 fn some_state(random: &mut Random, limits: JointLimits) -> JointState {
     loop {
         let state = JointState {
@@ -22,7 +22,8 @@ fn some_state(random: &mut Random, limits: JointLimits) -> JointState {
     }
 }
 
-/// Step by step: as much acceleration as is allowed against the speed that would be left if it went to zero now.
+/// Brakes step by step, with as much acceleration as permitted against the speed that would remain if it went to zero
+/// now.
 fn braked(mut state: JointState, limits: JointLimits, step_s: f64) -> (JointState, f64) {
     let mut seconds = 0.0;
     while (state.speed.abs() > 2.0 * limits.acceleration * step_s
@@ -99,7 +100,7 @@ fn a_joint_at_rest_stays() {
     let limits = JointLimits { speed: 180.0, acceleration: 72.0, jerk: 720.0 };
     let stop = Stop::of(JointState::at_rest(12.5), limits);
     assert_eq!((stop.seconds(), stop.end(), stop.span()), (0.0, 12.5, (12.5, 12.5)));
-    // The example of the checker's documentation, with a jerk: 51 degrees, and 175 deg/s for half of the 0.1 s.
+    // The distance is 51 degrees, and 175 deg/s for half of the 0.1 s in which the acceleration is reached.
     let fast = JointState { speed: 175.0, ..JointState::at_rest(0.0) };
     let stop = Stop::of(fast, JointLimits { acceleration: 300.0, jerk: 3000.0, ..limits });
     assert!((stop.end() - (175.0 * 175.0 / 600.0 + 175.0 * 0.05)).abs() < 1e-9, "{}", stop.end());

@@ -1,4 +1,4 @@
-//! Motions compared with limits.
+//! Checks of motions against limits.
 
 mod arcs;
 mod hostile;
@@ -15,7 +15,7 @@ use crate::{Beyond, Checker, Frames, InvalidLimit, JointSpeed, Limits, Model, Re
 
 const PACE: JointSpeed = JointSpeed { speed_deg_s: 20.0, acceleration_deg_s2: Some(30.0) };
 const SLOW: TcpSpeed = TcpSpeed { speed_mm_s: 50.0, tolerance_mm: 0.0 };
-/// Away from singularities.
+/// Joint positions away from singularities.
 const ELBOW_UP: [f64; 6] = [10.0, 60.0, -80.0, 190.0, -90.0, 5.0];
 
 fn zu5() -> Limits {
@@ -26,7 +26,7 @@ fn with_region(region: Result<Region, InvalidLimit>) -> Limits {
     zu5().with_region(region.expect("a region")).expect("the only one")
 }
 
-/// Without tool, user frame and mounting.
+/// Returns a checker without tool, user frame and mounting.
 fn bare(limits: Limits) -> Checker {
     Checker::new(limits, Frames::new())
 }
@@ -42,7 +42,7 @@ fn refused<T: std::fmt::Debug>(found: &Result<T, Beyond>, words: &str) {
     assert_eq!(found.as_ref().expect_err(words).to_string(), words);
 }
 
-/// Joint positions at which the arm is near neither a singularity nor the end of a joint's range.
+/// Returns joint positions at which the arm is near neither a singularity nor the end of a joint's range.
 fn amidst(random: &mut Random, limits: &Limits) -> [f64; 6] {
     loop {
         let joints = random.joints(limits.model());
@@ -55,7 +55,7 @@ fn amidst(random: &mut Random, limits: &Limits) -> [f64; 6] {
     }
 }
 
-/// Some tool, user frame and mounting.
+/// Returns some tool, user frame and mounting.
 fn some_frames(random: &mut Random) -> Frames {
     let mut pose = |most_mm: f64, most_deg: f64| -> Pose {
         let mm: [f64; 3] = std::array::from_fn(|_| random.between(-most_mm, most_mm));

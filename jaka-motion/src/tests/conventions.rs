@@ -1,4 +1,4 @@
-//! The conventions compared with the vendor's own figures, and poses converted both ways.
+//! Conventions compared with the vendor's own figures, and poses converted in both directions.
 
 use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -7,9 +7,9 @@ use super::{Random, apart, assert_close, from_pose, to_pose};
 use crate::closed_form::Wrist;
 use crate::{Model, Transform};
 
-/// The vendor's SDK examples (`example_kine_inverse`, `example_rpy_to_rot_matrix`, `example_quaternion_to_rot_matrix`)
-/// took these from some arm. Its lengths are not those of a published model (the Zu 7 is nearest, 10 mm off), but
-/// orientation does not depend on lengths.
+/// Figures from the vendor's SDK examples (`example_kine_inverse`, `example_rpy_to_rot_matrix`,
+/// `example_quaternion_to_rot_matrix`), of some arm. Its lengths are not those of a published model (the Zu 7 is
+/// nearest, 10 mm off), but orientation does not depend on lengths.
 const EXAMPLE_JOINTS: [f64; 6] = [0.558, 0.872, 0.872, 0.349, 0.191, 0.191];
 const EXAMPLE_RPY: [f64; 3] = [-1.81826, -0.834_253, -2.30243];
 const EXAMPLE_QUATERNION: [f64; 4] = [0.0629, 0.522_886, -0.5592, 0.6453];
@@ -65,7 +65,7 @@ fn euler_angles_are_roll_pitch_yaw_as_the_vendor_has_them() {
     assert!(by_hand.angle_to(&example_pose().0.rotation) < 1e-12);
 }
 
-/// The SDK's `example_circle_move` goes to these joints before a circle whose points all have rpy -90, 0, 0 degrees.
+/// The SDK's `example_circle_move` moves to these joints before a circle whose points all have rpy -90, 0, 0 degrees.
 #[test]
 fn the_circle_example_starts_with_its_own_orientation() {
     let flange = Model::default().forward([85.76, -6.207, 111.269, 74.938, 94.24, 0.0]);
@@ -73,7 +73,8 @@ fn the_circle_example_starts_with_its_own_orientation() {
     assert!((rx + 90.0).abs() < 1e-6 && ry.abs() < 1e-6 && rz.abs() < 1e-6, "{rx} {ry} {rz}");
 }
 
-/// By hand: the arm lies along x, joint 4 is offset towards y, the wrist points down and the flange points back.
+/// The expected pose follows by hand: the arm lies along x, joint 4 is offset towards y, the wrist points down and the
+/// flange points back.
 #[test]
 fn a_zu_5_at_zero_is_where_its_lengths_say() {
     let [x, y, z, rx, ry, rz] = to_pose(Model::default().forward([0.0; 6]));
@@ -142,7 +143,7 @@ fn the_newer_controller_has_a_minicobo() {
     }
 }
 
-/// Four lengths fit the nine coordinates of the poses as exactly as joint positions are told.
+/// Four lengths fit the nine coordinates of the poses to within the precision of the joint positions.
 #[test]
 fn the_lengths_of_the_newer_controllers_arm_are_calibrated() {
     let published = Model::named("MiniCobo").expect("published");

@@ -6,7 +6,7 @@ use super::{Random, from_pose};
 use crate::closed_form::Wrist;
 use crate::{Model, Transform};
 
-/// Of a joint, in degrees.
+/// Difference of a joint, in degrees.
 const STEP: f64 = 1e-3;
 
 /// Returns the motion of the tool with one joint, in mm and degrees for a degree.
@@ -22,7 +22,7 @@ fn difference(model: &Model, joints: [f64; 6], joint: usize, tool: Transform) ->
     [moved.x, moved.y, moved.z, turned.x.to_degrees(), turned.y.to_degrees(), turned.z.to_degrees()]
 }
 
-/// Arms whose singularities are those of shoulder, elbow and wrist.
+/// Returns the arms with separate singularities of shoulder, elbow and wrist.
 fn with_three_distances() -> impl Iterator<Item = &'static Model> {
     Model::published().iter().filter(|model| model.closed_form.wrist != Wrist::Offset)
 }
@@ -73,7 +73,7 @@ fn each_singularity_is_told_apart() {
     assert!(elbow.elbow < 1e-12 && elbow.shoulder > 0.1 && elbow.wrist > 0.1, "{elbow:?}");
     let wrist = arm.singularity_distance([10.0, 40.0, 60.0, 70.0, 180.0, 30.0]);
     assert!(wrist.wrist < 1e-12 && wrist.shoulder > 0.1 && wrist.elbow > 0.1, "{wrist:?}");
-    // Upper arm and forearm of different lengths, leaning so that the wrist is above the shoulder.
+    // Upper arm and forearm have different lengths, and lean so that the wrist is above the shoulder.
     let (upper, fore) = (arm.a()[2], arm.a()[3]);
     let second = 60_f64;
     let lean = (-upper * second.to_radians().cos() / fore).acos().to_degrees();

@@ -1,4 +1,4 @@
-//! Models against poses as a controller computes them.
+//! Models against poses of a simulated controller.
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -7,7 +7,7 @@ use crate::{Fit, FitError, Frames, Model, Tolerance};
 
 type Pairs = Vec<(JointPosition, Pose)>;
 
-/// As `kine_forward` answers: with six decimals.
+/// Returns poses as from `kine_forward`, with six decimals.
 fn answered(model: &Model, frames: &Frames) -> Pairs {
     let decimals = |pose: Pose| Pose::from(<[f64; 6]>::from(pose).map(|number| (number * 1e6).round() / 1e6));
     let positions = model.positions_to_compare();
@@ -48,7 +48,7 @@ fn any_tool_user_frame_and_mounting_is_found() {
     }
 }
 
-/// Lengths of upper arm, forearm and wrist that differ by a few mm cannot be taken up by tool and mounting.
+/// Tool and mounting cannot absorb differences of a few mm in the lengths of upper arm, forearm and wrist.
 #[test]
 fn another_arm_is_refused() {
     let arms = ["Zu 3", "Zu 5", "Zu 7", "Zu 12", "Zu 18", "Zu 20", "Zu 30", "Pro 16", "MiniCobo"];
@@ -92,7 +92,7 @@ fn poses_that_tell_too_little_are_refused() {
         let refused = fit(&model, &still).expect_err("a joint does not move");
         assert!(matches!(refused, FitError::JointNotMoved { joint: still, .. } if still == joint + 1), "{refused}");
     }
-    // All joints move, and the flange turns about one axis alone.
+    // All joints move, and the flange turns about a single axis.
     let upright: Pairs = (0..12)
         .map(|step| {
             let turn = f64::from(step) * 10.0;

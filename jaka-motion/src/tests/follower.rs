@@ -1,4 +1,4 @@
-//! Set-points along a trajectory, read as they come and differenced by index.
+//! Set-points along a trajectory, and their differences by index.
 
 use jaka_proto::messages::types::JointPosition;
 
@@ -14,7 +14,7 @@ fn checker() -> Checker {
     Checker::new(limits(), Frames::new())
 }
 
-/// To and fro, with peaks of some 60 % of what a Zu 5 may do.
+/// Returns a motion to and fro, with peaks of some 60 % of a Zu 5's limits.
 fn trajectory() -> Trajectory {
     let at =
         |time_s: f64, joint_1: f64, joint_6: f64| TimedPoint::new(time_s, [joint_1, 100.0, 80.0, 90.0, -90.0, joint_6]);
@@ -26,7 +26,7 @@ fn follower() -> Follower {
     Follower::new(trajectory(), &checker(), PERIOD)
 }
 
-/// Follows until the end, with the scale that is asked for at each set-point; the set-points, and the rate at each.
+/// Follows to the end, with a scale for each set-point; returns the set-points, and the rate at each.
 fn followed(mut follower: Follower, scale: impl Fn(usize) -> f64) -> (Vec<[f64; 6]>, Vec<f64>) {
     let (mut set_points, mut rates) = (vec![follower.joints().0; 2], Vec::new());
     while !follower.is_at_end() {
@@ -40,7 +40,7 @@ fn followed(mut follower: Follower, scale: impl Fn(usize) -> f64) -> (Vec<[f64; 
     (set_points, rates)
 }
 
-/// The largest acceleration of a joint, in deg/s².
+/// Returns the largest acceleration of a joint, in deg/s².
 fn worst(set_points: &[[f64; 6]]) -> f64 {
     let second = |three: &[[f64; 6]], joint: usize| three[2][joint] - 2.0 * three[1][joint] + three[0][joint];
     let each = set_points.windows(3).flat_map(|three| (0..6).map(|joint| second(three, joint).abs() / PERIOD / PERIOD));
@@ -89,7 +89,7 @@ fn the_rate_changes_smoothly_to_what_is_asked_for() {
     assert!(changes.iter().all(|change| *change <= 0.0), "{changes:?}");
     let largest = changes.iter().fold(0.0, |largest: f64, change| largest.max(-change));
     let jerks = changes.windows(2).map(|two| (two[1] - two[0]).abs());
-    // 0.1 s for what the curve allows, which is up to twice of what it uses here.
+    // The rate's change reaches the value that the curve allows in 0.1 s; here that is up to twice the value in use.
     assert!(jerks.fold(0.0, f64::max) <= 2.5 * largest * PERIOD / 0.1, "{changes:?}");
     let stood = follower.joints();
     assert_eq!((follower.advance(), follower.rate()), (stood, 0.0));
@@ -123,7 +123,7 @@ fn after_a_gap_it_starts_from_standstill_and_what_was_not_sent_comes_again() {
     assert_eq!(follower.advance(), first);
 }
 
-/// However long a trajectory is, and a stop on it takes: no more set-points are found at a time than are asked for.
+/// A look-ahead computes no more set-points at a time than requested, for any length of the trajectory and of the stop.
 #[test]
 fn a_stop_is_looked_at_bit_by_bit() {
     let to_and_fro = |number: u32| {

@@ -1,4 +1,4 @@
-//! Set-points on the way to goals.
+//! Set-points towards goals.
 
 mod goals;
 mod hostile;
@@ -13,23 +13,23 @@ use super::Random;
 use crate::{Checker, Dynamics, Frames, Generator, Goal, Limits, Model, Step};
 
 const CYCLE: f64 = 0.008;
-/// Away from singularities.
+/// Joint positions away from singularities.
 const ELBOW_UP: [f64; 6] = [10.0, 60.0, -80.0, 190.0, -90.0, 5.0];
 
 fn zu5() -> Limits {
     Limits::of(&Model::default()).with_joint_accelerations([300.0; 6]).expect("above 0")
 }
 
-/// A generator, and its last set-points.
+/// Generator with its last set-points.
 struct Watched {
     generator: Generator,
     dynamics: Dynamics,
     last: [[f64; 6]; 3],
-    /// Set-points that keep the dynamics since one that was part of a stop.
+    /// Number of set-points within the dynamics since the last one that was part of a stop.
     since_stop: u32,
 }
 
-/// Set-points after a stop in whose third difference it still is.
+/// Number of set-points after a stop whose third difference still includes it.
 const STOP_SEEN: u32 = 3;
 
 impl Watched {
@@ -43,8 +43,8 @@ impl Watched {
         Self { generator, dynamics, last: [start; 3], since_stop: STOP_SEEN }
     }
 
-    /// The next set-point, which keeps speeds, accelerations and jerks; those of stops on the way to rest and where a
-    /// limit is in the way.
+    /// Returns the next set-point, after a check of speeds, accelerations and jerks. The limits of stops apply on the
+    /// path to rest and in front of a limit.
     fn next(&mut self, goal: &Goal) -> Step {
         let step = self.generator.next(goal);
         let limits = [*self.dynamics.speeds(), *self.dynamics.accelerations(), *self.dynamics.jerks()];
@@ -85,7 +85,7 @@ impl Watched {
         self.last = [self.last[2]; 3];
     }
 
-    /// Until the arm rests, at most so many set-points.
+    /// Advances until the arm rests, by at most this number of set-points.
     fn until_rest(&mut self, goal: &Goal, most: u32) -> u32 {
         for count in 0..most {
             self.next(goal);

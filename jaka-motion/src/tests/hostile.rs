@@ -21,7 +21,7 @@ fn too_far_is_out_of_reach() {
     }
 }
 
-/// The wrist cannot come nearer to the base axis than its distance from the arm's plane, but for that of the A12.
+/// The wrist cannot come nearer to the base axis than its distance from the arm's plane, except on the A12.
 #[test]
 fn too_near_the_base_axis_is_out_of_reach() {
     for model in Model::published().iter().filter(|model| model.closed_form.wrist != Wrist::Offset) {
@@ -38,7 +38,7 @@ fn too_near_the_base_axis_is_out_of_reach() {
     }
 }
 
-/// The wrist's centre beside the shoulder, at a distance of upper arm and forearm and some more.
+/// The wrist's centre is beside the shoulder, beyond the lengths of upper arm and forearm by some mm.
 #[test]
 fn out_of_reach_says_by_how_much() {
     let arm = Model::named("MiniCobo").expect("published");

@@ -1,4 +1,4 @@
-//! Limits that make sense, and those that do not.
+//! Valid and invalid limits.
 
 #[cfg(feature = "toml")]
 mod file;

@@ -1,4 +1,4 @@
-//! The A12, whose wrist has an offset, against its drawing and against searches that know no closed form.
+//! The A12, whose wrist has an offset, against its drawing and against searches without a closed form.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -20,7 +20,7 @@ const DRAWN: [[f64; 6]; 6] = [
     [0.0, -0.115, 0.0, -1.0, -1.0, 2.0],
     [0.0, -0.1035, 0.0, 1.0, 0.0, 0.0],
 ];
-/// A difference of a joint below which two solutions are one, in degrees.
+/// Difference of a joint below which two solutions are one, in degrees.
 const SAME: f64 = 1e-3;
 /// Radians to degrees: `1e-6` radians.
 const CLOSE: f64 = 6e-5;
@@ -47,7 +47,7 @@ fn turn(axis: usize, angle: f64) -> Frame {
     frame
 }
 
-/// The frames of the joints for joint positions in degrees, by the drawing.
+/// Returns the frames of the joints for joint positions in degrees, by the drawing.
 fn drawn(joints: [f64; 6]) -> [Frame; 6] {
     let mut frame = turn(2, 0.0);
     std::array::from_fn(|joint| {
@@ -97,7 +97,7 @@ fn slopes(frames: &[Frame; 6]) -> [[f64; 6]; 6] {
     rows
 }
 
-/// Six equations by elimination; the determinant too.
+/// Solves six equations by elimination; also returns the determinant.
 fn solved(mut rows: [[f64; 6]; 6], mut right: [f64; 6]) -> ([f64; 6], f64) {
     let mut determinant = 1.0;
     for pivot in 0..6 {
@@ -119,13 +119,13 @@ fn solved(mut rows: [[f64; 6]; 6], mut right: [f64; 6]) -> ([f64; 6], f64) {
     (std::array::from_fn(|row| right[row] / rows[row][row]), determinant)
 }
 
-/// The joint positions to which Newton's method leads from a start, if it leads to some.
+/// Returns the joint positions that Newton's method reaches from a start, if it reaches any.
 fn searched(target: &Frame, mut joints: [f64; 6]) -> Option<[f64; 6]> {
     for _ in 0..60 {
         let frames = drawn(joints);
         let off = off(&frames[5], target);
         if size(&off) < 1e-9 {
-            // A flange that is turned half way round is not off either.
+            // A flange that is turned by half a turn has no error either.
             let alike: f64 =
                 frames[5].iter().zip(target).flat_map(|(one, other)| (0..3).map(|at| one[at] * other[at])).sum();
             return (alike > 2.9).then_some(joints);
@@ -195,7 +195,7 @@ fn each_position_is_among_those_of_its_pose() {
     assert!((13..=16).contains(&most), "{most}");
 }
 
-/// From each of many places the search comes to some branch, and from all of them to each branch.
+/// The search reaches some branch from each of many starts, and each branch from all of them.
 #[test]
 fn a_search_finds_as_many_branches() {
     let (model, mut random) = (a12(), Random::new(2103));
@@ -219,7 +219,7 @@ fn a_search_finds_as_many_branches() {
     }
 }
 
-/// A search finds no joints for a pose that the model refuses, and the other way round.
+/// A search finds no joints for a pose that the model refuses, and vice versa.
 #[test]
 fn a_search_finds_nothing_where_nothing_is_found() {
     let (model, mut random) = (a12(), Random::new(2104));
@@ -241,7 +241,7 @@ fn a_search_finds_nothing_where_nothing_is_found() {
     assert!(reachable > 90 && far > 20 && turned > 3, "{reachable} {far} {turned}");
 }
 
-/// Upper arm and forearm with the wrist's offset, at the distance of the arm from its plane, in one line.
+/// Upper arm and forearm with the wrist's offset are in one line, at the distance of the arm from its plane.
 #[test]
 fn out_of_reach_says_by_how_much_at_least() {
     let most = 770.0_f64.hypot(37.5) + 551.5_f64.hypot(115.0);
@@ -263,7 +263,7 @@ fn the_distance_from_singularities_is_the_determinant() {
     for _ in 0..5_000 {
         let joints = random.joints(model);
         let (_, determinant) = solved(slopes(&drawn(joints)), [0.0; 6]);
-        // The turns count a thousand times.
+        // The rows of turns have a factor of a thousand.
         let share = determinant / 1e9 / (770.0 * 551.5 * (770.0 + 551.5));
         let distance = model.singularity_distance(joints);
         assert!((distance.wrist - share.abs()).abs() < 1e-9, "{joints:?} {distance:?} {share}");
@@ -273,7 +273,7 @@ fn the_distance_from_singularities_is_the_determinant() {
     assert!(0.75 < most && most < 0.85, "{most}");
 }
 
-/// Joint positions on a singularity, found by the drawing.
+/// Returns joint positions at a singularity, found by the drawing.
 fn singular(random: &mut Random) -> [f64; 6] {
     let side = |joints: [f64; 6]| solved(slopes(&drawn(joints)), [0.0; 6]).1 > 0.0;
     loop {
@@ -291,7 +291,7 @@ fn singular(random: &mut Random) -> [f64; 6] {
     }
 }
 
-/// On a singularity two branches meet and are one; beside it they are told apart.
+/// Two branches that meet at a singularity are one; next to it they are distinct.
 #[test]
 fn branches_that_meet_are_neither_lost_nor_doubled() {
     let (model, mut random, mut both) = (a12(), Random::new(2106), 0);
@@ -303,7 +303,7 @@ fn branches_that_meet_are_neither_lost_nor_doubled() {
             let target = drawn(joints)[5];
             let found = model.inverse(transform(&target), joints).expect("reachable").0;
             let branches = model.inverse_all(transform(&target), joints).expect("reachable");
-            // On a singularity the flange hardly moves within a tenth of a degree.
+            // At a singularity the flange hardly moves within a tenth of a degree.
             let close = if beside < 0.05 { 0.1 } else { CLOSE };
             assert!(
                 differ(&found, &joints) < close && differ(&branches[0].0, &joints) < close,
@@ -321,7 +321,7 @@ fn branches_that_meet_are_neither_lost_nor_doubled() {
     assert!(both > 300, "{both}");
 }
 
-/// With joint 6 on the axis of joint 1 and the forearm upright any position of joint 6 would do.
+/// With joint 6 on the axis of joint 1 and the forearm upright, any position of joint 6 would do.
 #[test]
 fn above_the_base_joint_6_keeps_the_reference() {
     let (model, mut random, mut solved) = (a12(), Random::new(2107), 0);
@@ -347,7 +347,7 @@ fn above_the_base_joint_6_keeps_the_reference() {
     assert!(solved > 40, "{solved}");
 }
 
-/// Bound for the steps of the checker.
+/// The steps of the checker rely on this bound.
 #[test]
 fn the_distance_from_singularities_changes_no_faster_than_its_bound() {
     let (model, mut random, mut closest) = (a12(), Random::new(2108), 0.0_f64);
@@ -368,7 +368,8 @@ fn the_distance_from_singularities_changes_no_faster_than_its_bound() {
     assert!(closest > 0.5, "{closest}");
 }
 
-/// Towards the edge of reach the tool keeps its orientation until no joints do; the way there is followed up to it.
+/// Towards the edge of reach the tool keeps its orientation until no joints can; the checker follows the path up to
+/// there.
 #[test]
 fn lines_are_followed_and_told_where_the_orientation_ends() {
     let checker = Checker::new(Limits::of(a12()), Frames::new());
@@ -377,7 +378,7 @@ fn lines_are_followed_and_told_where_the_orientation_ends() {
     let ahead = |mm: f64| Pose { x: Pose::from(from).x + mm, ..from.into() };
     let found = checker.check_line(joints.into(), ahead(60.0), slow).expect("clear");
     assert!(a12().forward(found).distance_mm(&ahead(60.0).into()) < 1e-6, "{found}");
-    // Where the pose is the first to be out of reach, only its orientation is.
+    // At the first pose out of reach, only the orientation is.
     let is_turned = |mm: &f64| a12().inverse(ahead(*mm), joints) == Err(NoSolution::Orientation);
     let edge = (0..2_000).map(f64::from).find(is_turned).expect("there is an edge");
     let words = checker.check_line(joints.into(), ahead(edge), slow).expect_err("too far").to_string();
@@ -386,7 +387,7 @@ fn lines_are_followed_and_told_where_the_orientation_ends() {
     assert_eq!(words, "the orientation is out of reach (A12)");
 }
 
-/// Poses as on the wire, with six decimals, of which half are beyond what the joints reach by as little.
+/// The poses have six decimals, as on the wire; half of them are beyond the joints' reach by that rounding.
 #[test]
 fn a_singular_arm_is_found_by_a_rounded_pose() {
     let (model, mut random) = (a12(), Random::new(2109));

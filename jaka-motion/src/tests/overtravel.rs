@@ -1,4 +1,4 @@
-//! Overtravel of the tool after a contact, at any rate that a follower may have then.
+//! Overtravel of the tool after a contact, at any rate of the follower at that time.
 
 use jaka_proto::messages::types::{JointPosition, Pose};
 
@@ -15,7 +15,7 @@ fn checker() -> Checker {
     Checker::new(Limits::of(Model::named("Zu 5").expect("a published arm")), Frames::new())
 }
 
-/// To and fro with three joints, with peaks of some 60 % of what a Zu 5 may do.
+/// Returns a motion to and fro with three joints, with peaks of some 60 % of a Zu 5's limits.
 fn trajectory() -> Trajectory {
     let at = |time_s: f64, by: [f64; 3]| TimedPoint::new(time_s, [by[0], 100.0 + by[1], 80.0, 90.0, -90.0, by[2]]);
     let points = [
@@ -34,8 +34,7 @@ fn apart(one: JointPosition, other: JointPosition) -> f64 {
     (one.x - other.x).hypot(one.y - other.y).hypot(one.z - other.z)
 }
 
-/// Returns the distance that the tool travels from a set-point, in mm, where it goes on as `scale` says until it is
-/// braked.
+/// Returns the distance that the tool travels from a set-point, in mm, at the rates that `scale` sets until it brakes.
 fn way(mut follower: Follower, scale: impl Fn(usize) -> f64) -> f64 {
     let (mut way, mut last) = (0.0, follower.joints());
     for index in 0.. {
@@ -53,7 +52,7 @@ fn way(mut follower: Follower, scale: impl Fn(usize) -> f64) -> f64 {
     way
 }
 
-/// The least overtravel with which nothing is wrong.
+/// Returns the least allowed overtravel that is not exceeded.
 fn least_allowed(follower: &Follower) -> f64 {
     let (mut low, mut high) = (0.0, 1000.0);
     for _ in 0..24 {
@@ -83,7 +82,7 @@ fn nowhere_does_the_tool_go_on_further_than_is_told() {
         }
         follower = Follower::new(trajectory(), &checker(), PERIOD);
     }
-    // The contact may come at any moment of a period, which is up to one more.
+    // The contact may come at any moment of a period, which adds up to one period.
     assert!(furthest > 0.85 * allowed, "{furthest} mm of {allowed} mm");
 }
 
@@ -122,7 +121,7 @@ fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
             let step = |from: usize, joint: usize| three[from + 1][joint] - three[from][joint];
             for [before, now] in (0..6).map(|joint| [step(0, joint), step(1, joint)]) {
                 let acceleration = (now - before).abs() / PERIOD / PERIOD;
-                // What slows down may do so by the 570 deg/s² of a stop.
+                // A joint that slows down may do so at the 570 deg/s² of a stop.
                 let most = if now.abs() < before.abs() { 570.0 } else { 72.0 };
                 assert!(acceleration < most + 1e-4, "after {after}: {acceleration} deg/s²");
             }
@@ -130,7 +129,7 @@ fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
     }
 }
 
-/// To and fro at random, near to what the accelerations allow.
+/// Returns a random motion to and fro, near to the limits of the accelerations.
 fn some_trajectory(random: &mut Random) -> Trajectory {
     let mut time_s = 0.0;
     let points: Vec<_> = (0..4)
@@ -188,12 +187,12 @@ fn way_braked(mut follower: Follower) -> f64 {
     way
 }
 
-/// On a way that uses all of a joint's acceleration, motions have none to brake with.
+/// On a path that uses all of a joint's acceleration, motions have none left to brake with.
 #[test]
 fn a_joint_that_cannot_be_braked_matters_only_where_the_tool_goes_on() {
     let turn = |joint: usize, stop_deg_s2: f64| {
         let mut state = JointState::at_rest(0.0);
-        // Up to 71.9 deg/s² and down again in 0.1 s each.
+        // The acceleration rises to 71.9 deg/s² and falls again in 0.1 s each.
         let phases = [(0.1, 719.0), (0.8, 0.0), (0.2, -719.0), (0.8, 0.0), (0.1, 719.0)];
         let mut points = vec![(0.0, state)];
         for (seconds, jerk) in phases {
@@ -221,6 +220,6 @@ fn a_joint_that_cannot_be_braked_matters_only_where_the_tool_goes_on() {
     let worst = turn(0, 1.0).worst_overtravel(&checker(), UNBRAKED_S, 100.0).expect("it is far");
     assert!(worst.way_mm.is_infinite(), "{worst:?}");
     let worst = turn(0, 570.0).worst_overtravel(&checker(), UNBRAKED_S, 80.0).expect("it is far");
-    // Some 0.2 s at 65 deg/s, at 0.57 m.
+    // The tool travels some 0.2 s at 65 deg/s, at 0.57 m.
     assert!((90.0..140.0).contains(&worst.way_mm), "{worst:?}");
 }

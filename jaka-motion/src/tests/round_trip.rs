@@ -1,4 +1,4 @@
-//! Joints to a pose and back, over random joints of every model.
+//! Inverse of poses of random joints of every model.
 
 use super::{Random, apart, assert_close, from_pose, to_pose};
 use crate::Model;
@@ -6,10 +6,10 @@ use crate::closed_form::Wrist;
 use crate::newton::USUAL;
 
 const POSES: usize = 10_000;
-/// Looser than the sum of rounding, tighter than required.
+/// Tolerance that is looser than the sum of rounding, and tighter than required.
 const CLOSE: (f64, f64) = (0.001, 0.0001);
 
-/// Whether two solutions meet at these joints, so that which of them is nearest is a matter of rounding.
+/// Whether two solutions meet at these joints, so that rounding decides which one is nearest.
 fn singular(model: &Model, joints: &[f64; 6]) -> bool {
     if model.closed_form.wrist == Wrist::Offset {
         return model.singularity_distance(*joints).wrist < 0.05;
@@ -34,7 +34,7 @@ fn a_close_reference_gives_the_joints_back() {
             }
             tried += 1;
             let reference = joints.map(|joint| joint + random.between(-0.5, 0.5));
-            // Through the pose's numbers, as a client would.
+            // The target goes through the pose's numbers, as for a client.
             let target = from_pose(to_pose(model.forward(joints)));
             let found = model
                 .inverse(target, reference)
@@ -64,7 +64,7 @@ fn a_far_reference_gives_a_solution_too() {
     }
 }
 
-/// The joints the pose was made from are one solution, so nothing found may be further from the reference.
+/// The joints of the pose are one solution, so no result may be further from the reference.
 #[test]
 fn nothing_nearer_to_the_reference_is_missed() {
     let distance = |one: &[f64; 6], other: &[f64; 6]| one.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -158,8 +158,8 @@ fn joints_at_their_limits_solve() {
     }
 }
 
-/// Every branch brings the flange there, is found from a reference near it, and the joints the pose was made of are
-/// one.
+/// Every branch brings the flange to the pose and is found from a reference near it; the joints of the pose are one of
+/// them.
 #[test]
 fn the_inverse_returns_each_branch() {
     for (seed, model) in (1001..).zip(Model::published()) {
@@ -200,7 +200,7 @@ fn a_step_takes_off_a_small_error() {
     }
 }
 
-/// A joint that does not move the flange stays, even where every joint is singular at once.
+/// A joint that does not move the flange keeps its position, even if every joint is singular at once.
 #[test]
 fn a_step_does_not_run_away() {
     let mut random = Random::new(17);

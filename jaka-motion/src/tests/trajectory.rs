@@ -1,4 +1,4 @@
-//! Trajectories: what all their tests share.
+//! Shared helpers of the tests of trajectories.
 
 mod curve;
 #[cfg(feature = "trajectory-files")]
@@ -12,7 +12,7 @@ mod vias;
 use super::Random;
 use crate::{Checker, Frames, Limits, Model, TimedPoint, Trajectory};
 
-/// Well within all limits.
+/// Joint positions well within all limits.
 const HOME: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
 
 fn zu5() -> Limits {
@@ -43,13 +43,13 @@ fn witness(trajectory: &Trajectory, checker: &Checker, period_s: f64) {
     }
 }
 
-/// Times all through a trajectory.
+/// Returns times throughout a trajectory.
 fn times(trajectory: &Trajectory, count: u32) -> impl Iterator<Item = f64> {
     let duration_s = trajectory.duration_s();
     (0..=count).map(move |place| f64::from(place) / f64::from(count) * duration_s)
 }
 
-/// No jerk is above the planned ones; all of them are measured, over a thousandth of a second.
+/// Checks that no jerk is above the planned ones; each is measured over a thousandth of a second.
 fn jerks_are_within(trajectory: &Trajectory, checker: &Checker, share: f64) {
     for time_s in times(trajectory, 2000) {
         let [before, after] = [0.0, 1e-3].map(|later| trajectory.at(time_s + later).acceleration);
@@ -71,7 +71,7 @@ fn off_way<const N: usize>(point: [f64; N], from: [f64; N], to: [f64; N]) -> f64
     dot(&off, &off).sqrt()
 }
 
-/// Points at random around [`HOME`], from 0.2 to 2 seconds apart.
+/// Returns random points around [`HOME`], from 0.2 to 2 seconds apart.
 fn some_points(random: &mut Random, count: usize) -> Vec<TimedPoint> {
     let mut time_s = 0.0;
     let point = |_| {
@@ -83,7 +83,7 @@ fn some_points(random: &mut Random, count: usize) -> Vec<TimedPoint> {
     (0..count).map(point).collect()
 }
 
-/// The points at as many times their times as it takes to be within the limits.
+/// Returns the points with their times multiplied until the trajectory is within the limits.
 fn slow_enough(points: &[TimedPoint], checker: &Checker) -> (Vec<TimedPoint>, Trajectory) {
     let mut points = points.to_vec();
     for _ in 0..40 {
@@ -99,7 +99,7 @@ fn slow_enough(points: &[TimedPoint], checker: &Checker) -> (Vec<TimedPoint>, Tr
     panic!("no time is enough")
 }
 
-/// As a change of the rate says, within a period of it, the joints stay within their accelerations; and with a little
+/// With the stated change of the rate, up to a period of it, the joints stay within their accelerations; with a little
 /// more they do not.
 #[test]
 fn a_rate_that_changes_so_stays_within_the_accelerations() {

@@ -1,11 +1,11 @@
 //! Lines and fields of CSV.
 
-/// A field and its offset in the text.
+/// Field and its offset in the text.
 type Field<'t> = (usize, &'t str);
 
-/// The lines that count, with their offsets.
+/// Returns the lines with content, with their offsets.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = Field<'_>> {
-    // Some tools begin a file with a mark of its byte order.
+    // Some tools begin a file with a byte order mark.
     let mark = text.len() - text.trim_start_matches('\u{feff}').len();
     let mut next = mark;
     let lines = text[mark..].split_inclusive('\n').map(move |line| {
@@ -24,7 +24,7 @@ pub(super) fn fields((mut next, line): Field<'_>) -> impl Iterator<Item = Field<
     })
 }
 
-/// A finite number.
+/// Reads a finite number.
 pub(super) fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
 }

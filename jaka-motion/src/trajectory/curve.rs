@@ -17,14 +17,14 @@ use crate::checker::Checker;
 ///
 /// The points are joint positions, or joint positions and then poses of the tool in the user frame. The curve starts at
 /// the first and ends at the last, at rest. It is the smoothest one within the tolerance of each point and of the
-/// straight ways between them: its second derivative is continuous, so that a path that was taught or sampled is passed
-/// at the speed that is asked for. Points nearer to each other than a millionth of a degree or millimetre count as one.
+/// straight lines between them. Its second derivative is continuous, so a taught or sampled path is passed at the
+/// requested speed. Points nearer to each other than a millionth of a degree or millimetre count as one.
 ///
-/// A bend by more than [`corner_above_deg`](Self::corner_above_deg), and one between ways that are too long for a curve
-/// within the tolerance, is a corner. It is rounded as that of [`Trajectory::through`].
+/// A corner is a bend by more than [`corner_above_deg`](Self::corner_above_deg), or a bend between lines that are too
+/// long for a curve within the tolerance. It is rounded as a corner of [`Trajectory::through`].
 ///
 /// # Timing
-/// As [`Through`](crate::Through): the quickest speed along the whole curve, within limits.
+/// The speed along the whole curve is the quickest within limits, as for [`Through`](crate::Through).
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "nothing is planned before it is built"]
 pub struct Curve {
@@ -42,9 +42,9 @@ struct Given<'c> {
     checker: &'c Checker,
     space: Space,
     start: JointPosition,
-    /// Places that differ, in their order.
+    /// Distinct places, in their order.
     places: Vec<Place>,
-    /// Place of each point.
+    /// Index of the place of each point.
     place_of: Vec<usize>,
 }
 
@@ -53,32 +53,33 @@ struct Section<'g> {
     given: &'g Given<'g>,
     from: usize,
     to: usize,
-    /// Share of the tolerance that it takes.
+    /// Share of the tolerance for this section.
     share: f64,
-    /// Number of parts of each way between two places.
+    /// Number of parts of each line between two places.
     parts: Vec<usize>,
 }
 
-/// Greatest turn of the tool away from points, in degrees, if nothing is said.
+/// Default tolerance for the turn of the tool away from points, in degrees.
 const TURN_DEG: f64 = 1.0;
-/// Bends by more are corners, in degrees, if nothing is said.
+/// Default angle of a bend above which it is a corner, in degrees.
 const CORNER_ABOVE_DEG: f64 = 30.0;
-/// Points nearer to each other than this are one, in degrees or mm.
+/// Distance below which two points are one, in degrees or mm.
 const SAME: f64 = 1e-6;
-/// Share of a tolerance that the spline takes: the rest is for polynomials near it.
+/// Share of a tolerance for the spline; the rest is for polynomials near it.
 const OF_SPLINE: f64 = 0.9;
-/// Share of a tolerance that the spline takes where it is furthest between nodes.
+/// Share of a tolerance for the spline at its greatest distance between nodes.
 const OF_WAYS: f64 = 0.94;
-/// Share of a tolerance that polynomials of joints may be off the spline, and the most, in mm or degrees.
+/// Share of a tolerance for the distance of polynomials of joints from the spline, and the greatest distance, in mm or
+/// degrees.
 const OF_POLYNOMIALS: f64 = 0.05;
 const MOST_OFF: f64 = 0.005;
-/// Directions at a point are those of ways as long as this many tolerances.
+/// Length, in tolerances, of the lines that give the directions at a point.
 const SPAN: f64 = 10.0;
-/// A bend whose arc would be so many tolerances away from the straight ways is a corner.
+/// Distance of a bend's arc from the straight lines, in tolerances, above which the bend is a corner.
 const FAR_ARC: f64 = 2.0;
-/// Distance of the arc of a bend from the parts of a way, in tolerances, that sets the number of parts.
+/// Distance of the arc of a bend from the parts of a line, in tolerances, that sets the number of parts.
 const NEAR_ARC: f64 = 0.05;
-/// Most parts of a way between two places, before and after refinement.
+/// Greatest number of parts of a line between two places, before and after refinement.
 const MOST_PARTS: [usize; 2] = [16, 32];
 /// Least tolerance, in mm or degrees.
 const LEAST_TOLERANCE: f64 = 1e-3;
@@ -91,66 +92,66 @@ impl Curve {
         Self { points, near: None, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
     }
 
-    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those
-    /// of the arm, reach it. They are the start of the trajectory.
+    /// Sets joint positions near the start, such as those of the arm, for a first point that is a pose. The trajectory
+    /// starts at the joint positions for this pose that are, of all branches, nearest to these.
     pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
         self.near = Some(joints.into());
         self
     }
 
-    /// Within so many millimetres of the points and the straight ways between them. Needed for poses.
+    /// Sets the tolerance around the points and the straight lines between them, in millimetres. Required for poses.
     pub fn within_mm(mut self, tolerance: f64) -> Self {
         self.tolerances.mm = tolerance;
         self
     }
 
-    /// Within so many degrees: of each joint for joint positions, where it is needed, and of the tool's turn for poses,
-    /// where it is 1 if nothing is said.
+    /// Sets the tolerance in degrees: of each joint for joint positions, where it is required, and of the tool's turn
+    /// for poses, where it is 1 by default.
     pub fn within_deg(mut self, tolerance: f64) -> Self {
         (self.tolerances.turn_deg, self.tolerances.joint_deg) = (tolerance, tolerance);
         self
     }
 
-    /// With bends by more than so many degrees as corners; 30 if nothing is said.
+    /// Sets the angle, in degrees, above which a bend is a corner; 30 by default.
     pub fn corner_above_deg(mut self, angle: f64) -> Self {
         self.corner_above_deg = angle;
         self
     }
 
-    /// With the corners of a curve of the tool rounded within so many millimetres; 0 to stop there. If nothing is said,
-    /// the tolerance of the curve.
+    /// Sets the tolerance, in millimetres, for rounded corners of a curve of the tool; 0 for a stop there. The default
+    /// is the tolerance of the curve.
     pub fn corner_mm(mut self, tolerance: f64) -> Self {
         self.corners.mm = tolerance;
         self
     }
 
-    /// With the corners rounded within so many degrees of each joint or of the tool's turn; 0 to stop there. If nothing
-    /// is said, the tolerance of the curve.
+    /// Sets the tolerance for rounded corners, in degrees of each joint or of the tool's turn; 0 for a stop there. The
+    /// default is the tolerance of the curve.
     pub fn corner_deg(mut self, tolerance: f64) -> Self {
         (self.corners.turn_deg, self.corners.joint_deg) = (tolerance, tolerance);
         self
     }
 
-    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower.
+    /// Sets the highest speed of the tool centre point, in mm/s. A lower speed of the limits takes precedence.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
         self.speeds.speeds.tcp_speed = mm_s;
         self
     }
 
-    /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
+    /// Sets the highest speeds of joints 1 to 6, in deg/s. Lower speeds of the limits take precedence.
     pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
         self.speeds.speeds.joint_speeds = deg_s;
         self
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³, in place of those of the limits.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³; they replace those of the limits.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.speeds.jerks = Some(deg_s3);
         self
     }
 
-    /// With this share of each joint's acceleration left where the curve bends, from 0 to 0.9, for a pause or another
-    /// rate that is asked for there; 0.2 if nothing is said.
+    /// Sets the share of each joint's acceleration, from 0 to 0.9, that bends of the curve leave for a pause or another
+    /// rate; 0.2 by default.
     pub fn reserve(mut self, share: f64) -> Self {
         self.speeds.reserve = share;
         self
@@ -159,7 +160,7 @@ impl Curve {
     /// Plans the trajectory, and compares it with an arm's limits.
     ///
     /// # Errors
-    /// What is wrong with the points or settings, or a place that is beyond a limit.
+    /// Invalid points or settings, or a place that is beyond a limit.
     pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
         let given = Given::new(self, checker)?;
         self.tolerances.check(["within_mm", "within_deg", "within_deg"])?;
@@ -180,7 +181,7 @@ impl Curve {
         }
         let beside_corners = self.share_beside(given.space, &corners);
         let legs = given.legs(beside_corners)?;
-        // A corner is off a curve that is itself off the ways.
+        // The distance of a corner adds to that of its curve from the lines.
         let left = |corner: f64, tolerance: f64| (corner - beside_corners * tolerance).max(0.0);
         let corners = Tolerances {
             mm: left(corners.mm, mm),
@@ -194,7 +195,8 @@ impl Curve {
         Trajectory::checked((pieces, way_points, slow), checker)
     }
 
-    /// Share of the tolerance that curves take beside corners: at most half of that of corners, all of it beside stops.
+    /// Returns the share of the tolerance for curves next to corners: at most half of the corners' tolerance, all of it
+    /// next to stops.
     fn share_beside(&self, space: Space, corners: &Tolerances) -> f64 {
         let least = match space {
             Space::Joints => corners.joint_deg / self.tolerances.joint_deg,
@@ -250,7 +252,7 @@ impl<'c> Given<'c> {
         Ok(made)
     }
 
-    /// Distance in tolerances.
+    /// Returns the largest share of its tolerance that a difference takes.
     fn off(&self, off: &Place) -> f64 {
         let Tolerances { mm, turn_deg, joint_deg } = self.curve.tolerances;
         match self.space {
@@ -267,7 +269,7 @@ impl<'c> Given<'c> {
         std::array::from_fn(|which| self.places[to][which] - self.places[from][which])
     }
 
-    /// Legs between corners, with a share of the tolerance beside these.
+    /// Returns the legs between corners, with a share of the tolerance next to corners.
     fn legs(&self, beside_corners: f64) -> Result<Vec<Leg>, TrajectoryError> {
         let start =
             self.checker.arm().at_joints(&self.start.0).ok_or_else(|| TrajectoryError::lost(1, self.checker))?;
@@ -294,7 +296,7 @@ impl<'c> Given<'c> {
         Ok(legs)
     }
 
-    /// Places at which the way bends by more than a curve is to.
+    /// Returns the places at which the path bends by more than a curve may.
     fn corners(&self) -> Vec<usize> {
         let last = self.places.len() - 1;
         let (mut corners, mut best, mut group) = (Vec::new(), None::<(usize, f64)>, 0);
@@ -321,15 +323,15 @@ impl<'c> Given<'c> {
         corners
     }
 
-    /// Angle between the ways from one place to another and on to a third, in degrees.
+    /// Returns the angle between the lines from one place to another and on to a third, in degrees.
     fn bend_deg(&self, back: usize, here: usize, ahead: usize) -> f64 {
         let (one, other) = (self.between(back, here), self.between(here, ahead));
         let dot = |one: &Place, other: &Place| one.iter().zip(other).map(|(one, other)| one * other).sum::<f64>();
         (dot(&one, &other) / (dot(&one, &one) * dot(&other, &other)).sqrt()).clamp(-1.0, 1.0).acos().to_degrees()
     }
 
-    /// Distance in tolerances of an arc through a place and its neighbours from the straight ways, where it is as long
-    /// as the shorter one.
+    /// Returns the distance, in tolerances, from the straight lines of an arc through a place and its neighbours that
+    /// is as long as the shorter line.
     fn arc(&self, here: usize) -> f64 {
         let (one, other) = (self.between(here - 1, here), self.between(here, here + 1));
         let (length, next) = (norm(&one), norm(&other));
@@ -338,7 +340,7 @@ impl<'c> Given<'c> {
         self.off(&off)
     }
 
-    /// Number of the way-point at a place, from 1.
+    /// Returns the number of the way-point at a place, from 1.
     fn way_point(&self, place: usize) -> usize {
         self.place_of.partition_point(|other| *other <= place)
     }
@@ -357,10 +359,10 @@ impl<'g> Section<'g> {
         Self { given, from, to, share, parts }
     }
 
-    /// Spline within the tolerance of its ways.
+    /// Returns the spline within the tolerance of its lines.
     ///
     /// # Errors
-    /// Places that must be corners, where more parts do not help.
+    /// Places that must be corners, since more parts do not help.
     fn spline(&mut self) -> Result<Spline, Vec<usize>> {
         loop {
             let (at, places) = self.nodes();
@@ -401,13 +403,13 @@ impl<'g> Section<'g> {
         }
     }
 
-    /// End of a way at which the curve bends more; none where the way is all of it.
+    /// Returns the end of a line at which the curve bends more; `None` if the line is the whole section.
     fn sharper_end(&self, place: usize) -> Option<usize> {
         let ends = [place, place + 1].into_iter().filter(|end| *end > self.from && *end < self.to);
         ends.max_by(|one, other| self.given.arc(*one).total_cmp(&self.given.arc(*other)))
     }
 
-    /// Parameters and places of its nodes.
+    /// Returns the parameters and places of its nodes.
     fn nodes(&self) -> (Vec<f64>, Vec<Place>) {
         let (mut at, mut places) = (vec![0.0], vec![self.given.places[self.from]]);
         for (place, parts) in (self.from..self.to).zip(&self.parts) {
@@ -423,7 +425,7 @@ impl<'g> Section<'g> {
         (at, places)
     }
 
-    /// Leg along a spline.
+    /// Returns the leg along a spline.
     fn leg(&self, spline: &Spline, begin: &mut Begin<'_>) -> Result<Leg, TrajectoryError> {
         let Given { checker, space, curve, .. } = *self.given;
         let Tolerances { mm, turn_deg, joint_deg } = curve.tolerances;

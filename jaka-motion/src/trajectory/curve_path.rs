@@ -29,45 +29,45 @@ pub(super) enum Space {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Nearness {
     pub(super) mm: f64,
-    /// Of the tool's turn or of a joint, in degrees.
+    /// Turn of the tool or of a joint, in degrees.
     pub(super) deg: f64,
 }
 
-/// Place from which a curve begins.
+/// Start of a curve.
 pub(super) struct Begin<'c> {
     pub(super) checker: &'c Checker,
     pub(super) start: Solved,
-    /// Distances from singularities where the whole curve begins, with another sign on each side of one.
+    /// Distances from singularities at the start of the whole curve, with opposite signs on the two sides of one.
     pub(super) distances: [f64; 3],
 }
 
-/// Parameter at which no joints were found, and what is exceeded there.
+/// Parameter for which no joints were found, and the exceeded limit, if any.
 pub(super) struct Lost {
     pub(super) at: f64,
     pub(super) exceeded: Option<Exceeded>,
 }
 
-/// Longest way between two places at which the joints are computed, in mm or degrees.
+/// Longest distance between two places at which the joints are computed, in mm or degrees.
 const LONGEST: f64 = 50.0;
 /// Least share of a curve between two such places.
 const LEAST: f64 = 1e-7;
-/// Most places between these at which polynomials are compared with the curve.
+/// Greatest number of nodes in between at which polynomials are compared with the curve.
 const COMPARED: usize = 32;
 /// Units of a place for a turn by one radian, by its quaternion.
 pub(super) const TURN_UNITS: f64 = 2.0 * TURN_MM;
 
-/// Greatest distance of the chords between the places on an arc from the arc, in mm.
+/// Greatest distance from an arc of the chords between its places, in mm.
 const ARC_BETWEEN_MM: f64 = 0.002;
 /// Longest angle between these places, in radians, and longest turn of the tool, in degrees.
 const ARC_STEP: f64 = 0.05;
 const ARC_TURN_DEG: f64 = 1.0;
-/// Most of these places.
+/// Greatest number of these places.
 const ARC_PLACES: f64 = 5000.0;
 /// Greatest distance of the curve from these places, and of polynomials from the curve.
 const ARC_NEAR: Nearness = Nearness { mm: 0.002, deg: 0.002 };
 
 impl CurvePath {
-    /// Path along a spline; and the joints at its end.
+    /// Creates the path along a spline; also returns the joints at its end.
     pub(super) fn new(
         spline: &Spline,
         points: &[f64],
@@ -113,7 +113,8 @@ impl CurvePath {
         Ok((Self { pieces, marks, space }, here))
     }
 
-    /// Path along an arc of the tool, through places close to one another; and the joints at its end.
+    /// Creates the path along an arc of the tool, through places close to one another; also returns the joints at its
+    /// end.
     pub(super) fn of_arc(arc: &Arc, begin: &Begin<'_>) -> Result<(Self, Solved), Lost> {
         let radius_mm = arc.length_mm() / arc.angle();
         let step = (8.0 * ARC_BETWEEN_MM / radius_mm).sqrt().min(ARC_STEP);
@@ -139,14 +140,14 @@ impl CurvePath {
         self.pieces.last().map_or(0.0, Piece::end_s)
     }
 
-    /// Joints at a parameter, and their derivatives.
+    /// Returns the joints at a parameter, and their derivatives.
     pub(super) fn at(&self, at: f64) -> Sample {
         let index = self.pieces.partition_point(|piece| piece.start_s <= at).saturating_sub(1);
         let piece = &self.pieces[index];
         piece.at(((at - piece.start_s) / piece.seconds).clamp(0.0, 1.0))
     }
 
-    /// Pieces between two parameters, and the number of points before each.
+    /// Returns the pieces between two parameters, and the number of points before each.
     pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = (usize, Piece)> {
         let first = self.pieces.partition_point(|piece| piece.end_s() <= from);
         let pieces = self.pieces[first..].iter().take_while(move |piece| piece.start_s < to);
@@ -163,12 +164,12 @@ pub(super) fn distance(one: &Place, other: &Place) -> f64 {
     one.iter().zip(other).map(|(one, other)| (one - other).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Joints as a place.
+/// Returns joints as a place.
 pub(super) fn of_joints(joints: &[f64; 6]) -> Place {
     std::array::from_fn(|which| joints.get(which).copied().unwrap_or_default())
 }
 
-/// Tool as a place, next to one before it: of both quaternions for a turn the nearer one counts.
+/// Returns the tool as a place. Of the two quaternions for its turn, it takes the one nearer to the place before.
 pub(super) fn of_tool(tool: &Isometry3<f64>, before: Option<&Place>) -> Place {
     let (moved, turned) = (tool.translation.vector, tool.rotation.coords * TURN_UNITS);
     let sign = before.map_or(1.0, |before| {
@@ -193,7 +194,7 @@ fn quaternion(place: &Place) -> Quaternion<f64> {
     Quaternion::new(w, i, j, k)
 }
 
-/// Joints at a parameter, and their derivatives; none where they cannot go on so.
+/// Returns the joints at a parameter, and their derivatives; `None` if the joints cannot follow the spline.
 fn sample(spline: &Spline, at: f64, space: Space, here: &Solved) -> Option<Sample> {
     let [place, first, second] = spline.at(at);
     if space == Space::Joints {
@@ -213,7 +214,7 @@ fn sample(spline: &Spline, at: f64, space: Space, here: &Solved) -> Option<Sampl
     here.moving(&moves(&first, rate), &moves(&second, bend))
 }
 
-/// True where a polynomial is near the spline in between.
+/// Whether a polynomial is near the spline in between.
 fn is_near(spline: &Spline, piece: &Piece, space: Space, checker: &Checker, near: Nearness) -> bool {
     let nodes = spline.nodes();
     let (from, to) = (piece.start_s, piece.end_s());
@@ -230,7 +231,7 @@ fn is_near(spline: &Spline, piece: &Piece, space: Space, checker: &Checker, near
         && within.iter().step_by(within.len() / COMPARED + 1).all(|node| is_near_at(*node))
 }
 
-/// Degrees by which the joints go for each unit, where they go the furthest.
+/// Returns the greatest distance that the joints move for each unit, in degrees.
 fn degrees_a_unit(pieces: &[Piece]) -> f64 {
     let rates = pieces.iter().map(|piece| piece.at(0.5).velocity.iter().map(|rate| rate * rate).sum::<f64>());
     rates.fold(1e-12, f64::max).sqrt()

@@ -8,27 +8,27 @@ use serde_json::value::RawValue;
 use super::csv::number;
 use crate::text_file::Report;
 
-/// The entries of an object in their order, with the texts of their values.
+/// Entries of an object in their order, with the texts of their values.
 pub(super) type Entries<'t> = Vec<(Cow<'t, str>, &'t str)>;
 
-/// A JSON file.
+/// JSON file.
 pub(super) struct File<'t> {
     text: &'t str,
-    /// The value that it is.
+    /// Text of the whole value.
     pub(super) whole: &'t str,
 }
 
-/// The list in a file.
+/// Key of the list in a file.
 const POINTS: &str = "points";
 
 impl<'t> File<'t> {
-    /// None where the text is not JSON.
+    /// Reads the text; `None` if it is not JSON.
     pub(super) fn new(text: &'t str, report: &mut Report<'_>) -> Option<Self> {
         match serde_json::from_str::<&RawValue>(text) {
             Ok(whole) => Some(Self { text, whole: whole.get() }),
             Err(error) => {
                 let said = error.to_string();
-                // The place is said already.
+                // The error has the place already.
                 let reason = said.rsplit_once(" at line ").map_or(said.as_str(), |(reason, _)| reason);
                 let lines = text.split_inclusive('\n').map(str::len);
                 let line_start: usize = lines.take(error.line().saturating_sub(1)).sum();
@@ -39,7 +39,7 @@ impl<'t> File<'t> {
         }
     }
 
-    /// The offset of a value, which is a part of the text.
+    /// Returns the offset of a value, which is a part of the text.
     pub(super) fn place(&self, value: &str) -> usize {
         (value.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize)
     }
@@ -65,7 +65,7 @@ impl<'t> File<'t> {
         Some(list.into_iter().map(RawValue::get).collect())
     }
 
-    /// The points: at least two.
+    /// Returns the points, at least two.
     pub(super) fn points(&self, report: &mut Report<'_>) -> Option<Vec<&'t str>> {
         let entries = self.entries(self.whole, "the file", report)?;
         for (key, value) in entries.iter().filter(|(key, _)| key != POINTS) {
@@ -78,7 +78,7 @@ impl<'t> File<'t> {
         self.list(points, POINTS, "a list of objects", report)
     }
 
-    /// A list of so many numbers.
+    /// Returns a list of `N` numbers.
     pub(super) fn numbers<const N: usize>(
         &self,
         value: &'t str,

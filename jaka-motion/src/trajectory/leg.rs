@@ -1,18 +1,18 @@
-//! Ways from one point of a trajectory to the next, and the speeds that are asked for.
+//! Paths from one point of a trajectory to the next, and the requested speeds.
 
 use super::TrajectoryError;
 use super::curve_path::CurvePath;
 use super::line::Line;
 use crate::checker::Checker;
 
-/// A way straight in joint space, or on a straight line of the tool.
+/// Path between two points: straight in joint space, on a line of the tool, or a curve.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Leg {
-    /// The number of the way-point at its start, from 1.
+    /// Number of the way-point at its start, from 1.
     pub(super) after: usize,
-    /// In degrees, of all joints together; or in mm, with [`TURN_MM`] for each radian.
+    /// Length in degrees, of all joints together; for a line of the tool in mm, with [`TURN_MM`] for each radian.
     pub(super) length: f64,
-    /// The joints at its start.
+    /// Joints at its start.
     pub(super) start: [f64; 6],
     pub(super) path: LegPath,
     pub(super) speeds: LegSpeeds,
@@ -23,9 +23,9 @@ pub(super) struct Leg {
 /// Highest speeds on a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LegSpeeds {
-    /// In mm/s.
+    /// Speed of the tool centre point, in mm/s.
     pub(super) tcp_speed: f64,
-    /// In deg/s.
+    /// Speeds of the joints, in deg/s.
     pub(super) joint_speeds: [f64; 6],
 }
 
@@ -37,11 +37,11 @@ pub(super) enum LegPath {
     Curve(CurvePath),
 }
 
-/// Speeds and jerks that a caller asks for.
+/// Requested speeds and jerks.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpeedSettings {
     pub(super) speeds: LegSpeeds,
-    /// In deg/s³.
+    /// Jerks in deg/s³.
     pub(super) jerks: Option<[f64; 6]>,
     /// Share of each joint's acceleration that bends leave for changes of the rate.
     pub(super) reserve: f64,
@@ -50,35 +50,35 @@ pub(super) struct SpeedSettings {
 /// Speeds, accelerations and jerks with which a trajectory is planned.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Budget {
-    /// In deg/s and mm/s.
+    /// Speeds in deg/s and mm/s.
     pub(super) speeds: LegSpeeds,
-    /// In deg/s² and deg/s³.
+    /// Accelerations in deg/s²; `jerks` are in deg/s³.
     pub(super) accelerations: [f64; 6],
     pub(super) jerks: [f64; 6],
-    /// Speed of the tool centre point that the caller asks for, in mm/s; infinite if it asks for none.
+    /// Requested speed of the tool centre point, in mm/s; infinite without a request.
     pub(super) tcp_asked: f64,
-    /// Of the tool centre point along its way, in mm/s²; infinite without a limit.
+    /// Acceleration of the tool centre point along its path, in mm/s²; infinite without a limit.
     pub(super) tcp_acceleration: f64,
     /// Share of the accelerations for curves at a constant speed.
     pub(super) curving: f64,
 }
 
 impl Budget {
-    /// Highest speeds on a leg.
+    /// Returns the highest speeds on a leg.
     pub(super) fn speeds_on(&self, leg: LegSpeeds) -> LegSpeeds {
         self.speeds.least(LegSpeeds { tcp_speed: TCP_ASKED * leg.tcp_speed, ..leg })
     }
 }
 
-/// Least speed and jerk: a joint that is slower takes hours for a turn.
+/// Least speed and jerk: a slower joint takes hours for a turn.
 const SLOWEST: f64 = 1e-3;
-/// Share of each joint's acceleration that bends leave for changes of the rate, if nothing else is said.
+/// Default share of each joint's acceleration that bends leave for changes of the rate.
 const RESERVE: f64 = 0.2;
-/// Largest such share.
+/// Greatest such share.
 const MOST_RESERVE: f64 = 0.9;
-/// Share of an asked speed of the tool centre point that is planned.
+/// Planned share of a requested speed of the tool centre point.
 const TCP_ASKED: f64 = 0.9995;
-/// Share of the highest speed of the tool centre point that is planned, where limits have one.
+/// Planned share of the highest speed of the tool centre point, if limits have one.
 const TCP_SHARE: f64 = 0.98;
 
 impl Default for SpeedSettings {
@@ -128,7 +128,7 @@ pub(super) struct Tolerances {
 impl Tolerances {
     pub(super) const NONE: Self = Self { mm: 0.0, turn_deg: 0.0, joint_deg: 0.0 };
 
-    /// None of these may be negative or not finite; the names are those of the settings.
+    /// Checks that no tolerance is negative or not finite; `names` are those of the settings.
     pub(super) fn check(&self, names: [&'static str; 3]) -> Result<(), TrajectoryError> {
         let given = [self.mm, self.turn_deg, self.joint_deg];
         match names.into_iter().zip(given).find(|(_, given)| !(given.is_finite() && *given >= 0.0)) {
@@ -150,7 +150,7 @@ impl LegSpeeds {
         }
     }
 
-    /// The lower of both.
+    /// Returns the lower of both.
     pub(super) fn least(self, other: Self) -> Self {
         Self {
             tcp_speed: self.tcp_speed.min(other.tcp_speed),
@@ -160,7 +160,7 @@ impl LegSpeeds {
 }
 
 impl Leg {
-    /// With any speed, and a stop at its end.
+    /// Creates a leg with any speed, and a stop at its end.
     pub(super) fn new(after: usize, length: f64, start: [f64; 6], path: LegPath) -> Self {
         Self { after, length, start, path, speeds: LegSpeeds::ANY, corner: Tolerances::NONE }
     }
@@ -171,7 +171,7 @@ impl Leg {
         Self::new(after, length, from, LegPath::Joints(moved.map(|moved| moved / length)))
     }
 
-    /// Returns the joint positions after a way on a leg in joint space, in degrees.
+    /// Returns the joint positions at a distance along a leg in joint space, in degrees.
     pub(super) fn joints_at(&self, direction: &[f64; 6], way: f64) -> [f64; 6] {
         std::array::from_fn(|joint| self.start[joint] + way * direction[joint])
     }

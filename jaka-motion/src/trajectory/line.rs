@@ -5,42 +5,41 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector6};
 use crate::checker::{Arm, Checker, Solved};
 use crate::piece::{Piece, Sample};
 
-/// Direction of a straight motion of the tool, for each unit of the way: mm, and radians about its own axes.
+/// Direction of a straight motion of the tool, for each unit of length: mm, and radians about its own axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Direction {
     pub(super) moved: Vector3<f64>,
     pub(super) turned: Vector3<f64>,
 }
 
-/// A straight line of the tool, and the joints on it: polynomials of the way, found once and timed as often as it
-/// takes.
+/// Straight line of the tool, and the joints on it: polynomials of the length, computed once and timed as often as
+/// needed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
-    /// The tool at the start.
+    /// Tool at the start.
     pub(super) from: Isometry3<f64>,
     pub(super) direction: Direction,
-    /// By the way in the place of seconds.
+    /// Parts by length in place of seconds.
     parts: Vec<Piece>,
-    /// From each singularity, at the start.
+    /// Distances from the singularities, at the start.
     distances: [f64; 3],
-    /// Whether all that [`Checker::check_line`] looks for is known to be far away.
+    /// Whether all limits that [`Checker::check_line`] compares are known to be far away.
     pub(super) is_clear: bool,
 }
 
-/// The length in mm that counts as much as a turn of the tool by one radian.
+/// Length in mm that counts as much as a turn of the tool by one radian.
 pub(super) const TURN_MM: f64 = 200.0;
-/// The longest way between two places at which the joints are computed, in the unit of the way.
+/// Longest distance between two places at which the joints are computed, in the unit of length.
 pub(super) const LONGEST: f64 = 50.0;
-/// The least share of a line between two places.
+/// Least share of a line between two places.
 pub(super) const LEAST: f64 = 1e-6;
-/// The most parts of a line.
+/// Greatest number of parts of a line.
 const MOST_PARTS: usize = 50_000;
 /// Greatest distance of the tool from its line between two places, in mm and degrees.
 const OFF_LINE: (f64, f64) = (1e-4, 2e-5);
 
 impl Direction {
-    /// Returns the direction from one place to another, and the length of the way, in mm with [`TURN_MM`] for each
-    /// radian.
+    /// Returns the direction from one place to another, and the length, in mm with [`TURN_MM`] for each radian.
     pub(super) fn between(from: &Isometry3<f64>, to: &Isometry3<f64>) -> (Self, f64) {
         let moved = to.translation.vector - from.translation.vector;
         let turned = (from.rotation.inverse() * to.rotation).scaled_axis();
@@ -50,8 +49,8 @@ impl Direction {
 }
 
 impl Line {
-    /// Returns the line from the arm's position, in parts that are no shorter than the least where they can be, and the
-    /// arm's position at the end; none if the joints are not found all along.
+    /// Returns the line from the arm's position, in parts no shorter than `least`, and the arm's position at the end;
+    /// `None` if the joints are not found all along.
     pub(super) fn new(
         checker: &Checker,
         start: &Solved,
@@ -73,8 +72,8 @@ impl Line {
         Some((line, here))
     }
 
-    /// Whether the joints surely keep apart from singularities on pieces around its start, which is no further from
-    /// them than they are long.
+    /// Whether the joints surely keep their distance from singularities on pieces around the line's start, which is at
+    /// most the length of the pieces away.
     pub(super) fn is_apart_all_along(&self, checker: &Checker, pieces: &[Piece]) -> bool {
         let turned: [f64; 6] = std::array::from_fn(|joint| {
             let seconds: f64 = pieces.iter().map(|piece| piece.seconds * piece.hull().speeds[joint]).sum();
@@ -83,13 +82,13 @@ impl Line {
         checker.keeps_apart(&self.distances, &turned)
     }
 
-    /// The joints at a way, and how they move and bend for each unit of it.
+    /// Returns the joints at a distance along the line, with their first and second derivatives.
     pub(super) fn at(&self, way: f64) -> Sample {
         let (part, share) = self.place(way);
         part.at(share)
     }
 
-    /// The parts between two ways.
+    /// Returns the parts between two distances along the line.
     pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = Piece> {
         let parts = self.parts.iter().filter(move |part| part.start_s < to && part.end_s() > from);
         parts.map(move |part| {
@@ -99,14 +98,14 @@ impl Line {
         })
     }
 
-    /// Distance of a place from the line, in mm.
+    /// Returns the distance of a place from the line, in mm.
     pub(super) fn off_mm(&self, place: &Vector3<f64>) -> f64 {
         let (off, moved) = (place - self.from.translation.vector, self.direction.moved);
         let along = if moved.norm_squared() > 0.0 { off.dot(&moved) / moved.norm_squared() } else { 0.0 };
         (off - moved * along).norm()
     }
 
-    /// Degrees by which the joints go for each unit of the way, where they go the furthest.
+    /// Returns the greatest distance that the joints move for each unit of length, in degrees.
     pub(super) fn degrees_a_unit(&self) -> f64 {
         let rates = self.parts.iter().map(|part| part.at(0.0).velocity.iter().map(|rate| rate * rate).sum::<f64>());
         rates.fold(1e-12, f64::max).sqrt()
@@ -123,12 +122,13 @@ impl Line {
         Isometry3::from_parts(Translation3::from(place), self.from.rotation * turn)
     }
 
-    /// Returns the joint positions, with their first and second derivatives for each unit of the way.
+    /// Returns the joint positions, with their first and second derivatives for each unit of length.
     fn going(&self, here: &Solved) -> Option<Sample> {
         here.moving(&together(self.direction.moved, self.from.rotation * self.direction.turned), &Vector6::zeros())
     }
 
-    /// Adds the part between two ways, if joints that go on so bring the tool along it; returns the joints at its end.
+    /// Adds the part between two distances, if joints that continue bring the tool along it; returns the joints at its
+    /// end.
     fn part(&mut self, arm: &Arm, [from, to]: [f64; 2], here: &Solved, sample: &mut Sample) -> Option<Solved> {
         if self.parts.len() > MOST_PARTS {
             return None;
@@ -145,15 +145,15 @@ impl Line {
     }
 }
 
-/// Whether joints bring the tool to a place, within mm and degrees.
+/// Whether joints bring the tool to a place, within these mm and degrees.
 pub(super) fn is_off_at_most(arm: &Arm, joints: &[f64; 6], tool: &Isometry3<f64>, most: (f64, f64)) -> bool {
     let found = arm.tcp(joints);
     let moved = (tool.translation.vector - found.translation.vector).norm();
     moved <= most.0 && tool.rotation.angle_to(&found.rotation).to_degrees() <= most.1
 }
 
-/// Goes from 0 to an end in steps that `take` takes, each as long as it can be and at most the longest; none where it
-/// takes not even the least.
+/// Advances from 0 to an end in steps that `take` accepts, each as long as possible and at most the longest; `None` if
+/// it refuses even the least.
 pub(super) fn in_steps(end: f64, longest: f64, least: f64, mut take: impl FnMut([f64; 2]) -> Option<()>) -> Option<()> {
     let (mut at, mut step) = (0.0, longest);
     while at < end {

@@ -27,7 +27,7 @@ pub(super) struct PathPiece {
     pub(super) shape: PieceShape,
     /// Number of the way-point before it, from 1.
     pub(super) after: usize,
-    /// True where the path rests at its end.
+    /// Whether the path rests at its end.
     pub(super) stops: bool,
     pub(super) speeds: LegSpeeds,
 }
@@ -35,11 +35,11 @@ pub(super) struct PathPiece {
 /// Form of a part of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PieceShape {
-    /// Straight in joint space.
+    /// Straight line in joint space.
     Straight,
-    /// A curve, such as that of the joints on a line of the tool.
+    /// Curve, such as that of the joints on a line of the tool.
     Curve,
-    /// A rounded corner.
+    /// Rounded corner.
     Corner,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Mark {
     pub(super) passing: Passing,
 }
 
-/// Leg by the parameter of the path.
+/// Leg with the parameter of the path.
 struct Scaled<'l> {
     leg: &'l Leg,
     /// Degrees of the joints' path for each unit of the leg's length.
@@ -60,30 +60,30 @@ struct Scaled<'l> {
 /// Passage from one leg to the next.
 enum Junction {
     Stop,
-    /// Straight on.
+    /// Straight continuation.
     Through,
-    /// On a curve that begins and ends at this distance from the corner, by the parameter.
+    /// Curve that begins and ends at this distance from the corner, by the parameter.
     Rounded(f64, Box<Piece>),
 }
 
 /// Share of a leg that one corner may take.
 const HALF: f64 = 0.499;
-/// Least half of a corner: a stop takes hardly longer.
+/// Least half of a corner; a stop takes hardly longer than a shorter one.
 const LEAST_HALF: f64 = 1e-4;
-/// Steps in which a corner that is too far from its point gets shorter.
+/// Shares of its length that are tried for a corner that is too far from its point.
 const SHORTER: [f64; 8] = [1.0, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1];
-/// The length of a corner is this many times its distance from the point, where the directions differ by 1: its
-/// direction goes from one to the other as `3x² - 2x³`.
+/// Length of a corner as a multiple of its distance from the point, for directions that differ by 1. The direction
+/// changes from one to the other as `3x² - 2x³`.
 const CORNER_LENGTH: f64 = 32.0 / 3.0;
-/// Directions that differ by less are one.
+/// Difference below which directions are one.
 const STRAIGHT_ON: f64 = 1e-9;
 /// Cosine of the angle, some 177 degrees, beyond which a path turns back.
 const TURNS_BACK: f64 = -0.9986;
-/// Share of a tolerance that corners take: the rest is for pieces of time, which are near the path.
+/// Share of a tolerance for corners; the rest is for pieces of time, which are near the path.
 const WITHIN: f64 = 0.995;
 
 impl Path {
-    /// Path along legs, with their corners rounded within their tolerances.
+    /// Creates the path along legs, with their corners rounded within their tolerances.
     ///
     /// # Errors
     /// A corner is too near to a singularity.
@@ -139,7 +139,7 @@ impl<'l> Scaled<'l> {
         self.leg.length * self.scale
     }
 
-    /// Joints at a parameter from its start, with their derivatives.
+    /// Returns the joints at a parameter from its start, with their derivatives.
     fn at(&self, at: f64) -> Sample {
         let way = at / self.scale;
         match &self.leg.path {
@@ -160,7 +160,7 @@ impl<'l> Scaled<'l> {
         }
     }
 
-    /// Adds what is between two parameters.
+    /// Adds the part between two parameters.
     fn add(&self, [from, to]: [f64; 2], path: &mut Path) {
         match &self.leg.path {
             LegPath::Joints(_) => {
@@ -183,7 +183,7 @@ impl<'l> Scaled<'l> {
                 for (after, part) in curve.between(from, to) {
                     path.add(part, PieceShape::Curve, self.leg.after + after, self.leg.speeds);
                 }
-                // Those before and after lie on the corners.
+                // Marks before and after are on the corners.
                 let marks = curve.marks.iter().map(|mark| start + mark - from);
                 path.marks.extend(marks.map(|at| Mark { at, passing: Passing::Rounded }));
             }
@@ -198,7 +198,7 @@ impl<'l> Scaled<'l> {
         }
     }
 
-    /// Passage to the next leg: a stop where the path turns back, and where a tolerance is not named.
+    /// Returns the passage to the next leg: a stop if the path turns back, or no tolerance is set.
     fn junction(&self, next: &Self, checker: &Checker) -> Junction {
         let tolerances = &self.leg.corner;
         let (before, after) = (self.at(self.length()), next.at(0.0));
@@ -237,7 +237,8 @@ impl<'l> Scaled<'l> {
         dot(before, after) / (dot(before, before) * dot(after, after)).sqrt()
     }
 
-    /// Longest corner within the tolerances of both legs, for directions that differ so, by the parameter.
+    /// Returns the longest corner within the tolerances of both legs, by the parameter, for this change `turn` of
+    /// direction.
     fn corner_length(
         &self,
         next: &Self,
@@ -262,7 +263,7 @@ impl<'l> Scaled<'l> {
         most
     }
 
-    /// True where a corner is within the tolerances of both legs.
+    /// Whether a corner is within the tolerances of both legs.
     fn is_within(&self, next: &Self, half: f64, corner: &Piece, tolerances: &Tolerances, checker: &Checker) -> bool {
         if let (LegPath::Joints(_), LegPath::Joints(_)) = (&self.leg.path, &next.leg.path) {
             // The bound of its length is exact.
@@ -288,7 +289,7 @@ impl<'l> Scaled<'l> {
         if !(self.is_of_tool() && next.is_of_tool()) && largest(&off) > WITHIN * tolerances.joint_deg {
             return false;
         }
-        // The way from a corner's end to its middle is looked at in between, too.
+        // The path between a corner's ends and its middle is compared, too.
         [0.125, 0.25, 0.375, 0.625, 0.75, 0.875].into_iter().all(|share| {
             let place = arm.tcp(&corner.joints(share)).translation.vector;
             let along = (2.0 * share - 1.0) * half;
@@ -301,7 +302,7 @@ impl<'l> Scaled<'l> {
         })
     }
 
-    /// Distance of a place from the leg's path, near a parameter.
+    /// Returns the distance of a place from the leg's path, near a parameter, in mm.
     fn off_mm(&self, arm: &Arm, place: &Vector3<f64>, at: f64) -> f64 {
         match &self.leg.path {
             LegPath::Joints(_) | LegPath::Curve(_) => {
@@ -311,7 +312,8 @@ impl<'l> Scaled<'l> {
         }
     }
 
-    /// Checks a corner between two lines, which were checked themselves; around it the arm is elsewhere.
+    /// Checks the distances from singularities on a corner between two lines. The lines were checked themselves, but
+    /// the corner is off them.
     fn keep_apart_from_singularities(
         &self,
         next: &Self,

@@ -1,52 +1,52 @@
-//! Places at which a trajectory is slower than was asked for.
+//! Places at which a trajectory is slower than requested.
 
-/// Place at which the tool is slower than the speed that was asked for, between two others at which it is faster.
+/// Place at which the tool is slower than the requested speed, between two others at which it is faster.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SlowPlace {
     /// Trajectory time, in seconds.
     pub time_s: f64,
-    /// Share of the speed of the tool centre point that was asked for.
+    /// Share of the requested speed of the tool centre point.
     pub share: f64,
-    /// Limit that allows no more there.
+    /// Limit that allows no higher speed there.
     pub by: SlowedBy,
 }
 
 jaka_proto::worded! {
-    /// Limit that slows a trajectory down, and the joint, 1 to 6, to which it applies, if it is one of a joint.
+    /// Limit that slows a trajectory down, and the joint, 1 to 6, for a limit of a joint.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
     #[non_exhaustive]
     pub enum SlowedBy {
-        /// The speed of a joint.
+        /// Speed of a joint.
         Speed {
-            /// Its number.
+            /// Number of the joint.
             joint: usize,
         } => "the speed of joint {joint}",
-        /// The acceleration of a joint, without the reserve where the way bends.
+        /// Acceleration of a joint, without the reserve on bends of the path.
         Acceleration {
-            /// Its number.
+            /// Number of the joint.
             joint: usize,
         } => "the acceleration of joint {joint}",
-        /// The jerk of a joint.
+        /// Jerk of a joint.
         Jerk {
-            /// Its number.
+            /// Number of the joint.
             joint: usize,
         } => "the jerk of joint {joint}",
-        /// The acceleration of the tool centre point along its way.
+        /// Acceleration of the tool centre point along its path.
         ToolAcceleration => "the acceleration of the tool",
     }
 }
 
-/// Shares of this and more are not slow.
+/// Share from which a place is not slow.
 const FAST: f64 = 0.97;
-/// Most slow places that are kept.
+/// Greatest number of slow places that are kept.
 const MOST: usize = 20;
 
 impl SlowPlace {
-    /// The slowest of places along a stretch from stop to stop: those at which the speed rises to both sides. If there
-    /// are none, its fastest one, with the limit that holds most of the places.
+    /// Returns the slowest places between two stops: the minima of the speed. If there are none, it returns the fastest
+    /// place, with the limit that applies at most of the places.
     pub(super) fn slowest(all: &[Self]) -> Vec<Self> {
         let is_lowest =
             |index: &usize| all[*index].share < all[index - 1].share && all[*index].share <= all[index + 1].share;
@@ -67,7 +67,7 @@ impl SlowPlace {
         found
     }
 
-    /// The first of all, the slowest first.
+    /// Returns the slowest places, the slowest first.
     pub(super) fn sorted(mut all: Vec<Self>) -> Vec<Self> {
         all.sort_by(|one, other| one.share.total_cmp(&other.share));
         all.truncate(MOST);
@@ -76,8 +76,8 @@ impl SlowPlace {
 }
 
 impl SlowedBy {
-    /// The limit of which the largest share is used, by the shares of speeds, accelerations and jerks, and of the
-    /// tool's acceleration.
+    /// Returns the limit of which the largest share is used, from the shares of speeds, accelerations and jerks, and of
+    /// the tool's acceleration.
     pub(super) fn of(shares: [[f64; 6]; 3], tool: f64) -> Self {
         let all = shares.into_iter().enumerate().flat_map(|(which, joints)| {
             joints.into_iter().enumerate().map(move |(joint, share)| (which, joint + 1, share))

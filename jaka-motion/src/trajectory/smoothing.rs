@@ -16,33 +16,33 @@ pub(super) struct Spline {
 /// Symmetric matrix: each row has the diagonal and the three numbers after it.
 type Banded = Vec<[f64; 4]>;
 
-/// Rounds in which weights find how near to each place the curve has to be kept.
+/// Number of rounds in which the weights of distances are adapted.
 const ROUNDS: usize = 30;
-/// Share of a tolerance that is aimed at.
+/// Share of a tolerance that the adaptation aims at.
 const AIM: f64 = 0.85;
-/// Weights of distances at the start, and the least: below it rounding would count.
+/// Weights of distances at the start, and the least, below which rounding errors would dominate.
 const WEIGHT: f64 = 1e-4;
 const LEAST_WEIGHT: f64 = 1e-10;
-/// Largest factor by which a weight changes in a round.
+/// Greatest factor by which a weight changes in a round.
 const MOST_CHANGE: f64 = 8.0;
-/// Range of the distances between nodes, in units of the mean, in the measure of smoothness.
+/// Range of the distances between nodes in the measure of smoothness, in units of the mean.
 const SPACING: [f64; 2] = [0.05, 20.0];
 
 impl Spline {
-    /// The smoothest curve near places whose parameters increase from 0; it starts and ends at the first and the last.
-    /// Its distance from each place is at most 1 as `off` counts the difference.
+    /// Creates the smoothest curve near places whose parameters increase from 0; it starts and ends at the first and
+    /// the last. Its distance from each place is at most 1, as measured by `off`.
     pub(super) fn near(at: Vec<f64>, given: &[Place], off: impl Fn(&Place) -> f64) -> Self {
         let places = smoothed(&at, given, off);
         let bends = bends(&at, &places);
         Self { at, places, bends }
     }
 
-    /// Parameters of the nodes.
+    /// Returns the parameters of the nodes.
     pub(super) fn nodes(&self) -> &[f64] {
         &self.at
     }
 
-    /// Place at a parameter, and its first and second derivative.
+    /// Returns the place at a parameter, and its first and second derivative.
     pub(super) fn at(&self, at: f64) -> [Place; 3] {
         let index = self.at.partition_point(|node| *node <= at).clamp(1, self.at.len() - 1) - 1;
         let step = self.at[index + 1] - self.at[index];
@@ -65,10 +65,10 @@ impl Spline {
     }
 }
 
-/// Places near the given ones, with the least third derivative.
+/// Returns places near the given ones, with the least third derivative.
 ///
-/// The squares of the third derivative are weighed against those of the distances. Weights of distances rise where they
-/// are too long, and fall elsewhere, until the distances that matter are about as long as they may be.
+/// It minimises a weighted sum of the squares of the third derivative and of the distances. The weights of distances
+/// rise where these are too long, and fall elsewhere, until the decisive distances are about as long as permitted.
 fn smoothed(at: &[f64], given: &[Place], off: impl Fn(&Place) -> f64) -> Vec<Place> {
     let count = given.len();
     if count < 5 {
@@ -102,7 +102,8 @@ fn smoothed(at: &[f64], given: &[Place], off: impl Fn(&Place) -> f64) -> Vec<Pla
     places
 }
 
-/// Squares of third derivatives as a matrix of the moves of inner places, and the pull of the given places.
+/// Returns the squares of third derivatives as a matrix for the displacements of inner places, and the pull of the
+/// given places.
 fn roughness(at: &[f64], given: &[Place]) -> (Banded, Vec<Place>) {
     let (count, mean) = (given.len(), at[at.len() - 1] / lengths_as_number(at.len() - 1));
     let mut spaced = vec![0.0; count];
@@ -120,7 +121,7 @@ fn roughness(at: &[f64], given: &[Place]) -> (Banded, Vec<Place>) {
         let third: Place =
             std::array::from_fn(|which| (0..4).map(|one| factor[one] * given[first + one][which]).sum::<f64>());
         for one in 0..4 {
-            // Ends do not move.
+            // The ends stay fixed.
             let Some(row) = (first + one).checked_sub(1).filter(|row| *row < count - 2) else { continue };
             for other in one..4.min(count - 1 - first) {
                 matrix[row][other - one] += length * factor[one] * factor[other];
@@ -136,7 +137,7 @@ fn lengths_as_number(count: usize) -> f64 {
     count as f64
 }
 
-/// Solution of a positive definite system.
+/// Returns the solution of a positive definite system.
 fn solved(mut matrix: Banded, mut right: Vec<Place>) -> Vec<Place> {
     let count = matrix.len();
     for index in 0..count {
@@ -164,14 +165,15 @@ fn solved(mut matrix: Banded, mut right: Vec<Place>) -> Vec<Place> {
     right
 }
 
-/// Second derivatives at the nodes of the cubic spline through places, constant on the first and the last interval.
+/// Returns the second derivatives at the nodes of the cubic spline through places, constant on the first and the last
+/// interval.
 fn bends(at: &[f64], places: &[Place]) -> Vec<Place> {
     let last = places.len() - 1;
     let mut bends = vec![[0.0; 7]; last + 1];
     if last < 2 {
         return bends;
     }
-    // Share of the next bend in each; the rest of it is in `bends` until the way back.
+    // Share of the next second derivative in each; `bends` has the rest until the back substitution.
     let mut shares = vec![0.0; last + 1];
     for index in 1..last {
         let [first, second] = [at[index] - at[index - 1], at[index + 1] - at[index]];

@@ -2,9 +2,9 @@
 //!
 //! The unknown is the squared speed of the path parameter as a function of that parameter: a quadratic spline over the
 //! places, which starts and ends with a constant jerk. Accelerations are linear in it. A jerk is linear in it, times
-//! the speed: the limit divided by the speed is convex, and its tangent at the last iterate is a bound on the safe
-//! side. A primal-dual interior-point method improves a speed that is within all limits from the start on, window by
-//! window, so that the time for planning grows with the number of places.
+//! the speed: the limit divided by the speed is convex, and its tangent at the last iterate is a conservative bound. A
+//! primal-dual interior-point method starts from a speed within all limits and improves it window by window, so the
+//! planning time is proportional to the number of places.
 
 use std::ops::Range;
 
@@ -18,17 +18,17 @@ pub(super) struct Place {
     pub(super) second: [f64; 6],
     /// Third derivative before and after the place.
     pub(super) third: [[f64; 6]; 2],
-    /// Derivative of the tool's distance by the path parameter, and the derivative of that; 0 where the tool's
-    /// acceleration is not limited.
+    /// Derivative of the tool's distance by the path parameter, and its second derivative; 0 if the tool's acceleration
+    /// is not limited.
     pub(super) tool: [f64; 2],
     /// Limit of the square of the path parameter's speed.
     pub(super) most: f64,
-    /// First, second and third derivative in the middle between this place and the next, where they differ from those
-    /// at the places.
+    /// First, second and third derivative midway between this place and the next, if they differ from those at the
+    /// places.
     pub(super) middle: Option<[[f64; 6]; 3]>,
 }
 
-/// Limits of the joints' accelerations and jerks, and of the tool's acceleration along its way.
+/// Limits of the joints' accelerations and jerks, and of the tool's acceleration along its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PathLimits {
     pub(super) accelerations: [f64; 6],
@@ -41,7 +41,7 @@ pub(super) struct PathLimits {
 pub(super) struct Speed {
     /// Square of the path parameter's speed.
     pub(super) squared: f64,
-    /// Derivative of that by the path parameter: twice the acceleration.
+    /// Derivative of `squared` by the path parameter: twice the acceleration.
     pub(super) slope: f64,
 }
 
@@ -52,10 +52,10 @@ struct Row {
     base: usize,
     weights: [f64; 3],
     bound: f64,
-    /// Weights of the squared speed by whose root the bound is divided, for a jerk.
+    /// Weights of the squared speed whose root divides the bound, for a jerk.
     speed: Option<[f64; 3]>,
     multipliers: [f64; 2],
-    /// Room below and above the combination, and the derivative of the bound by the squared speed.
+    /// Room on both sides of the combination, its inverse, and the derivative of the bound by the squared speed.
     left: [f64; 2],
     inverse: [f64; 2],
     change: f64,
@@ -63,7 +63,7 @@ struct Row {
 
 /// Coefficients of the quadratic spline, and their bounds.
 struct Problem<'p> {
-    /// Places without the first and the last.
+    /// Places except the first and the last.
     inner: &'p [Place],
     limits: &'p PathLimits,
     /// Squared speeds that the path hardly exceeds.
@@ -72,7 +72,7 @@ struct Problem<'p> {
     steps: Vec<f64>,
     /// Weights of the coefficients before and after each place in the squared speed there.
     weights: Vec<[f64; 2]>,
-    /// Factor of their difference in the slope there.
+    /// Factor of their difference in the slope at the place.
     slopes: Vec<f64>,
     /// Length of the path around each place.
     lengths: Vec<f64>,
@@ -104,31 +104,31 @@ struct Stretch {
     jerk: f64,
 }
 
-/// Result of a step: the share of it that the bounds allowed, and what is left to gain.
+/// Result of a step: the share of it that the bounds allowed, and the remaining gain.
 struct Progress {
     share: f64,
     gap: f64,
 }
 
-/// Most iterations in a window; some 15 suffice.
+/// Greatest number of iterations in a window; some 15 suffice.
 const ITERATIONS: usize = 60;
-/// Share of the duration that may be left to gain.
+/// Remaining gain, as a share of the duration, at which the iteration ends.
 const GAP: f64 = 0.004;
-/// Coefficients by which windows advance.
+/// Number of coefficients by which windows advance.
 const ADVANCE: usize = 200;
-/// Coefficients that a window has in common with the next.
+/// Number of coefficients that a window has in common with the next.
 const OVERLAP: usize = 40;
-/// Share of a limit that a joint must be able to reach for the limit to matter.
+/// Share of a limit that a joint must be able to reach, or the limit is ignored.
 const MATTERS: f64 = 0.98;
 /// Share of the distance to a bound that one step may take.
 const FAR: f64 = 0.99;
-/// Largest factor between a multiplier and that on the central path.
+/// Greatest factor between a multiplier and its value on the central path.
 const NEAR: f64 = 1000.0;
-/// Share of each bound that the first speed uses at most.
+/// Greatest share of each bound that the first speed uses.
 const START: f64 = 0.9;
 
-/// Plans the speed at each place but the first and the last, at which the path rests. There are at least five places,
-/// and their parameters increase. None where no speed is found.
+/// Plans the speed at each place except the first and the last, at which the path rests. There are at least five
+/// places, and their parameters increase. Returns `None` if no speed is found.
 pub(super) fn quickest(places: &[Place], limits: &PathLimits) -> Option<Vec<Speed>> {
     let mut problem = Problem::new(places, limits);
     let last = problem.coefficients.len() - 1;
@@ -144,7 +144,7 @@ pub(super) fn quickest(places: &[Place], limits: &PathLimits) -> Option<Vec<Spee
 }
 
 impl PathLimits {
-    /// Greatest acceleration of the path parameter from rest.
+    /// Returns the greatest acceleration of the path parameter from rest.
     fn acceleration(&self, place: &Place) -> f64 {
         let by_joints = least(|joint| self.accelerations[joint] / place.first[joint].abs());
         if self.tool.is_finite() { by_joints.min(self.tool / place.tool[0]) } else { by_joints }
@@ -194,7 +194,8 @@ impl<'p> Problem<'p> {
         problem
     }
 
-    /// Squared speeds that the path hardly exceeds: those at full jerk and full acceleration from each limit on.
+    /// Returns the squared speeds that the path hardly exceeds: at full jerk and full acceleration away from each
+    /// limit.
     fn reference(&self) -> Vec<f64> {
         let Self { inner, limits, .. } = self;
         let jerk = |place: &Place| least(|joint| limits.jerks[joint] / place.first[joint].abs());
@@ -208,7 +209,7 @@ impl<'p> Problem<'p> {
         powers.into_iter().map(|power| power.powf(4.0 / 3.0)).collect()
     }
 
-    /// Lowers values until none rises faster than it may, to either side.
+    /// Lowers values until none rises faster than permitted, in either direction.
     fn sweep(&self, values: &mut [f64], rises: &[f64]) {
         for (place, step) in self.steps.iter().enumerate() {
             values[place + 1] = values[place + 1].min(values[place] + step * rises[place]);
@@ -218,7 +219,8 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// Bounds that concern some coefficients, in the order of their first ones, but for those that cannot matter.
+    /// Returns the bounds that involve some coefficients, in the order of their first ones, without those that cannot
+    /// be active.
     fn rows_of(&self, window: &Range<usize>) -> Vec<Row> {
         let from = window.start.saturating_sub(2);
         let mut rows = Vec::with_capacity(16 * window.len());
@@ -250,7 +252,7 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// Adds the bounds of jerks at a place, at an end of an interval.
+    /// Adds the bounds of jerks at a place that is an end of an interval.
     fn add_jerks(&self, interval: usize, index: usize, rows: &mut Vec<Row>) {
         let Place { first, second, third, .. } = &self.inner[index];
         let at = index - interval;
@@ -261,7 +263,7 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// Adds the bounds in the middle between a place and the next.
+    /// Adds the bounds midway between a place and the next.
     fn add_middle(&self, interval: usize, rows: &mut Vec<Row>) {
         let ([squared, slope], reference) = (self.at_middle(interval), self.reference[interval]);
         let most = self.most[interval].max(self.most[interval + 1]);
@@ -276,13 +278,15 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// Weights of the two coefficients around a place in so much of the squared speed and of its slope.
+    /// Returns the weights of the two coefficients around a place in these multiples of the squared speed and of its
+    /// slope.
     fn at_place(&self, place: usize, squared: f64, slope: f64) -> [f64; 2] {
         let ([before, after], slope) = (self.weights[place], slope * self.slopes[place]);
         [squared * before - slope, squared * after + slope]
     }
 
-    /// Weights of three coefficients in the squared speed in the middle between two places, and in its slope there.
+    /// Returns the weights of three coefficients in the squared speed midway between two places, and in its slope
+    /// there.
     fn at_middle(&self, interval: usize) -> [[f64; 3]; 2] {
         let bend = 0.125 * self.steps[interval] * self.steps[interval];
         let mean = |squared: f64, slope: f64| -> [f64; 3] {
@@ -293,19 +297,20 @@ impl<'p> Problem<'p> {
         [std::array::from_fn(|at| squared[at] - bend * second[at]), mean(0.0, 1.0)]
     }
 
-    /// Weights of three coefficients in the second derivative between two places.
+    /// Returns the weights of three coefficients in the second derivative between two places.
     fn second_derivative(&self, interval: usize) -> [f64; 3] {
         let (step, [before, after]) = (self.steps[interval], [self.slopes[interval], self.slopes[interval + 1]]);
         [before / step, -(before + after) / step, after / step]
     }
 
-    /// Weights of a jerk, divided by the speed: those of the lower derivatives, and that of the second one.
+    /// Returns the weights of a jerk, divided by the speed, from the weights of the lower derivatives and of the second
+    /// one.
     fn jerk(&self, interval: usize, lower: [f64; 3], first: f64) -> [f64; 3] {
         let second = self.second_derivative(interval);
         std::array::from_fn(|at| lower[at] + 0.5 * first * second[at])
     }
 
-    /// Starts with the share of a speed that nearly uses the limits with which it is within all of them.
+    /// Starts from a speed that nearly uses the limits, scaled down until it is within all of them.
     fn start(&mut self, launches: [f64; 2]) {
         self.coefficients = self.ramps(launches);
         let last = self.coefficients.len() - 1;
@@ -324,8 +329,8 @@ impl<'p> Problem<'p> {
         self.coefficients.iter_mut().for_each(|coefficient| *coefficient *= share);
     }
 
-    /// Squared speeds at the coefficients that rise from each limit on without acceleration at first, to either side,
-    /// and whose tops are round.
+    /// Returns squared speeds at the coefficients that rise from each limit without acceleration at first, in both
+    /// directions, and have round tops.
     fn ramps(&self, launches: [f64; 2]) -> Vec<f64> {
         let Self { inner, limits, .. } = self;
         let count = inner.len();
@@ -369,15 +374,15 @@ impl<'p> Problem<'p> {
         Speed { squared: self.squared(place), slope }
     }
 
-    /// Duration around some coefficients: the mean of that by the places and that by the coefficients, since no speed
-    /// between two places is below both.
+    /// Returns the duration around some coefficients: the mean of the durations by the places and by the coefficients,
+    /// since no speed between two places is below both.
     fn duration(&self, window: &Range<usize>) -> f64 {
         let places = places(window).map(|place| self.lengths[place] / self.squared(place).sqrt());
         let between = window.clone().map(|index| self.spans[index] / self.coefficients[index].sqrt());
         0.5 * (places.sum::<f64>() + between.sum::<f64>())
     }
 
-    /// Improves some coefficients, with the others as they are. None where a number is not finite.
+    /// Improves some coefficients, with the others fixed; `None` if a number is not finite.
     fn solve(&mut self, window: Range<usize>) -> Option<()> {
         let mut rows = self.rows_of(&window);
         #[expect(clippy::cast_precision_loss, reason = "a count")]
@@ -404,13 +409,13 @@ impl<'p> Problem<'p> {
                 } else {
                     1.0
                 };
-            // As long as the speed rises a lot, the bounds are kept away from.
+            // While the speed still rises a lot, the iterates keep away from the bounds.
             centre = if gained > 0.1 * duration { next.max(0.3 * duration) } else { next } / bounds;
         }
         Some(())
     }
 
-    /// Gives each bound the multiplier that it has on the central path.
+    /// Gives each bound its multiplier on the central path.
     fn centre(&mut self, window: &Range<usize>, rows: &mut [Row], centre: f64) {
         for row in rows {
             row.evaluate(&self.coefficients);
@@ -424,10 +429,10 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// The Newton step of some coefficients towards the central path, from two coefficients before them on.
+    /// Returns the Newton step of some coefficients towards the central path, from two coefficients before them on.
     fn step(&self, window: &Range<usize>, rows: &[Row], centre: f64) -> Newton {
         let first = window.start.saturating_sub(2);
-        // One more than there are coefficients at the end, for rows of two.
+        // The count includes one more than the coefficients at the end, for rows of two.
         let count = (window.end + 2).min(self.coefficients.len() + 1) - first;
         let mut newton = Newton { first, gradient: vec![0.0; count], matrix: vec![[0.0; 3]; count] };
         let Newton { gradient, matrix, .. } = &mut newton;
@@ -466,7 +471,8 @@ impl<'p> Problem<'p> {
         self.solve_banded(window, newton)
     }
 
-    /// Solves for the step: outside the window nothing moves, but for the first and the last coefficient, which follow.
+    /// Solves for the step: coefficients outside the window are fixed, but the first and the last coefficient follow
+    /// their neighbours.
     fn solve_banded(&self, window: &Range<usize>, mut newton: Newton) -> Newton {
         let last = self.coefficients.len() - 1;
         let (from, to) = (window.start - newton.first, window.end - newton.first);
@@ -523,10 +529,10 @@ impl<'p> Problem<'p> {
         newton
     }
 
-    /// Takes as much of a step as the bounds allow, and of that of the multipliers.
+    /// Takes as much of a step as the bounds allow, and as much of the step of the multipliers.
     fn take(&mut self, window: &Range<usize>, rows: &mut [Row], newton: &Newton, centre: f64) -> Progress {
         let Newton { first, gradient: step, .. } = newton;
-        // Largest parts of the room and of a multiplier that a whole step takes.
+        // Largest shares of the room and of a multiplier that a whole step takes.
         let (mut part, mut dual_part) = (FAR, FAR);
         let mut change = |inverse: f64, moved: f64, multiplier: f64| {
             part = part.max(-moved * inverse);
@@ -588,7 +594,7 @@ impl Row {
         Self { base, weights, bound, speed, multipliers: [0.0; 2], left: [0.0; 2], inverse: [0.0; 2], change: 0.0 }
     }
 
-    /// Share of some coefficients that is within the bound with room to spare.
+    /// Returns the share of some coefficients that is within the bound with room to spare.
     fn share(&self, coefficients: &[f64]) -> f64 {
         let near = |at: usize| coefficients.get(self.base + at).copied().unwrap_or_default();
         let dot = |weights: &[f64; 3]| weights[0] * near(0) + weights[1] * near(1) + weights[2] * near(2);
@@ -596,7 +602,7 @@ impl Row {
         self.speed.map_or(share, |speed| (share / dot(&speed).sqrt()).powf(2.0 / 3.0))
     }
 
-    /// Computes the room at some coefficients. The third weight of the last rows is none.
+    /// Computes the room at some coefficients. The third weight of the last rows is 0.
     fn evaluate(&mut self, coefficients: &[f64]) {
         let near = |at: usize| coefficients.get(self.base + at).copied().unwrap_or_default();
         let near = [near(0), near(1), near(2)];
@@ -612,7 +618,7 @@ impl Row {
         self.inverse = self.left.map(f64::recip);
     }
 
-    /// Weights of the coefficients in the change of the room on both sides.
+    /// Returns the weights of the coefficients in the change of the room on both sides.
     fn gains(&self) -> [[f64; 3]; 2] {
         let [one, two, three] = self.weights;
         let [first, second, third] = self.speed.unwrap_or_default();
@@ -621,12 +627,13 @@ impl Row {
     }
 }
 
-/// Places whose speeds some coefficients concern.
+/// Returns the places whose speeds depend on some coefficients.
 fn places(window: &Range<usize>) -> Range<usize> {
     window.start - 1..window.end
 }
 
-/// Joints whose acceleration and whose jerk may reach their limits, at squared speeds up to a reference.
+/// Returns the joints whose acceleration, and those whose jerk, may reach their limits at squared speeds up to a
+/// reference.
 fn matters(
     first: &[f64; 6],
     second: &[f64; 6],
@@ -652,12 +659,12 @@ fn matters(
     (listed(by_acceleration), listed(by_jerk))
 }
 
-/// A multiplier that is not far from that on the central path.
+/// Returns a multiplier that is not far from its value on the central path.
 fn near_centre(multiplier: f64, central: f64) -> f64 {
     multiplier.clamp(central * NEAR.recip(), NEAR * central)
 }
 
-/// Squared speeds that rise as fast as the limits allow, from rest at a distance before the first.
+/// Returns squared speeds that rise as fast as the limits allow, from rest at a distance before the first.
 fn rising(stretches: &[Stretch], distances: &[f64], launch: f64) -> Vec<f64> {
     let first = stretches[0];
     let seconds = (6.0 * launch / first.jerk).cbrt();
@@ -686,9 +693,10 @@ fn rising(stretches: &[Stretch], distances: &[f64], launch: f64) -> Vec<f64> {
     squared
 }
 
-/// Lowers squared speeds until they bend downwards no faster than jerks allow.
+/// Lowers squared speeds until their downward curvature is within the jerks.
 fn round_tops(squared: &mut [f64], stretches: &[Stretch], at: &[f64]) {
-    // With the integral of the bend added twice, they must bend upwards: the lower hull of the points does.
+    // With the double integral of the permitted curvature added, they must be convex: so is the lower hull of the
+    // points.
     let bend: Vec<f64> =
         stretches.iter().zip(&*squared).map(|(stretch, squared)| 2.0 * stretch.jerk / squared.sqrt()).collect();
     let (mut slope, mut sum) = (0.0, 0.0);
@@ -722,7 +730,7 @@ fn round_tops(squared: &mut [f64], stretches: &[Stretch], at: &[f64]) {
     }
 }
 
-/// Two weights among three, at a place.
+/// Returns two weights as the first or the last two of three.
 fn spread(weights: [f64; 2], at: usize) -> [f64; 3] {
     if at == 0 { [weights[0], weights[1], 0.0] } else { [0.0, weights[0], weights[1]] }
 }

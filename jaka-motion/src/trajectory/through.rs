@@ -15,19 +15,19 @@ use crate::checker::{Checker, Solved};
 use crate::speed::TcpSpeed;
 use crate::transform::Transform;
 
-/// A trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
+/// Trajectory through points, to be built within an arm's limits. Made by [`Trajectory::through`].
 ///
-/// It starts at the first point, which is joint positions unless [`near`](Self::near) says more, and ends at the last
-/// one, at rest. At the points between it goes on, rounding each corner within the tolerances that are named for it:
-/// that of joints between ways in joints, that of the tool between lines, and both where a line meets a way in joints.
-/// It stops where one of these is not named, and where the way turns back (by more than 177 degrees). Points nearer to
-/// each other than a millionth of a degree or millimetre count as one.
+/// It starts at the first point, which is joint positions unless [`near`](Self::near) is set, and ends at the last one,
+/// at rest. At the points between it continues, and rounds each corner within the tolerances set for it: the joints'
+/// tolerance between paths in joint space, the tool's tolerance between lines, and both between a line and a path in
+/// joint space. It stops at a corner without a tolerance, and at one where the path turns back (by more than 177
+/// degrees). Points nearer to each other than a millionth of a degree or millimetre count as one.
 ///
 /// # Timing
-/// One speed is planned over the whole way from stop to stop: the quickest, within some percent, with the speeds,
-/// accelerations and jerks of the joints and the speed of the tool. Where the way bends, 20 % of each joint's
-/// acceleration are left for those who follow it at a rate that changes; elsewhere nothing is, so that a pause that is
-/// asked for while the arm brakes begins after that. Of the highest speed of the tool centre point 98 % are planned.
+/// One speed is planned over the whole path from stop to stop: the quickest, within some percent, with the speeds,
+/// accelerations and jerks of the joints and the speed of the tool. On bends of the path, 20 % of each joint's
+/// acceleration are left for changes of the rate. Elsewhere nothing is left, so a pause that is requested while the arm
+/// brakes begins after the braking. 98 % of the highest speed of the tool centre point are planned.
 ///
 /// # Lines
 /// The tool centre point is within 0.005 mm of its line, and the tool within 0.001 degrees of its turn, outside of
@@ -42,18 +42,18 @@ pub struct Through {
     speeds: SpeedSettings,
 }
 
-/// Points nearer to each other than this are one, in degrees or mm.
+/// Distance below which two points are one, in degrees or mm.
 const SAME: f64 = 1e-6;
-/// A speed in mm/s that is beyond no joint's: lines are checked for all but it.
+/// Speed in mm/s that exceeds no joint's speed: lines are checked against all other limits.
 const CREEPING: f64 = 1e-6;
-/// Joint positions that are further from others than this, in degrees, are of another branch.
+/// Distance between joint positions, in degrees, above which they are of different branches.
 const ONE_BRANCH: f64 = 1e-2;
 
-/// Greatest turn of the tool away from its path at the corners of lines, in degrees, if nothing else is said.
+/// Default turn of the tool away from its path at the corners of lines, in degrees.
 const TURN_DEG: f64 = 1.0;
 
 impl Through {
-    /// For these points: see [`Trajectory::through`].
+    /// Creates a trajectory through these points: see [`Trajectory::through`].
     pub(super) fn new(points: Vec<Via>) -> Self {
         Self {
             points,
@@ -63,53 +63,53 @@ impl Through {
         }
     }
 
-    /// With a first point that is a pose: the joint positions of all branches that are nearest to these, such as those
-    /// of the arm, reach it. They are the start of the trajectory.
+    /// Sets joint positions near the start, such as those of the arm, for a first point that is a pose. The trajectory
+    /// starts at the joint positions for this pose that are, of all branches, nearest to these.
     pub fn near(mut self, joints: impl Into<JointPosition>) -> Self {
         self.near = Some(joints.into());
         self
     }
 
-    /// With the corners of lines rounded within so many millimetres; 0, as if nothing is said, to stop there.
+    /// Sets the tolerance for rounded corners of lines, in millimetres; 0, the default, for a stop there.
     pub fn corner_mm(mut self, tolerance: f64) -> Self {
         self.tolerances.mm = tolerance;
         self
     }
 
-    /// With the tool within so many degrees of its turn at corners of lines that are rounded; 1 if nothing is said.
+    /// Sets the tolerance for the tool's turn at rounded corners of lines, in degrees; 1 by default.
     pub fn corner_turn_deg(mut self, tolerance: f64) -> Self {
         self.tolerances.turn_deg = tolerance;
         self
     }
 
-    /// With the corners of ways in joints rounded within so many degrees of each joint; 0, as if nothing is said, to
+    /// Sets the tolerance for rounded corners of paths in joint space, in degrees of each joint; 0, the default, for a
     /// stop there.
     pub fn corner_deg(mut self, tolerance: f64) -> Self {
         self.tolerances.joint_deg = tolerance;
         self
     }
 
-    /// With this highest speed of the tool centre point, in mm/s, if that of the limits is not lower. If nothing is
-    /// said, the limits alone decide, and without one of the tool centre point those of the joints.
+    /// Sets the highest speed of the tool centre point, in mm/s. A lower speed of the limits takes precedence. By
+    /// default only the limits apply, and without one for the tool centre point only those of the joints.
     pub fn tcp_speed(mut self, mm_s: f64) -> Self {
         self.speeds.speeds.tcp_speed = mm_s;
         self
     }
 
-    /// With these highest speeds of joints 1 to 6, in deg/s, where those of the limits are not lower.
+    /// Sets the highest speeds of joints 1 to 6, in deg/s. Lower speeds of the limits take precedence.
     pub fn joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
         self.speeds.speeds.joint_speeds = deg_s;
         self
     }
 
-    /// With these highest jerks of joints 1 to 6, in deg/s³, in place of those of the limits.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³; they replace those of the limits.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.speeds.jerks = Some(deg_s3);
         self
     }
 
-    /// With this share of each joint's acceleration left where the way bends, from 0 to 0.9, for a pause or another
-    /// rate that is asked for there; 0.2 if nothing is said.
+    /// Sets the share of each joint's acceleration, from 0 to 0.9, that bends of the path leave for a pause or another
+    /// rate; 0.2 by default.
     pub fn reserve(mut self, share: f64) -> Self {
         self.speeds.reserve = share;
         self
@@ -118,8 +118,8 @@ impl Through {
     /// Plans the trajectory, and compares it with an arm's limits.
     ///
     /// # Errors
-    /// What is wrong with the points or settings, or the first place that is beyond a limit. Lines are compared with
-    /// joint ranges, regions, the arm's reach and the least distance from singularities before all else.
+    /// Invalid points or settings, or the first place that is beyond a limit. Lines are compared with joint ranges,
+    /// regions, the arm's reach and the least distance from singularities before everything else.
     pub fn build(&self, checker: &Checker) -> Result<Trajectory, TrajectoryError> {
         self.tolerances.check(["corner_mm", "corner_turn_deg", "corner_deg"])?;
         self.speeds.check()?;
@@ -134,7 +134,7 @@ impl Through {
         Trajectory::checked((pieces, way_points, slow), checker)
     }
 
-    /// The legs, and for each point at which of their ends it is.
+    /// Returns the legs, and for each point the number of legs before it.
     fn legs(&self, checker: &Checker) -> Result<(Vec<Leg>, Vec<usize>), TrajectoryError> {
         let (start, rest) = start(&self.points, self.near, checker)?;
         let (mut legs, mut places, mut here) = (Vec::with_capacity(rest.len()), vec![0], Here::of(start));
@@ -155,7 +155,7 @@ impl Through {
 /// End of the legs so far.
 struct Here {
     joints: [f64; 6],
-    /// Joints with the data that a line from there needs; none if no line has led there.
+    /// Solution for these joints, if it is known already; the next line starts from it.
     solved: Option<Solved>,
 }
 
@@ -164,7 +164,7 @@ impl Here {
         Self { joints: joints.0, solved: None }
     }
 
-    /// The way straight in joint space, if it is one.
+    /// Returns the straight path in joint space, unless it has no length.
     fn go(&mut self, after: usize, there: JointPosition, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
         checker.check_place(there).map_err(|beyond| at_point(after + 1, beyond))?;
         let leg = Leg::joints(after, self.joints, there.0);
@@ -174,7 +174,7 @@ impl Here {
         }))
     }
 
-    /// The way on a line, if it is one.
+    /// Returns the path on a line, unless it has no length.
     fn lead(&mut self, after: usize, pose: Pose, checker: &Checker) -> Result<Option<Leg>, TrajectoryError> {
         let Some(start) = self.solved.take().or_else(|| checker.arm().at_joints(&self.joints)) else {
             return self.checked_line(after, pose, checker).and_then(|_| Err(TrajectoryError::lost(after, checker)));
@@ -199,7 +199,7 @@ impl Here {
         Ok(Some(leg))
     }
 
-    /// The way on an arc.
+    /// Returns the path on an arc.
     fn bend(&mut self, after: usize, poses: [Pose; 2], checker: &Checker) -> Result<Leg, TrajectoryError> {
         let asked = TcpSpeed { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
         let arrival = checker.check_arc(self.joints.into(), poses[0], poses[1], asked);
@@ -222,7 +222,7 @@ impl Here {
         Ok(leg)
     }
 
-    /// The joints at the end of a line, after it was compared with all that it can meet.
+    /// Returns the joints at the end of a line, after a check against all limits except the joints' speeds.
     fn checked_line(&self, after: usize, pose: Pose, checker: &Checker) -> Result<JointPosition, TrajectoryError> {
         let asked = TcpSpeed { speed_mm_s: CREEPING, tolerance_mm: 0.0 };
         let there = checker.check_line(self.joints.into(), pose, asked);
@@ -230,7 +230,7 @@ impl Here {
     }
 }
 
-/// Joint positions at which a trajectory starts, and the points after them.
+/// Returns the joint positions at which a trajectory starts, and the points after them.
 pub(super) fn start<'p>(
     points: &'p [Via],
     near: Option<JointPosition>,

@@ -11,43 +11,43 @@ use crate::TrajectoryFileError;
 use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
-/// Joint positions at a time, with their speeds and accelerations there, if these are known.
+/// Joint positions at a time, with their speeds and accelerations, if these are known.
 ///
 /// With the feature `serde` it is written with the keys that `TimedPoint::from_json` reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct TimedPoint {
-    /// The time in seconds from the start.
+    /// Time in seconds from the start.
     pub time_s: f64,
-    /// The joint positions.
+    /// Joint positions.
     #[cfg_attr(feature = "serde", serde(rename = "joints_deg"))]
     pub joints: JointPosition,
-    /// The speed of each joint, in deg/s.
+    /// Speed of each joint, in deg/s.
     #[cfg_attr(feature = "serde", serde(rename = "velocity_deg_s", skip_serializing_if = "Option::is_none"))]
     pub velocity: Option<[f64; 6]>,
-    /// The acceleration of each joint, in deg/s².
+    /// Acceleration of each joint, in deg/s².
     #[cfg_attr(feature = "serde", serde(rename = "acceleration_deg_s2", skip_serializing_if = "Option::is_none"))]
     pub acceleration: Option<[f64; 6]>,
 }
 
-/// The highest speed, in deg/s, and acceleration, in deg/s², that count as rest: what is left of zero in a file of
+/// Highest speed, in deg/s, and acceleration, in deg/s², that count as rest: zero with the rounding errors of a file in
 /// radians.
 const REST: f64 = 1e-6;
 
 impl TimedPoint {
-    /// Joint positions at a time in seconds.
+    /// Creates a point from joint positions at a time in seconds.
     pub fn new(time_s: f64, joints: impl Into<JointPosition>) -> Self {
         Self { time_s, joints: joints.into(), velocity: None, acceleration: None }
     }
 
-    /// With the speed of each joint, in deg/s.
+    /// Sets the speed of each joint, in deg/s.
     #[must_use]
     pub fn with_velocity(self, deg_s: [f64; 6]) -> Self {
         Self { velocity: Some(deg_s), ..self }
     }
 
-    /// With the acceleration of each joint, in deg/s².
+    /// Sets the acceleration of each joint, in deg/s².
     #[must_use]
     pub fn with_acceleration(self, deg_s2: [f64; 6]) -> Self {
         Self { acceleration: Some(deg_s2), ..self }
@@ -56,11 +56,11 @@ impl TimedPoint {
 
 #[cfg(feature = "trajectory-files")]
 impl TimedPoint {
-    /// The points of a CSV text; `file_name` is what errors name.
+    /// Reads the points of a CSV text. Errors show `file_name`.
     ///
     /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
-    /// to `joint_6_deg`, or `joint_1_rad` and so on; and if they are given `velocity_1_deg_s` or `velocity_1_rad_s`,
-    /// and `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
+    /// to `joint_6_deg`, or `joint_1_rad` and so on; optionally `velocity_1_deg_s` or `velocity_1_rad_s`, and
+    /// `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
     /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
     /// increase.
     ///
@@ -88,16 +88,16 @@ impl TimedPoint {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong, at its line and column.
+    /// All errors in the text, each at its line and column.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
         file::read_csv(text, file_name)
     }
 
-    /// The points of a JSON text; `file_name` is what errors name.
+    /// Reads the points of a JSON text. Errors show `file_name`.
     ///
-    /// An object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or `joints_rad`, a
-    /// list of six numbers; and if they are given `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2` or
-    /// `acceleration_rad_s2`. All points have the same. The first time is 0, and times increase.
+    /// The text is an object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or
+    /// `joints_rad`, a list of six numbers; optionally `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2`
+    /// or `acceleration_rad_s2`. All points have the same keys. The first time is 0, and times increase.
     ///
     /// ```
     /// use jaka_motion::TimedPoint;
@@ -116,27 +116,27 @@ impl TimedPoint {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong, at its line and column; where the text is not JSON, that alone.
+    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
     pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
         file::read_json(text, file_name)
     }
 
-    /// The points as CSV, in degrees, which [`from_csv`](Self::from_csv) reads as the same points.
+    /// Writes the points as CSV, in degrees; [`from_csv`](Self::from_csv) reads the same points.
     ///
-    /// The columns are those that all points have.
+    /// The text has the columns that all points have.
     pub fn to_csv(points: &[Self]) -> String {
         file::write_csv(points)
     }
 
-    /// The points as JSON, in degrees, which [`from_json`](Self::from_json) reads as the same points.
+    /// Writes the points as JSON, in degrees; [`from_json`](Self::from_json) reads the same points.
     ///
-    /// The keys are those that all points have.
+    /// The text has the keys that all points have.
     pub fn to_json(points: &[Self]) -> String {
         file::write_json(points)
     }
 }
 
-/// The pieces and way-points of a trajectory through points with times.
+/// Returns the pieces and way-points of a trajectory through points with times.
 pub(super) fn parts(points: &[TimedPoint]) -> Result<(Vec<Piece>, Vec<WayPoint>), TrajectoryError> {
     check_points(points)?;
     let samples: Vec<Sample> = match points[0].velocity {
@@ -157,7 +157,7 @@ pub(super) fn parts(points: &[TimedPoint]) -> Result<(Vec<Piece>, Vec<WayPoint>)
     Ok((pieces.collect(), way_points.collect()))
 }
 
-/// Compares the jerks of pieces, one after each way-point.
+/// Compares the jerks of pieces, one after each way-point, with their limits.
 pub(super) fn check_jerks(pieces: &[Piece], most: &[f64; 6]) -> Result<(), TrajectoryError> {
     let mut worst: Option<(f64, TrajectoryError)> = None;
     for (after, piece) in (1..).zip(pieces) {
@@ -237,8 +237,8 @@ fn check_rest(samples: &[Sample]) -> Result<(), TrajectoryError> {
     Ok(())
 }
 
-/// Points with velocities and these accelerations: at inner points the mean of those that polynomials of the third
-/// degree have before and after them, and none at both ends.
+/// Returns points with velocities and computed accelerations: at inner points the mean of the accelerations that
+/// polynomials of the third degree have before and after them; at both ends zero.
 fn with_accelerations(points: &[TimedPoint]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = points.iter().map(sample).collect();
     for index in 1..points.len() - 1 {
@@ -257,17 +257,17 @@ fn with_accelerations(points: &[TimedPoint]) -> Vec<Sample> {
     samples
 }
 
-/// Factors of the velocity at a point, of that at the other end of a piece and of the mean one, in half of the
-/// acceleration at the point, times the seconds of the piece.
+/// Factors of three velocities in half of the acceleration at a point, times the seconds of the piece: the velocity at
+/// the point, at the other end of the piece, and the mean one.
 const INNER: [f64; 3] = [2.0, 1.0, 3.0];
-/// Factors like [`INNER`] where the other end is that of the trajectory, and the piece of the fourth degree: it has no
+/// Factors like [`INNER`], for a piece of the fourth degree whose other end is that of the trajectory, without
 /// acceleration there.
 const OUTER: [f64; 3] = [3.0, 0.0, 6.0];
 
-/// Points with velocities and accelerations that do not step, and are zero at both ends.
+/// Returns points with velocities and accelerations that do not step, and are zero at both ends.
 ///
-/// At each inner point the acceleration before is to be that after, which gives an equation for its velocity and those
-/// of its neighbours. All together are solved by elimination forwards and insertion backwards.
+/// At each inner point the accelerations before and after are equal, which gives an equation for its velocity and those
+/// of its neighbours. Elimination and back substitution solve all of them together.
 fn with_spline(points: &[TimedPoint]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = points.iter().map(sample).collect();
     let last = points.len() - 1;
@@ -275,12 +275,12 @@ fn with_spline(points: &[TimedPoint]) -> Vec<Sample> {
     let mean = |index: usize, joint: usize| {
         (points[index + 1].joints.0[joint] - points[index].joints.0[joint]) / seconds(index)
     };
-    // The share of the next velocity in each; the rest of it is in the samples until insertion.
+    // Share of the next velocity in each; the samples have the rest until the back substitution.
     let mut shares = vec![0.0; points.len()];
     for index in 1..last {
         let (first, second) = (seconds(index - 1), seconds(index));
         let [before, after] = [(index == 1), (index + 1 == last)].map(|is_outer| if is_outer { OUTER } else { INNER });
-        // Weighted so that no number is larger than the speeds.
+        // The weights keep all numbers at most as large as the speeds.
         let (near, far) = (second / (first + second), first / (first + second));
         let pivot = near * before[0] + far * after[0] - near * before[1] * shares[index - 1];
         shares[index] = far * after[1] / pivot;

@@ -8,7 +8,7 @@ use super::{Passing, TrajectoryError, WayPoint};
 use crate::checker::Checker;
 use crate::piece::{Piece, Sample};
 
-/// Part of a path from rest to rest, and what slows it down.
+/// Part of a path from rest to rest, and the limits that slow it down.
 struct Stretch<'a> {
     pieces: &'a [PathPiece],
     /// Piece and share of each place.
@@ -21,7 +21,7 @@ struct Stretch<'a> {
 /// Motion along a stretch.
 struct Planned {
     intervals: Vec<Interval>,
-    /// Factor by which all is slower.
+    /// Factor by which the whole motion is slower.
     factor: f64,
     slow: Vec<SlowPlace>,
 }
@@ -32,28 +32,28 @@ struct Interval {
     /// Length by the parameter.
     length: f64,
     seconds: f64,
-    /// Squared speed at the start, its slope and half of its second derivative; none where it starts from rest or ends
-    /// there with a constant jerk.
+    /// Squared speed at the start, its slope and half of its second derivative; `None` if the interval starts from rest
+    /// or ends there, with a constant jerk.
     squared: Option<[f64; 3]>,
-    /// True where it starts from rest.
+    /// Whether the interval starts from rest.
     is_start: bool,
 }
 
-/// Rounds in which places that are too fast get slower.
+/// Greatest number of rounds in which places that are too fast become slower.
 const ROUNDS: usize = 6;
-/// Factor by which all is slowed down where little is too fast.
+/// Greatest excess, as a factor, that slowing the whole motion removes; above it single places become slower.
 const LITTLE: f64 = 1.03;
-/// Shares of accelerations and jerks that are planned: between two places a little more is used.
+/// Planned shares of accelerations and jerks; between two places a little more is used.
 const PLANNED: [f64; 2] = [0.995, 0.98];
-/// Largest factor by which a place gets slower in a round.
+/// Largest factor by which a place becomes slower in a round.
 const MOST_SLOWER: f64 = 1.3;
-/// Seconds of the constant jerk at a start and an end.
+/// Duration of the constant jerk at a start and an end, in seconds.
 const LAUNCH_S: f64 = 0.03;
-/// Factor between the distances of places.
+/// Factor between neighbouring distances of places.
 const GROWTH: f64 = 1.35;
-/// Seconds between places elsewhere, where a piece does not take long.
+/// Time between places elsewhere, in seconds, unless a piece is short.
 const PLACES_S: f64 = 0.02;
-/// Seconds of a piece of time that is not cut.
+/// Duration, in seconds, below which a piece of time is not cut.
 const SHORT_S: f64 = 2e-4;
 /// Shares and weights of the quadrature of Gauss and Legendre with five points.
 const QUADRATURE: [(f64, f64); 5] = [
@@ -69,10 +69,10 @@ const BESIDE: f64 = 1e-3;
 const OFF_PATH_DEG: f64 = 1e-4;
 /// Greatest such distance for each deg/s³ of the joint's limit of jerk, times the cube of the piece's seconds.
 const OFF_JERK: f64 = 2.5e-5;
-/// Least share of an interval that one piece of time takes.
+/// Least share of an interval for one piece of time.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Pieces of time along a path, its way-points, and places that are slower than asked for.
+/// Pieces of time along a path, its way-points, and places that are slower than requested.
 pub(super) struct Timed {
     pub(super) pieces: Vec<Piece>,
     pub(super) passages: Vec<WayPoint>,
@@ -118,7 +118,7 @@ impl<'a> Stretch<'a> {
         let shares = std::mem::take(&mut stretch.shares);
         stretch.places = shares.iter().map(|place| stretch.place(*place)).collect();
         for (index, (piece, share)) in shares.iter().enumerate() {
-            // The third derivative steps where one piece ends and another begins.
+            // The third derivative steps between pieces.
             if *share == 0.0 && *piece > 0 {
                 stretch.places[index].third[0] = pieces[piece - 1].joints.jerk(1.0);
                 let by_speed = stretch.squared_at_most(pieces[piece - 1].speeds, (*piece, 0.0));
@@ -154,7 +154,7 @@ impl<'a> Stretch<'a> {
         Place { at: piece.start_s + share * piece.seconds, first, second, third: [third; 2], tool, most, middle: None }
     }
 
-    /// Limit of the square of the path parameter's speed by the speeds of a leg.
+    /// Returns the limit of the square of the path parameter's speed by the speeds of a leg.
     fn squared_at_most(&self, leg: LegSpeeds, (piece, share): (usize, f64)) -> f64 {
         let LegSpeeds { tcp_speed, joint_speeds } = self.budget.speeds_on(leg);
         let there = self.pieces[piece].joints.at(share);
@@ -167,8 +167,8 @@ impl<'a> Stretch<'a> {
         by_joints.fold(by_tool, f64::min).powi(2)
     }
 
-    /// Returns the derivative of the tool's distance by the path parameter, and the derivative of that; 0 where the
-    /// tool's acceleration is not limited.
+    /// Returns the derivative of the tool's distance by the path parameter, and its second derivative; 0 if the tool's
+    /// acceleration is not limited.
     fn tool(&self, piece: &Piece, share: f64) -> [f64; 2] {
         if self.budget.tcp_acceleration.is_infinite() {
             return [0.0; 2];
@@ -181,7 +181,7 @@ impl<'a> Stretch<'a> {
         [rate(share), (rate(to) - rate(from)) / (to - from) / piece.seconds]
     }
 
-    /// Places at which the speed is planned: close to one another next to rest and corners.
+    /// Returns the places at which the speed is planned: close to one another next to rest and corners.
     fn shares(&self) -> Vec<(usize, f64)> {
         let steps = self.steps();
         let mut shares = Vec::with_capacity(8 * self.pieces.len());
@@ -196,7 +196,7 @@ impl<'a> Stretch<'a> {
         shares
     }
 
-    /// Longest distance of places on a piece: what passes in a moment has few.
+    /// Returns the longest distance of places on a piece; a piece of short duration has few places.
     fn longest(&self, index: usize) -> f64 {
         let piece = &self.pieces[index];
         let [least, most] = match piece.shape {
@@ -207,7 +207,7 @@ impl<'a> Stretch<'a> {
         piece.joints.seconds / (seconds / PLACES_S).ceil().clamp(least, most)
     }
 
-    /// Distances of places at the ends of pieces.
+    /// Returns the distances of places at the ends of pieces.
     fn steps(&self) -> Vec<f64> {
         let count = self.pieces.len();
         let mut steps = vec![f64::INFINITY; count + 1];
@@ -229,7 +229,7 @@ impl<'a> Stretch<'a> {
         steps
     }
 
-    /// Length of the start or the end with a constant jerk.
+    /// Returns the length of the start or the end with a constant jerk.
     fn launch(&self, piece: usize, share: f64) -> f64 {
         let first = self.pieces[piece].joints.at(share).velocity;
         let jerk = (0..6).map(|joint| self.budget.jerks[joint] / first[joint].abs()).fold(f64::INFINITY, f64::min);
@@ -237,7 +237,7 @@ impl<'a> Stretch<'a> {
         (jerk * LAUNCH_S.powi(3) / 6.0).min(whole / 24.0).min(self.pieces[piece].joints.seconds / 6.0)
     }
 
-    /// Adds its pieces.
+    /// Plans the stretch, and adds its pieces.
     fn planned(mut self, start_s: f64, pieces: &mut Vec<Piece>) -> Result<Planned, TrajectoryError> {
         let share = |limits: &[f64; 6], share: f64| limits.map(|limit| share * limit);
         let limits = PathLimits {
@@ -281,7 +281,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// Places at which the tool is slower than asked for; all is slower by a factor.
+    /// Returns the places at which the tool is slower than requested; the whole motion is slower by a factor.
     fn slow(&self, speeds: &[Speed], intervals: &[Interval], (start_s, factor): (f64, f64)) -> Vec<SlowPlace> {
         let tcp_asked = |piece: usize| self.budget.tcp_asked.min(self.pieces[piece].speeds.tcp_speed);
         if (0..self.pieces.len()).all(|piece| tcp_asked(piece).is_infinite()) {
@@ -303,7 +303,7 @@ impl<'a> Stretch<'a> {
         SlowPlace::slowest(&all)
     }
 
-    /// Shares of the limits of speeds, accelerations and jerks that are used at a place.
+    /// Returns the used shares of the limits of speeds, accelerations and jerks at a place.
     fn used(&self, place: usize, speed: &Speed, after: &Interval) -> [[f64; 6]; 3] {
         let Budget { accelerations, jerks, curving, .. } = self.budget;
         let speeds = self.budget.speeds_on(self.pieces[self.shares[place].0].speeds).joint_speeds;
@@ -349,7 +349,7 @@ impl<'a> Stretch<'a> {
             .collect()
     }
 
-    /// Adds the pieces of time of an interval, each as long as it can be near the path.
+    /// Adds the pieces of time of an interval, each as long as possible near the path.
     fn follow(&self, index: usize, interval: &Interval, pieces: &mut Vec<Piece>) {
         let (piece, first) = self.shares[index];
         let joints = &self.pieces[piece].joints;
@@ -380,7 +380,7 @@ impl<'a> Stretch<'a> {
             let middle = f64::midpoint(from, to);
             let share_s = (interval.seconds_to(middle) - done_s) / seconds;
             let (on_path, found) = (at(middle).joints.0, made.joints(share_s));
-            // The jerk of a piece is off by some 400 times as much, divided by the cube of its time.
+            // The error of a piece's jerk is some 400 times this distance, divided by the cube of the piece's time.
             let near = |joint: usize| OFF_PATH_DEG.min(OFF_JERK * self.budget.jerks[joint] * seconds.powi(3));
             let is_near = (0..6).all(|joint| (on_path[joint] - found[joint]).abs() <= near(joint));
             if !is_near && to - from > LEAST_SHARE && seconds > SHORT_S {
@@ -392,7 +392,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// Returns the factor by which a piece of time after a place has to be slower; 1 if it need not.
+    /// Returns the factor by which a piece of time after a place must be slower; 1 if it need not be.
     fn factor(&self, place: usize, piece: &Piece) -> f64 {
         let LegSpeeds { tcp_speed, joint_speeds } = self.budget.speeds_on(self.pieces[self.shares[place].0].speeds);
         let Budget { accelerations, jerks, tcp_acceleration, .. } = self.budget;
@@ -430,7 +430,7 @@ impl<'a> Stretch<'a> {
 }
 
 impl Interval {
-    /// Speed of the parameter and its change in time at a share of the length.
+    /// Returns the speed of the parameter and its derivative by time, at a share of the length.
     fn speed(&self, share: f64) -> [f64; 2] {
         if let Some([squared, slope, bend]) = self.squared {
             let along = share * self.length;
@@ -444,7 +444,7 @@ impl Interval {
         [0.5 * change * seconds, if self.is_start { change } else { -change }]
     }
 
-    /// Seconds from its start to a share of its length.
+    /// Returns the seconds from the start to a share of the length.
     fn seconds_to(&self, share: f64) -> f64 {
         match self.squared {
             Some(_) => {
@@ -458,7 +458,7 @@ impl Interval {
     }
 }
 
-/// Distances from an end, which grow from the first one to the longest, up to the middle.
+/// Returns distances from an end, with steps that grow from the first one to the longest, up to the middle.
 fn graded(length: f64, first: f64, longest: f64) -> Vec<f64> {
     let (mut places, mut step) = (vec![0.0], first.min(longest));
     let middle = 0.5 * length;
@@ -472,7 +472,7 @@ fn graded(length: f64, first: f64, longest: f64) -> Vec<f64> {
     }
 }
 
-/// Gives pieces their times, slower by a factor.
+/// Sets the times of pieces, one after the other and slower by a factor.
 fn one_after_the_other(pieces: &mut [Piece], start_s: f64, factor: f64) {
     let mut time_s = start_s;
     for piece in pieces {

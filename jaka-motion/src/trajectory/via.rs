@@ -5,8 +5,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use super::TrajectoryError;
 use super::leg::{LegSpeeds, Tolerances};
 
-/// A point of a trajectory, the way to it, and what differs on that way and at that point from the rest of the
-/// trajectory.
+/// Point of a trajectory, the path to it, and settings of its own for that path and that point.
 ///
 /// ```
 /// use jaka_motion::Via;
@@ -25,23 +24,23 @@ use super::leg::{LegSpeeds, Tolerances};
 pub struct Via {
     pub(super) target: ViaTarget,
     pub(super) speeds: LegSpeeds,
-    /// None where those of the trajectory count.
+    /// Tolerance of its own; `None` for that of the trajectory.
     pub(super) corner_mm: Option<f64>,
     pub(super) corner_turn_deg: Option<f64>,
     pub(super) corner_deg: Option<f64>,
 }
 
-/// Place of a [`Via`], and kind of the way to it.
+/// Place of a [`Via`], and kind of the path to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ViaTarget {
-    /// Straight in joint space to these joint positions.
+    /// Straight path in joint space to these joint positions.
     Joints(JointPosition),
-    /// On a line to this pose of the tool.
+    /// Line to this pose of the tool.
     Line(Pose),
-    /// On an arc to a pose of the tool.
+    /// Arc to a pose of the tool.
     Arc {
-        /// Pose on the way.
+        /// Pose on the arc.
         middle: Pose,
         /// Pose at its end.
         end: Pose,
@@ -49,62 +48,62 @@ pub enum ViaTarget {
 }
 
 impl Via {
-    /// Straight in joint space to joint positions.
+    /// Creates a point to which the path is straight in joint space.
     pub fn joints(joints: impl Into<JointPosition>) -> Self {
         Self::to(ViaTarget::Joints(joints.into()))
     }
 
-    /// On a straight line of the tool centre point to a pose of the tool in the user frame. The tool turns evenly, and
-    /// the joints stay on their branch.
+    /// Creates a point to which the tool centre point moves on a straight line. The pose is of the tool in the user
+    /// frame. The tool turns evenly, and the joints stay on their branch.
     pub fn line(pose: impl Into<Pose>) -> Self {
         Self::to(ViaTarget::Line(pose.into()))
     }
 
-    /// On an arc of the tool centre point through a middle pose to another one, in the user frame, as
-    /// [`Arc`](crate::Arc) has it: the tool turns evenly to the middle pose, and from there to the end. The joints stay
-    /// on their branch. The way-point is the end.
+    /// Creates a point to which the tool centre point moves on an [`Arc`](crate::Arc) through a middle pose, both in
+    /// the user frame. The tool turns evenly to the middle pose, and from there to the end. The joints stay on their
+    /// branch. The way-point is the end.
     pub fn arc(middle: impl Into<Pose>, end: impl Into<Pose>) -> Self {
         Self::to(ViaTarget::Arc { middle: middle.into(), end: end.into() })
     }
 
-    /// With this highest speed of the tool centre point on the way to it, in mm/s, where that of the trajectory is not
-    /// lower.
+    /// Sets the highest speed of the tool centre point on the path to it, in mm/s. A lower speed of the trajectory
+    /// takes precedence.
     #[must_use]
     pub fn with_tcp_speed(mut self, mm_s: f64) -> Self {
         self.speeds.tcp_speed = mm_s;
         self
     }
 
-    /// With these highest speeds of joints 1 to 6 on the way to it, in deg/s, where those of the trajectory are not
-    /// lower.
+    /// Sets the highest speeds of joints 1 to 6 on the path to it, in deg/s. Lower speeds of the trajectory take
+    /// precedence.
     #[must_use]
     pub fn with_joint_speeds(mut self, deg_s: [f64; 6]) -> Self {
         self.speeds.joint_speeds = deg_s;
         self
     }
 
-    /// With its own [`corner_mm`](crate::Through::corner_mm), as where the way goes on from it.
+    /// Sets its own [`corner_mm`](crate::Through::corner_mm), for the corner at this point.
     #[must_use]
     pub fn with_corner_mm(mut self, tolerance: f64) -> Self {
         self.corner_mm = Some(tolerance);
         self
     }
 
-    /// With its own [`corner_turn_deg`](crate::Through::corner_turn_deg).
+    /// Sets its own [`corner_turn_deg`](crate::Through::corner_turn_deg).
     #[must_use]
     pub fn with_corner_turn_deg(mut self, tolerance: f64) -> Self {
         self.corner_turn_deg = Some(tolerance);
         self
     }
 
-    /// With its own [`corner_deg`](crate::Through::corner_deg).
+    /// Sets its own [`corner_deg`](crate::Through::corner_deg).
     #[must_use]
     pub fn with_corner_deg(mut self, tolerance: f64) -> Self {
         self.corner_deg = Some(tolerance);
         self
     }
 
-    /// Its place, and the kind of the way to it.
+    /// Returns its place, and the kind of the path to it.
     pub fn target(&self) -> ViaTarget {
         self.target
     }
@@ -118,12 +117,12 @@ impl Via {
         self.corner(&Tolerances::NONE).check(["corner_mm", "corner_turn_deg", "corner_deg"])
     }
 
-    /// True where nothing differs from the rest of the trajectory.
+    /// Whether it has no settings of its own.
     pub(super) fn is_plain(&self) -> bool {
         *self == Self::to(self.target)
     }
 
-    /// Tolerances of its corner.
+    /// Returns the tolerances of its corner.
     pub(super) fn corner(&self, all: &Tolerances) -> Tolerances {
         Tolerances {
             mm: self.corner_mm.unwrap_or(all.mm),
@@ -139,7 +138,7 @@ impl From<JointPosition> for Via {
     }
 }
 
-/// Joint positions in degrees.
+/// Creates a point from joint positions in degrees.
 impl From<[f64; 6]> for Via {
     fn from(joints: [f64; 6]) -> Self {
         Self::joints(joints)

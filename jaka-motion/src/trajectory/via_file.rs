@@ -7,7 +7,7 @@ use super::json::File;
 use super::via::Via;
 use crate::text_file::{FileErrors, Report, nearest};
 
-/// Number that a column has for each point: the place among six, and the factor to mm or degrees.
+/// Number that a column has for each point: its index among six, and the factor to mm or degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Column {
     kind: Kind,
@@ -25,7 +25,7 @@ enum Kind {
 const DEG: f64 = 180.0 / std::f64::consts::PI;
 
 impl Via {
-    /// Points of a CSV text; `file_name` is what errors name.
+    /// Reads the points of a CSV text. Errors show `file_name`.
     ///
     /// The first line that is not blank names the columns, each with its unit and in any order: `joint_1_deg` to
     /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the
@@ -46,19 +46,19 @@ impl Via {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong, at its line and column.
+    /// All errors in the text, each at its line and column.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
         let mut report = Report::new(text, file_name);
         let points = read_csv(text, &mut report);
         report.finish(points)
     }
 
-    /// Points of a JSON text; `file_name` is what errors name.
+    /// Reads the points of a JSON text. Errors show `file_name`.
     ///
-    /// An object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`, a list of
-    /// six numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or `rotation_rad`,
-    /// lists of three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` are those of the way to this
-    /// point and of its corner alone.
+    /// The text is an object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`,
+    /// a list of six numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or
+    /// `rotation_rad`, lists of three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` apply only to
+    /// the path to this point and to its corner.
     ///
     /// ```
     /// use jaka_motion::Via;
@@ -76,7 +76,7 @@ impl Via {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong, at its line and column; where the text is not JSON, that alone.
+    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
     pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
         let mut report = Report::new(text, file_name);
         let points = read_json(text, &mut report);
@@ -106,7 +106,7 @@ fn read_json(text: &str, report: &mut Report<'_>) -> Vec<Via> {
     points.into_iter().filter_map(|point| point_of(&file, point, report)).collect()
 }
 
-/// A point, unless something is wrong with it.
+/// Reads a point, and reports its errors.
 fn point_of<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Option<Via> {
     let entries = file.entries(point, "a point", report)?;
     for (key, value) in entries.iter().filter(|(key, _)| !KEYS.contains(&&**key)) {
@@ -146,7 +146,7 @@ fn point_of<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Opt
     }))
 }
 
-/// Sets a number of a point.
+/// Setter for a number of a point.
 type WithNumber = fn(Via, f64) -> Via;
 
 fn unknown_key(key: &str) -> String {
@@ -188,7 +188,7 @@ fn read_csv(text: &str, report: &mut Report<'_>) -> Vec<Via> {
     points
 }
 
-/// All columns that there can be, by name: in degrees or mm, and then in radians.
+/// Returns all possible columns, by name: in degrees or mm, and then in radians.
 fn known() -> Vec<(String, Column)> {
     let joints = (0..6).map(|place| (Kind::Joints, place, format!("joint_{}", place + 1)));
     let pose = ["x", "y", "z", "rx", "ry", "rz"].into_iter().enumerate();
@@ -205,7 +205,7 @@ fn known() -> Vec<(String, Column)> {
         .collect()
 }
 
-/// Columns by the header; none for one that is unknown.
+/// Returns the columns of the header; `None` for one that is unknown.
 fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(String, Column)>> {
     let known = known();
     let mut columns: Vec<Option<(String, Column)>> = Vec::new();

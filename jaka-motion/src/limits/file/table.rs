@@ -1,4 +1,4 @@
-//! One TOML table being read.
+//! Reader for one TOML table.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -8,14 +8,14 @@ use toml::de::{DeTable, DeValue};
 
 use crate::text_file::{FileErrors, Report, nearest};
 
-/// A value and its offset in the text, in bytes.
+/// Value with its offset in the text, in bytes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed<T> {
     pub(super) at: usize,
     pub(super) value: T,
 }
 
-/// A table of the file, with typed access to its keys and an error for each unknown one.
+/// Table of the file, with typed access to its keys and an error for each unknown one.
 #[derive(Debug)]
 pub(super) struct Table<'a, 't> {
     /// Name in errors, such as ``box `camera` ``; empty for the file.
@@ -26,7 +26,7 @@ pub(super) struct Table<'a, 't> {
     asked: RefCell<BTreeSet<&'static str>>,
 }
 
-/// Reads a file. Reports syntax errors, what `read` finds wrong, and keys that it does not ask for.
+/// Reads a file. Reports syntax errors, the errors that `read` finds, and keys that it does not ask for.
 pub(super) fn read_file<T>(
     (text, file_name): (&str, &str),
     read: impl FnOnce(&Table<'_, '_>) -> T,
@@ -70,7 +70,7 @@ impl<'a, 't> Table<'a, 't> {
         self.typed(key, "a finite number", finite)
     }
 
-    /// List of as many numbers; `alone` makes one of a number in its place, if it can.
+    /// Returns a list of `N` numbers. `alone` may make a list of a single number.
     pub(super) fn numbers<const N: usize>(
         &self,
         key: &'static str,
@@ -85,13 +85,13 @@ impl<'a, 't> Table<'a, 't> {
         numbers.map(|numbers| numbers.value)
     }
 
-    /// Table under a key.
+    /// Returns the table under a key.
     pub(super) fn table(&self, key: &'static str) -> Option<Self> {
         let table = self.typed(key, "a table", DeValue::as_table)?;
         Some(Self::new(key.to_owned(), table.at, table.value, self.report))
     }
 
-    /// Tables of a list under a key, each named by its own `name`.
+    /// Returns the tables of a list under a key, each named by its own `name`.
     pub(super) fn tables(&self, key: &'static str, what: &str) -> Vec<Self> {
         let expected = "a list of tables";
         let list = self.typed(key, expected, DeValue::as_array);
@@ -109,7 +109,7 @@ impl<'a, 't> Table<'a, 't> {
         tables
     }
 
-    /// Reports each key that was never asked for.
+    /// Reports each key that nothing asked for.
     pub(super) fn finish(&self) {
         let asked = self.asked.borrow();
         for key in self.entries.keys().filter(|key| !asked.contains(key.get_ref().as_ref())) {

@@ -3,7 +3,7 @@
 use super::{ELBOW_UP, SLOW, bare, moved, refused, with_region, zu5};
 use crate::{Exceeded, Model, Region};
 
-/// Poses on a circle to the right of the start, the angles counted from there.
+/// Returns poses on a circle to the right of the start, with angles from the start.
 fn on_circle(radius: f64, deg: f64) -> jaka_proto::messages::types::Pose {
     let angle = deg.to_radians();
     moved(ELBOW_UP, [radius * (angle.cos() - 1.0), radius * angle.sin(), 0.0])
@@ -29,7 +29,7 @@ fn what_the_arc_passes_is_checked() {
     assert!(arc(20.0, 60.0).is_ok());
     let found = arc(20.0, 160.0).unwrap_err();
     assert!(matches!(found.exceeded, Exceeded::Region { .. }) && found.share > 0.35 && found.share < 0.6, "{found}");
-    // The other way round.
+    // The arc in the opposite direction is allowed.
     assert!(arc(-100.0, -200.0).is_ok());
     let plate = Region::outside_box("plate", [-2e3, y - 40.0, -2e3], [2e3, y - 39.0, 2e3]);
     let checker = bare(with_region(plate));
@@ -47,7 +47,7 @@ fn three_poses_on_a_line_are_no_arc() {
     }
 }
 
-/// The arm is nearly stretched from the beginning, and stays just so while joint 1 turns it.
+/// The arm is nearly stretched from the start, and stays so while joint 1 turns it.
 #[test]
 fn an_arc_that_stays_as_near_to_a_singularity_as_it_starts_is_allowed() {
     let at = |first: f64| [first, 40.0, -0.3, 130.0, -90.0, 5.0];

@@ -1,4 +1,4 @@
-//! Numbers that no motion has, branches that the controller chooses, and arms off their drawings.
+//! Invalid numbers, branches that the controller chooses, and arms off their drawings.
 
 use jaka_proto::messages::types::Pose;
 
@@ -22,7 +22,7 @@ fn fenced() -> Limits {
     limits
 }
 
-/// Whatever is odd is refused or has no effect; nothing panics or runs on.
+/// Every odd number is refused or has no effect; nothing panics or runs on.
 #[test]
 fn odd_numbers_anywhere_are_refused() {
     let checker = bare(fenced());
@@ -48,7 +48,7 @@ fn odd_numbers_anywhere_are_refused() {
                 assert!(found.is_err() || odd.abs() < 1.0 || direction, "{odd} {index} {number}");
                 assert!(odd.is_finite() || found.unwrap_err().exceeded == Exceeded::NotFinite, "{odd} {index}");
             }
-            // From a start that no arm has.
+            // The start is impossible for any arm.
             let end = Pose::from(pose);
             let _ = checker.check_joint_way(joints, good.into(), PACE);
             let _ = checker.check_line(joints, end, SLOW);
@@ -93,7 +93,7 @@ fn frames_that_are_not_finite_are_refused() {
 fn each_branch_of_an_end_move_counts() {
     let to = moved(ELBOW_UP, [0.0, 50.0, 0.0]);
     assert_eq!(bare(zu5()).check_end_move(ELBOW_UP.into(), to, PACE), Ok(()));
-    // Elbow up, as it is, and not down.
+    // The elbow stays up, and does not go down.
     let checker = bare(zu5().with_joint_range(3, -175.0, 0.0).expect("tighter"));
     assert!(checker.check_line(ELBOW_UP.into(), to, SLOW).is_ok());
     let found = checker.check_end_move(ELBOW_UP.into(), to, PACE).unwrap_err().to_string();
@@ -103,7 +103,7 @@ fn each_branch_of_an_end_move_counts() {
     assert!(matches!(far.exceeded, Exceeded::OutOfReach { .. }), "{far}");
 }
 
-/// No closed form: the joints follow step by step all the same.
+/// There is no closed form, but the joints follow by Newton steps all the same.
 #[test]
 fn a_calibrated_arm_is_followed_too() {
     let mut random = Random::new(83);

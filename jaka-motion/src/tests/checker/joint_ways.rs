@@ -1,4 +1,4 @@
-//! Ways straight in joint space.
+//! Straight paths in joint space.
 
 use super::{ELBOW_UP, PACE, bare, refused, with_region, zu5};
 use crate::{Exceeded, JointSpeed, Model, Point, Region, RegionFrame};
@@ -54,7 +54,7 @@ fn an_acceleration_must_be_given_and_within() {
         &checker.check_joint_way(ELBOW_UP.into(), to, asked(None)),
         "no acceleration given; the controller's own is not known; give at most 72 deg/s² (Zu 5)",
     );
-    // The joint that is accelerated less than another may be the one that counts.
+    // The joint that accelerates less than another may be the limiting one.
     let mut most = [720.0; 6];
     most[3] = 10.0;
     let checker = bare(zu5().with_joint_accelerations(most).expect("above 0"));
@@ -75,7 +75,7 @@ fn the_tool_is_not_faster_than_its_limit() {
     assert_eq!(found.to_string(), "the tool centre point would move at 275 mm/s at 0 % of the way; limit 250 (Zu 5)");
 }
 
-/// Both ends are far from the plate, and the elbow goes through it on the way.
+/// Both ends are far from the plate, and the elbow goes through it in between.
 #[test]
 fn a_thin_plate_in_the_way_is_not_passed() {
     let from = [-40.0, 60.0, -80.0, 190.0, -90.0, 5.0];
@@ -91,7 +91,7 @@ fn a_thin_plate_in_the_way_is_not_passed() {
     }
 }
 
-/// Two turns of joint 1 come to the same place.
+/// Two turns of joint 1 reach the same place.
 #[test]
 fn a_way_that_ends_where_it_began_is_checked_all_round() {
     let from = [-350.0, 60.0, -80.0, 190.0, -90.0, 5.0];
@@ -103,7 +103,7 @@ fn a_way_that_ends_where_it_began_is_checked_all_round() {
     assert!(checker.check_joint_way(from.into(), to.into(), PACE).is_err());
 }
 
-/// A corner that is cut by less than a step between samples.
+/// The path cuts a corner by less than a step between samples.
 #[test]
 fn a_corner_is_grazed_by_a_millimetre_at_most() {
     let (from, to) = ([-30.0, 60.0, -80.0, 190.0, -90.0, 0.0], [30.0, 60.0, -80.0, 190.0, -90.0, 0.0]);

@@ -39,7 +39,7 @@ fn what_is_out_of_reach_is_refused_by_millimetres() {
     assert!(words.starts_with("out of reach by ") && words.ends_with(" mm (Zu 5)"), "{words}");
 }
 
-/// Both ends are in reach, and the way between them leads too near to the axis of joint 1.
+/// Both ends are in reach, and the path between them is too near to the axis of joint 1.
 #[test]
 fn a_line_through_the_base_axis_is_out_of_reach_on_the_way() {
     let from = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
@@ -66,7 +66,7 @@ fn a_line_through_a_singularity_names_it() {
     assert!(matches!(found.exceeded, Exceeded::Singularity { which: Singularity::Wrist, .. }), "{found}");
     let words = format!("the line passes the wrist singularity at {:.0} % of its way (Zu 5)", found.share * 100.0);
     assert_eq!(found.to_string(), words);
-    // The joints may go there in a straight way.
+    // The joints may go there on a straight path.
     let asked = super::PACE;
     assert_eq!(bare(zu5()).check_joint_way(from.into(), to.into(), asked), Ok(()));
 }
@@ -141,7 +141,7 @@ fn a_box_is_smaller_by_the_tolerance() {
     );
 }
 
-/// The start is within the region, and blending may take the arm out of it at once.
+/// The start is within the region, and blending may move the arm out of it at once.
 #[test]
 fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
     let floor = moved(ELBOW_UP, [0.0, 0.0, -5.0]).z;
@@ -158,7 +158,7 @@ fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
     assert!(line([0.0, 0.0, 10.0], 20.0).is_err());
 }
 
-/// So long a tolerance swallows the lengths that it is added to.
+/// Such a long tolerance swamps the lengths that it is added to.
 #[test]
 fn a_tolerance_longer_than_the_arm_is_refused() {
     let floor = moved(ELBOW_UP, [0.0, 0.0, -50.0]).z;
@@ -180,7 +180,7 @@ fn a_tolerance_longer_than_the_arm_is_refused() {
     }
 }
 
-/// The tool starts under the table and may come back up, slantwise too, but not go deeper.
+/// The tool starts under the table and may come back up, at a slant too, but not go deeper.
 #[test]
 fn a_start_beyond_a_region_may_lead_back_but_not_further_out() {
     let start = moved(ELBOW_UP, [0.0; 3]).z;

@@ -14,14 +14,14 @@ fn joints_beyond_their_ranges_are_refused() {
         &checker.check_place([0.0, 0.0, -175.004, 0.0, 0.0, 0.0].into()),
         "joint 3 would be at -175.004 deg; limit -175 (Zu 5)",
     );
-    // The one that is furthest beyond.
+    // The error is for the joint that is furthest beyond.
     refused(
         &checker.check_place([0.0, -90.0, 181.25, 0.0, 0.0, 361.0].into()),
         "joint 3 would be at 181.3 deg; limit 175 (Zu 5)",
     );
 }
 
-/// Each point in each frame: the border a little on this side of the point, or on the other.
+/// The border is a little on this side of each point, or on the other, in each frame.
 #[test]
 fn each_point_is_compared_where_the_region_is_seen_from() {
     let model = Model::default();
@@ -70,7 +70,7 @@ fn a_name_cannot_spoil_the_message() {
     assert!(!words.contains(char::is_control), "{words:?}");
 }
 
-/// A place is not a motion that leads back from where it starts.
+/// A place is not a motion that returns from its start.
 #[test]
 fn a_place_beyond_a_joints_range_is_refused() {
     let checker = Checker::new(Limits::of(&Model::default()), Frames::new());

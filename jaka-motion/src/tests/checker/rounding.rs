@@ -7,11 +7,11 @@ use crate::tests::Random;
 use crate::{JointSpeed, Limits, Model, Point, Region, Transform};
 
 const CYCLE: f64 = 0.008;
-/// A little less than what rounding may add.
+/// Step that is a little less than the rounding allowance.
 const CREEP: f64 = 0.99e-5;
 const STEPS: u32 = 200;
 
-/// Returns the excess over the limit in the end, where each motion starts at the end of the one before.
+/// Returns the final excess over the limit, if each motion starts at the end of the one before.
 fn crept<T: Copy>(start: T, next: impl Fn(T) -> Option<T>, excess: impl Fn(T) -> f64) -> f64 {
     let mut here = start;
     for _ in 0..STEPS {
@@ -80,7 +80,7 @@ fn a_pose_does_not_creep_to_a_singularity() {
     }
 }
 
-/// Only joint 6 turns: the others, elbow and wrist are as far beyond all along.
+/// Only joint 6 turns: the other joints, elbow and wrist stay equally far beyond.
 #[test]
 fn what_stays_beyond_a_limit_is_not_refused() {
     let mut random = Random::new(97);
@@ -106,13 +106,13 @@ fn what_stays_beyond_a_limit_is_not_refused() {
     }
 }
 
-/// All singularities are nearer than the least distance.
+/// Returns limits with a least distance that no place keeps from a singularity.
 fn nowhere_far_enough(model: &Model) -> Limits {
     let limits = Limits::of(model).with_joint_accelerations([1e9; 6]).expect("above 0");
     limits.with_singularity_distance(0.999).expect("a distance")
 }
 
-/// Joints 1 to 5 are beyond their ranges, and all points beyond a region.
+/// Returns limits for which joints 1 to 5 are beyond their ranges, and all points beyond a region.
 fn beyond_ranges_and_regions(mut limits: Limits, from: [f64; 6]) -> Limits {
     for (joint, at) in (1..6).zip(from) {
         limits = limits.with_joint_range(joint, at - 20.0, at - 10.0).expect("tighter");

@@ -5,7 +5,7 @@ use crate::{Checker, Exceeded, Limits, Model, Region, Singularity};
 
 const CYCLE: f64 = 0.008;
 
-/// The start, with joint 1 moved by so many degrees.
+/// Returns the start, with joint 1 moved by this many degrees.
 fn turned(by: f64) -> jaka_proto::messages::types::JointPosition {
     let mut joints = ELBOW_UP;
     joints[0] += by;
@@ -100,8 +100,8 @@ fn a_pose_keeps_its_distance_from_singularities() {
     assert_eq!(checker.check_set_point([from.into(); 2], joints.into(), CYCLE), Ok(()));
 }
 
-/// Both ends are far enough from the singularity that is between them. There is no case for the elbow: a pose is
-/// reached with the elbow bent as it was, too, and that is nearer.
+/// Both ends are far enough from the singularity between them. There is no case for the elbow: the pose is also reached
+/// with the elbow bent as before, and that solution is nearer.
 #[test]
 fn a_pose_does_not_leap_over_a_singularity() {
     let model = Model::default();
@@ -130,7 +130,7 @@ fn a_pose_does_not_leap_over_a_singularity() {
         // Joint positions may pass.
         assert_eq!(bare(quick()).check_set_point([from.into(); 2], to.into(), 0.1), Ok(()));
     }
-    // A pose may lead away from a singularity to either side.
+    // A pose may move away from a singularity to either side.
     for to in [with(4, 2.0), with(4, -2.0)] {
         assert!(step(quick(), with(4, 0.0), to).is_ok());
     }
@@ -148,7 +148,7 @@ fn a_joint_may_slow_down_by_the_acceleration_of_stops_and_speed_up_by_that_of_mo
     for (before, deg_s2) in [(60.0, 71.9), (60.0, -569.0), (-60.0, 569.0), (1.0, -190.0)] {
         assert_eq!(set(before, deg_s2), Ok(()), "from {before} deg/s by {deg_s2} deg/s²");
     }
-    // From 1 deg/s a joint turns round: by more than 72 deg/s² from standstill.
+    // From 1 deg/s a joint turns round: it gets more than 72 deg/s² from standstill.
     for (before, deg_s2, limit) in [(60.0, 73.0, 72.0), (60.0, -571.0, 570.0), (1.0, -199.0, 72.0), (-1.0, 199.0, 72.0)]
     {
         let found = set(before, deg_s2).expect_err("it is beyond").exceeded;
@@ -158,7 +158,7 @@ fn a_joint_may_slow_down_by_the_acceleration_of_stops_and_speed_up_by_that_of_mo
     }
 }
 
-/// From 175 deg/s, a stop with 570 deg/s² that are reached in 0.1 s takes 0.407 s and 35.6 degrees.
+/// From 175 deg/s, a stop at 570 deg/s², reached in 0.1 s, takes 0.407 s and 35.6 degrees.
 #[test]
 fn there_is_room_to_stop() {
     let limits = zu5().with_joint_accelerations([300.0; 6]).expect("above 0");
@@ -176,7 +176,7 @@ fn there_is_room_to_stop() {
     assert_eq!(back, Ok(()));
 }
 
-/// Landing ends well after a plate.
+/// The stop would end well behind a plate.
 #[test]
 fn landing_stays_in_the_regions() {
     let y = moved(ELBOW_UP, [0.0, 20.0, 0.0]).y;

@@ -15,7 +15,7 @@ fn joints_arrive_together_and_straight() {
         assert!(is_straight, "{at:?}");
         arm.generator.is_at_rest()
     });
-    // 40 degrees at 300 deg/s² and 180 deg/s.
+    // The motion is 40 degrees at 300 deg/s² and 180 deg/s.
     let seconds = f64::from(u32::try_from(count.expect("it arrives")).expect("few")) * CYCLE;
     assert!((0.7..1.1).contains(&seconds), "{seconds}");
     assert!(arm.generator.joints().max_distance(&target.into()) < 1e-6);
@@ -40,7 +40,7 @@ fn a_joint_stops_at_the_end_of_its_range_and_the_others_go_on() {
     let Some(Bound::Limit(beyond)) = bounds.last() else { panic!("{bounds:?}") };
     assert!(matches!(beyond.exceeded, Exceeded::LandingRange { joint: 1, .. }), "{beyond}");
     assert_eq!(arm.generator.rejections(), 0);
-    // Back is free.
+    // The path back is free.
     let back = Goal::Velocity([-50.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     for _ in 0..100 {
         arm.next(&back);
@@ -77,7 +77,7 @@ fn after_a_pause_the_arm_starts_from_standstill() {
     }
 }
 
-/// The way straight to the goal leads through a box.
+/// The straight path to the goal goes through a box.
 #[test]
 fn the_arm_stops_in_front_of_a_region_and_leaves_it() {
     let post = Region::outside_box("post", [-700.0, 250.0, -1000.0], [700.0, 290.0, 2000.0]).expect("a box");

@@ -1,4 +1,4 @@
-//! Numbers that are none, and limits beyond use.
+//! Invalid numbers, and unusable limits.
 
 use super::{CYCLE, ELBOW_UP, Watched, joints, zu5};
 use crate::{Checker, Dynamics, Frames, Generator, GeneratorError, Goal, TcpVelocity, VelocityFrame};
@@ -47,7 +47,7 @@ fn huge_and_tiny_goals_do_no_harm() {
     }
 }
 
-/// It is for a thread of its own.
+/// A generator may run in its own thread.
 #[test]
 fn a_generator_can_be_sent_to_another_thread() {
     fn is_sent<T: Send + 'static>(_: T) {}
@@ -78,7 +78,7 @@ fn dynamics_beyond_limits_and_odd_starts_are_refused() {
         assert!(is_named(dynamics.with_accelerations(values).expect_err("refused")));
         assert!(is_named(dynamics.with_jerks(values).expect_err("refused")));
     }
-    // Limits may be next to nothing, too.
+    // Limits may be almost zero, too.
     let crawling = zu5().with_joint_accelerations([1e-200; 6]).expect("above 0");
     let checker = Checker::new(crawling.clone(), Frames::new());
     Generator::new(&checker, Dynamics::of(&crawling), ELBOW_UP.into(), CYCLE).expect_err("too slow to compute with");

@@ -3,15 +3,15 @@
 use super::{CYCLE, ELBOW_UP, Random, Watched};
 use crate::{Goal, Limits, Model, StopBound};
 
-/// The upper arm and the forearm level with the shoulder: the flange is 0.96 m from the first axis.
+/// Joint positions with upper arm and forearm level with the shoulder: the flange is 0.96 m from the first axis.
 const STRETCHED: [f64; 6] = [10.0, 180.0, 0.0, 50.0, -90.0, 5.0];
 
 fn place(of: [f64; 6]) -> [f64; 3] {
     Model::default().forward(of).position_mm()
 }
 
-/// Along the tool's way: how much the joints' change of speed between two periods slows it down, in mm/s². By
-/// differences of its place: where the joints lead it at the speeds before and after.
+/// Returns the deceleration of the tool along its path that comes from the joints' change of speed between two periods,
+/// in mm/s². It differentiates the tool's place for the joint speeds before and after.
 fn slowed_by_joints(three: &[[f64; 6]]) -> f64 {
     let by =
         |share: f64, of: [f64; 6]| -> [f64; 6] { std::array::from_fn(|joint| three[1][joint] + share * of[joint]) };

@@ -39,7 +39,7 @@ fn the_tool_moves_as_it_is_told() {
     let moved = minus(place(&arm), before).map(|part| part / (100.0 * CYCLE));
     assert!(length(minus(moved, [0.0, 60.0, -30.0])) < 0.5, "{moved:?}");
     assert!(turned.angle_deg(&Model::default().forward(arm.generator.joints())) < 0.05);
-    // About its own axis, which leaves it where it is.
+    // The tool turns about its own axis, which does not move it.
     let turn = TcpVelocity { linear_mm_s: [0.0; 3], angular_deg_s: [0.0, 0.0, 20.0], frame: VelocityFrame::Tool };
     arm.until_rest(&Goal::Rest, 500);
     let (before, turned) = (place(&arm), Model::default().forward(arm.generator.joints()));
@@ -51,7 +51,7 @@ fn the_tool_moves_as_it_is_told() {
     assert!((28.0..32.0).contains(&turned), "{turned}");
 }
 
-/// At each set-point: how fast the tool came there, and how far it goes on until it rests.
+/// Measures at each set-point the speed at which the tool reached it, and its travel from there to rest.
 #[test]
 fn a_tool_that_is_to_stop_soon_can_whatever_the_goals_are() {
     let (speed, within) = (20.0, 0.7);
@@ -86,7 +86,7 @@ fn a_tool_that_is_to_stop_soon_can_whatever_the_goals_are() {
     assert!(matches!(beyond.exceeded, Exceeded::TcpSpeed { limit_mm_s: 20.0, .. }), "{beyond}");
 }
 
-/// Slowly along the plane would be allowed, but the direction is kept.
+/// A slow motion along the plane would be permitted, but the direction is kept.
 #[test]
 fn all_axes_slow_down_in_front_of_a_region() {
     let y = Model::default().forward(ELBOW_UP).position_mm()[1];
@@ -102,7 +102,7 @@ fn all_axes_slow_down_in_front_of_a_region() {
     assert!((79.0..80.00001).contains(&moved[1]), "{moved:?}");
     let Some(Bound::Limit(beyond)) = last else { panic!("it is held") };
     assert!(matches!(beyond.exceeded, Exceeded::Region { .. } | Exceeded::LandingRegion { .. }), "{beyond}");
-    // Away from it, at once at full speed.
+    // The motion away from the wall is at full speed at once.
     for _ in 0..100 {
         arm.next(&along([0.0, -80.0, 0.0]));
     }
@@ -150,7 +150,7 @@ fn a_pose_is_reached_on_the_branch_of_the_session() {
         .joints_on_branch(arm.generator.joints(), Pose { x: 3000.0, ..pose })
         .expect_err("out of reach");
     assert!(matches!(far.exceeded, Exceeded::OutOfReach { .. }), "{far}");
-    // The wrist turned over is as near in some poses; here its range is closed.
+    // The flipped wrist is as near in some poses; here its range is closed.
     let odd = arm
         .generator
         .checker()

@@ -4,10 +4,10 @@ use super::{Random, Watched, joints};
 use crate::{Checker, Dynamics, Frames, Goal, Limits, Model, TcpVelocity, VelocityFrame};
 
 const START: [f64; 6] = [0.0, 100.0, 80.0, 90.0, -90.0, 0.0];
-/// Duration of the way to a target at the permitted speed, in seconds.
+/// Duration of the path to a target at the permitted speed, in seconds.
 const SECONDS: f64 = 2.0;
 
-/// A Zu 5 whose tool may have this speed, in mm/s, and go on for this way, in mm.
+/// Zu 5 with a limit of the tool's speed, in mm/s, and of its travel to rest, in mm.
 struct Slow {
     arm: Watched,
     period_s: f64,
@@ -16,7 +16,7 @@ struct Slow {
 }
 
 impl Slow {
-    /// As for packets each 30 ms and a reaction of 20 ms.
+    /// Creates the arm as for packets each 30 ms and a reaction of 20 ms.
     fn new(acceleration: f64, period_s: f64, overtravel: f64) -> Self {
         let unbraked_s = 0.05 + 2.0 * period_s;
         let speed = overtravel / (unbraked_s + 0.1);
@@ -28,7 +28,7 @@ impl Slow {
         Self { arm, period_s, speed, within }
     }
 
-    /// The next set-point, which keeps the speed, and from which the tool rests soon.
+    /// Makes the next set-point, and checks the speed and the travel of the tool to rest.
     fn next(&mut self, goal: &Goal) {
         let before = self.arm.generator.joints().0;
         let here = self.arm.next(goal).joints.0;
@@ -43,7 +43,7 @@ impl Slow {
         assert!(way <= self.within * (1.0 + 1e-6) + 1e-8, "{way} mm of {} mm", self.within);
     }
 
-    /// Returns the duration of this many set-points, as a share of the way's duration at the permitted speed.
+    /// Returns the duration of this many set-points, as a share of the path's duration at the permitted speed.
     fn times(&self, set_points: u32) -> f64 {
         f64::from(set_points) * self.period_s / SECONDS
     }
@@ -54,7 +54,7 @@ fn moved(from: [f64; 6], to: [f64; 6]) -> f64 {
     (0..3).map(|axis| (to[axis] - from[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// At any period, and however little that is: also where the first step with the full jerk is too much.
+/// Runs a test at any period and for any overtravel, also if the first step with the full jerk is too much.
 fn each_slow_arm(mut then: impl FnMut(Slow, &str)) {
     for acceleration in [72.0, 200.0, 720.0] {
         for period_s in [0.008, 0.016, 0.032, 0.064, 0.096] {

@@ -9,7 +9,7 @@ fn home() -> Pose {
     Pose::from(Model::named("Zu 5").expect("a published arm").forward(HOME))
 }
 
-/// Part of a circle with a radius of 80 mm, with steps of so many mm.
+/// Returns part of a circle with a radius of 80 mm, with steps of this many mm.
 fn on_circle(step_mm: f64) -> Vec<Pose> {
     let arc = 0.6 * std::f64::consts::TAU;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
@@ -24,7 +24,8 @@ fn through_poses(poses: &[Pose]) -> Curve {
     Trajectory::curve(std::iter::once(Via::from(HOME)).chain(poses[1..].iter().map(|pose| Via::from(*pose))))
 }
 
-/// The set-points are within all limits, also of jerk, at rest at both ends and near the points and the ways between.
+/// Checks that the set-points are within all limits, also of jerk, at rest at both ends and near the points and the
+/// lines between.
 fn is_kept(trajectory: &Trajectory, checker: &Checker, poses: &[Pose], within: (f64, f64)) {
     for period_s in [0.001, 0.008] {
         witness(trajectory, checker, period_s);
@@ -49,7 +50,7 @@ fn is_kept(trajectory: &Trajectory, checker: &Checker, poses: &[Pose], within: (
     assert!(ordered, "{:?}", trajectory.way_points());
 }
 
-/// Speed of the tool centre point in each millisecond, in mm/s.
+/// Returns the speed of the tool centre point in each millisecond, in mm/s.
 fn tool_speeds(trajectory: &Trajectory, checker: &Checker) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
     let count = (trajectory.duration_s() * 1000.0) as u32;
@@ -150,7 +151,7 @@ fn corners_stay_corners() {
         let off = checker.limits().model().forward(at_corner.joints).distance_mm(&Transform::from(poses[120]));
         assert!(off <= corner_mm + 1e-3 && (corner_mm == 0.0) == at_corner.velocity.iter().all(|one| one.abs() < 1e-9));
     }
-    // A curve that is told to bend there does not stop either.
+    // A curve that may bend there does not stop either.
     let bent = curve.corner_above_deg(170.0).build(&checker).expect("a way");
     assert!(bent.way_points()[1..240].iter().all(|point| point.passing == Passing::Rounded));
     is_kept(&bent, &checker, &poses, (0.1, 1.0));
@@ -208,7 +209,7 @@ fn no_numbers_make_it_panic() {
     }
 }
 
-/// The slowest places are those of the set-points, and name the joint that has no more.
+/// The slowest places are those of the set-points, and name the joint that is at its limit.
 #[test]
 fn slow_places_are_told_with_what_slows_them() {
     let poses = on_circle(1.0);
@@ -231,7 +232,7 @@ fn slow_places_are_told_with_what_slows_them() {
         let found = speeds[(place.time_s * 1000.0) as usize] / 100.0;
         assert!((found - place.share).abs() < 0.02, "{found}: {place:?}");
     }
-    // Never as fast as asked for.
+    // The tool is nowhere as fast as requested.
     let faster = through_poses(&poses).within_mm(0.2).tcp_speed(2000.0).build(&fast).expect("a way");
     let fastest = tool_speeds(&faster, &fast).into_iter().fold(0.0, f64::max) / 2000.0;
     assert!(faster.slow_places().iter().all(|place| place.share <= fastest + 1e-3), "{:?}", faster.slow_places());

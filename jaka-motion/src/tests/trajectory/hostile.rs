@@ -48,7 +48,7 @@ fn is_room(change: RateChange) -> bool {
 fn times_that_are_nearly_equal_are_refused() {
     let checker = checker();
     let [start, mut next] = [TimedPoint::new(0.0, HOME), TimedPoint::new(1e-300, HOME)];
-    // It rests, however short that is.
+    // The arm rests, for any duration, however short.
     let _ = Trajectory::timed(&[start, next], &checker);
     next.joints.0[0] += 1e-9;
     assert!(Trajectory::timed(&[start, next], &checker).is_err());
@@ -84,7 +84,7 @@ fn a_trajectory_of_more_than_a_week_is_none() {
         to(1e308).expect_err("nothing moves for so long").to_string(),
         "the trajectory takes 1.000e308 s; at most 604800 s, a week, are allowed"
     );
-    // Also one whose times are found.
+    // This applies to a trajectory with computed times, too.
     let points = [Via::joints(HOME), Via::joints(HOME.map(|joint| joint + 1.0))];
     let slow = Trajectory::through(points).joint_speeds([1e-300; 6]).build(&checker());
     assert!(slow.is_err(), "{slow:?}");

@@ -9,7 +9,7 @@ fn checker(preset: Preset) -> Checker {
     Checker::new(zu5().with_preset(preset), Frames::new())
 }
 
-/// The most by which the tool's speed changes in a second, by differences of its place each 4 ms, in mm/s².
+/// Returns the greatest change of the tool's speed in a second, from differences of its place each 4 ms, in mm/s².
 fn tool_acceleration(trajectory: &Trajectory) -> f64 {
     const STEP_S: f64 = 0.004;
     let place = |time_s: f64| Model::default().forward(trajectory.at(time_s).joints).position_mm();
@@ -21,12 +21,12 @@ fn tool_acceleration(trajectory: &Trajectory) -> f64 {
     moments.map(|time_s| ((speed(time_s + STEP_S) - speed(time_s)) / STEP_S).abs()).fold(0.0, f64::max)
 }
 
-/// Joint by joint, a joint's highest speed takes the seconds of the preset, and 0.1 s.
+/// Each joint takes the seconds of the preset and 0.1 s to reach its highest speed.
 #[test]
 fn a_joint_reaches_its_highest_speed_in_the_time_of_the_preset() {
     for (preset, seconds) in [(Preset::Gentle, 2.5), (Preset::Usual, 0.75), (Preset::Quick, 0.4)] {
         let checker = checker(preset);
-        // The last joint moves no place of the flange.
+        // The last joint does not move the flange's position.
         let (mut start, mut end) = (HOME, HOME);
         (start[5], end[5]) = (-350.0, 350.0);
         let trajectory = Trajectory::through([start, end].map(Via::from)).build(&checker).expect("within the limits");

@@ -194,7 +194,7 @@ fn no_numbers_make_it_panic() {
     }
 }
 
-/// The tool goes down and up again: it is at the lowest point, however much of a corner may be rounded.
+/// The tool goes down and up again: it reaches the lowest point for any tolerance of the corner.
 #[test]
 fn where_the_way_turns_back_it_stops() {
     let checker = checker();

@@ -53,7 +53,7 @@ fn speeds_and_accelerations_are_those_of_the_positions() {
     }
 }
 
-/// By third differences of set-points each millisecond, from rest to rest.
+/// The check uses third differences of set-points each millisecond, from rest to rest.
 #[test]
 fn accelerations_step_nowhere_and_jerks_are_within_the_limits() {
     let (mut random, checker) = (Random::new(3), checker());
@@ -80,7 +80,7 @@ fn accelerations_step_nowhere_and_jerks_are_within_the_limits() {
     }
 }
 
-/// Times that are longer by the told factor are just long enough.
+/// Times that are longer by the factor of the error are just long enough.
 #[test]
 fn a_jerk_beyond_its_limit_is_told_with_the_factor_that_helps() {
     let mut random = Random::new(4);
@@ -180,7 +180,7 @@ fn what_is_beyond_a_limit_is_refused_with_its_place() {
     );
 }
 
-/// Joint 1 stops in time along the way; straight on, together with joint 2, which is faster, it would not.
+/// Joint 1 stops in time along the path; straight on, together with joint 2, which is faster, it would not.
 #[test]
 fn room_to_stop_is_looked_for() {
     let point = |time_s: f64, [first, second]: [f64; 2], [one, other]: [f64; 2]| {

@@ -22,7 +22,7 @@ fn apart(one: [f64; 3], other: [f64; 3]) -> f64 {
     (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The highest speed of the tool between two way-points, by differences each millisecond, in mm/s.
+/// Returns the highest speed of the tool between two way-points, by differences each millisecond, in mm/s.
 fn fastest(trajectory: &Trajectory, from: usize, to: usize) -> f64 {
     let [from_s, to_s] = [from, to].map(|index| trajectory.way_points()[index].time_s);
     let moments = (0..).map(|step| from_s + f64::from(step) * 1e-3).take_while(|time_s| *time_s < to_s - 1e-3);
@@ -94,7 +94,7 @@ fn wrong_settings_of_a_point_are_refused() {
     assert_eq!(curve.expect_err("it is wrong"), TrajectoryError::OnCurve { way_point: 3 });
 }
 
-/// Half of a circle of 60 mm in a plane through the start, and a line to both sides of it in its direction.
+/// The path is half of a circle of 60 mm in a plane through the start, with a tangential line at each end.
 #[test]
 fn an_arc_is_a_circle_between_lines() {
     let checker = checker();
@@ -130,7 +130,7 @@ fn an_arc_is_a_circle_between_lines() {
     }
     assert!(furthest < 0.01, "{furthest} mm off the circle");
     assert!(fastest < 60.0 * 1.0005 && slowest > 58.0, "from {slowest} to {fastest} mm/s");
-    // Where the line meets the arc in its direction, it hardly slows down.
+    // Where the tangential line meets the arc, the tool hardly slows down.
     let joined = trajectory.way_points()[2].time_s;
     assert!(apart(place(&trajectory, joined), place(&trajectory, joined + 1e-3)) / 1e-3 > 55.0);
 }

@@ -1,4 +1,4 @@
-//! Points with times, from files and to files: what their numbers are, by the names that have their units.
+//! Points with times in files: meaning of the numbers, by names with units.
 
 mod csv;
 mod json;
@@ -23,7 +23,7 @@ enum Unit {
     Radians,
 }
 
-/// Meaning of one number.
+/// Meaning of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Column {
     Time,
@@ -33,13 +33,13 @@ enum Column {
 /// Content of a row or an object, as far as it could be read.
 #[derive(Debug, Clone, Default)]
 struct Row {
-    /// The time and its place.
+    /// Time and its offset in the text.
     time: Option<(f64, usize)>,
     /// Positions, velocities and accelerations, by [`Kind`], in degrees.
     angles: [Option<[f64; 6]>; 3],
 }
 
-/// The points so far.
+/// Points read so far.
 #[derive(Debug, Default)]
 struct Rows {
     points: Vec<TimedPoint>,
@@ -49,7 +49,7 @@ struct Rows {
 impl Kind {
     const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
 
-    /// Its name for one joint and for all, and what follows the unit of an angle.
+    /// Returns its name for one joint and for all, and the suffix after the unit of an angle.
     fn names(self) -> [&'static str; 3] {
         match self {
             Self::Position => ["joint", "joints", ""],
@@ -58,13 +58,13 @@ impl Kind {
         }
     }
 
-    /// The name of a column with it.
+    /// Returns the name of its column.
     fn column(self, joint: usize, unit: Unit) -> String {
         let [one, _, per_time] = self.names();
         format!("{one}_{joint}_{}{per_time}", unit.name())
     }
 
-    /// The key of a list with it.
+    /// Returns the key of its list.
     fn key(self, unit: Unit) -> String {
         let [_, all, per_time] = self.names();
         format!("{all}_{}{per_time}", unit.name())
@@ -90,10 +90,10 @@ impl Unit {
 }
 
 impl Column {
-    /// The name of the column with times, and their key.
+    /// Name of the column of times, and their key.
     const TIME: &'static str = "time_s";
 
-    /// All columns that there can be, by name.
+    /// Returns all possible columns, by name.
     fn all() -> Vec<(String, Self)> {
         let angles = Kind::ALL.into_iter().flat_map(|kind| {
             let joints = (1..=6).flat_map(|joint| Unit::BOTH.map(|unit| (joint, unit)));
@@ -110,7 +110,7 @@ impl Row {
 }
 
 impl Rows {
-    /// Adds a row, whose time comes after that of the one before.
+    /// Adds a row; reports a time that is not after that of the row before.
     fn add(&mut self, row: &Row, report: &mut Report<'_>) {
         let Some((time_s, at)) = row.time else { return };
         match self.last_s {

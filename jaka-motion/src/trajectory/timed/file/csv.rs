@@ -1,4 +1,4 @@
-//! CSV.
+//! Points with times in CSV.
 
 use std::fmt::Write;
 
@@ -27,7 +27,7 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     rows.finish()
 }
 
-/// Text of points, with as many digits as tell each number from all others.
+/// Returns the text of points, with the digits that distinguish each number from all others.
 pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     let kinds = kinds(points);
     let names = Kind::ALL.into_iter().take(kinds);
@@ -45,7 +45,7 @@ pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     text
 }
 
-/// Returns the columns that the header names; none for one that is unknown.
+/// Returns the columns that the header names; `None` for one that is unknown.
 fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(String, Column)>> {
     let known = Column::all();
     let mut columns: Vec<Option<(String, Column)>> = Vec::new();
@@ -71,7 +71,7 @@ fn unknown(name: &str, known: &[(String, Column)]) -> String {
     }
 }
 
-/// Whether two columns say the same of a point, if in other units.
+/// Whether two columns have the same meaning, in any units.
 fn is_same(one: &Column, other: &Column) -> bool {
     match (one, other) {
         (Column::Of(kind, joint, _), Column::Of(other, another, _)) => (kind, joint) == (other, another),
@@ -79,7 +79,7 @@ fn is_same(one: &Column, other: &Column) -> bool {
     }
 }
 
-/// Reports the columns that are not there, of those that have to be.
+/// Reports the required columns that are missing.
 fn missing(at: usize, columns: &[Option<(String, Column)>], report: &mut Report<'_>) {
     let has = |wanted: Column| columns.iter().flatten().any(|(_, column)| is_same(column, &wanted));
     if !has(Column::Time) {
@@ -96,7 +96,7 @@ fn missing(at: usize, columns: &[Option<(String, Column)>], report: &mut Report<
     }
 }
 
-/// Returns the content of a line; none if it has too many or too few fields.
+/// Returns the content of a line; `None` if it has too many or too few fields.
 fn row(at: usize, line: &str, columns: &[Option<(String, Column)>], report: &mut Report<'_>) -> Option<Row> {
     let count = fields((at, line)).count();
     if count != columns.len() {

@@ -1,4 +1,4 @@
-//! JSON.
+//! Points with times in JSON.
 
 use super::{Column, Kind, Row, Rows, Unit, angles, kinds};
 use crate::text_file::{Report, nearest};
@@ -24,7 +24,7 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     rows.finish()
 }
 
-/// Text of points, with as many digits as tell each number from all others.
+/// Returns the text of points, with the digits that distinguish each number from all others.
 pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     let kinds = kinds(points);
     let point = |point: &TimedPoint| {
@@ -37,7 +37,7 @@ pub(in crate::trajectory::timed) fn write(points: &[TimedPoint]) -> String {
     format!("{{\"points\": [\n{}\n]}}\n", points.iter().map(point).collect::<Vec<_>>().join(",\n"))
 }
 
-/// Returns the content of a point, and flags for the kinds of numbers that it has, right or wrong.
+/// Returns the content of a point, and flags for the kinds of numbers that it has, valid or not.
 fn row<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Option<(Row, [bool; 3])> {
     let entries = file.entries(point, "a point", report)?;
     let (mut row, mut read) = (Row::default(), [false; 3]);
