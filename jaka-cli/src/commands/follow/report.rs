@@ -10,11 +10,11 @@ use crate::failure::Failure;
 use crate::terminal::output;
 use crate::text::number::{fixed, milliseconds, seconds};
 
-/// Step in which peaks are searched, in seconds, and greatest number of steps.
+/// Step of the search for peaks, in seconds, and greatest number of steps.
 const STEP_S: f64 = 0.001;
 const MOST_STEPS: f64 = 1e6;
 
-/// Slow places that are printed at most.
+/// Greatest number of printed slow points.
 pub(super) const SLOW_PLACES: usize = 5;
 
 /// Greatest speeds of a trajectory, in deg/s, and its greatest accelerations, in deg/s².
@@ -22,12 +22,12 @@ pub(super) const SLOW_PLACES: usize = 5;
 pub(super) struct Peaks {
     pub(super) speeds: [f64; 6],
     accelerations: [f64; 6],
-    /// In mm/s.
+    /// Greatest speed of the tool, in mm/s.
     tool: f64,
 }
 
 impl Peaks {
-    /// The largest values, in steps of 1 ms, or larger ones where it takes more than 1000 s.
+    /// Finds the largest values, in steps of 1 ms, or larger steps for more than 1000 s.
     pub(super) fn of(trajectory: &Trajectory, checker: &Checker) -> Self {
         let duration_s = trajectory.duration_s();
         let step_s = STEP_S.max(duration_s / MOST_STEPS);
@@ -51,12 +51,12 @@ impl Peaks {
     }
 }
 
-/// Position of the tool centre point, in mm.
+/// Returns the position of the tool centre point, in mm.
 pub(super) fn tool_at(sample: &Sample, checker: &Checker) -> [f64; 3] {
     checker.frames().pose(checker.limits().model().forward(sample.joints)).position_mm()
 }
 
-/// Report for people on the checks and on the peaks of the trajectory.
+/// Returns the report for people on the checks and on the peaks of the trajectory.
 pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> String {
     let (count, duration_s, limits) = (trajectory.way_points().len(), trajectory.duration_s(), checker.limits());
     let name = limits.model().name();
@@ -83,7 +83,7 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     out
 }
 
-/// Report for programs on the checks and on the peaks of the trajectory.
+/// Returns the report for programs on the checks and on the peaks of the trajectory.
 pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> Value {
     json!({
         "way_points": trajectory.way_points().len(),
@@ -100,7 +100,7 @@ pub(super) fn checked_as_json(trajectory: &Trajectory, peaks: &Peaks, checker: &
     })
 }
 
-/// Prints how it ended, as JSON whatever the end is.
+/// Prints the end; as JSON for any end.
 pub(super) fn print(end: End, as_json: bool) -> Result<(), Failure> {
     if as_json {
         output::json(&format!("{}\n", ended_as_json(&end)))?;
