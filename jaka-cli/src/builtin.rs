@@ -1,25 +1,25 @@
-//! The built-in protocol, and that of status packets.
+//! Built-in protocol, and the protocol of status packets.
 
 use std::sync::{LazyLock, OnceLock};
 
 use jaka_spec::Spec;
 
-/// The built-in spec.
+/// Returns the built-in spec.
 pub(crate) fn spec() -> &'static Spec {
     static BUILTIN: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
     &BUILTIN
 }
 
-/// The protocol of status packets, once it is known.
+/// Protocol of status packets, once it is set.
 static STATUS: OnceLock<Spec> = OnceLock::new();
 
-/// The protocol by which status packets are read: the built-in one, unless [`read_status_by`] says otherwise.
+/// Returns the protocol of status packets: the built-in one, unless [`read_status_by`] sets another.
 pub(crate) fn of_status() -> &'static Spec {
     STATUS.get_or_init(|| spec().clone())
 }
 
-/// Has status packets read by this protocol, which is said before the first of them comes.
+/// Sets the protocol of status packets. Called before the first packet.
 pub(crate) fn read_status_by(protocol: &Spec) {
-    // There is no other.
+    // The protocol is set only once.
     let _ = STATUS.set(protocol.clone());
 }

@@ -1,11 +1,11 @@
-//! Options that have one of a few values.
+//! Options with a fixed set of values.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-/// A value's name, what is said of it, and what it stands for.
+/// Name of a value, its help text, and its meaning.
 pub(crate) type Choice<T> = (&'static str, &'static str, T);
 
-/// The parser of an option that has one of these values.
+/// Returns the parser of an option with these values.
 pub(crate) fn one_of<T: Copy + Send + Sync>(choices: &'static [Choice<T>]) -> impl TypedValueParser<Value = T> {
     let known = choices.iter().map(|(name, help, _)| PossibleValue::new(*name).help(*help));
     PossibleValuesParser::new(known).try_map(|given| {

@@ -1,9 +1,10 @@
-//! The commands, one file each.
+//! Commands, with one file each.
 //!
-//! A new one is a file with a `#[derive(clap::Args)]` struct that has `fn run(self) -> Result<(), Failure>`, and a row
-//! of the table of commands. One that talks to a robot has a field `#[command(flatten)] robot: RobotArgs`, the last so
-//! that its options have a heading of their own, and begins with `self.robot.target(&packs)?`, with the packs of a
-//! `SpecArgs` or with none. It asks for the one seat of the command port as `target/seat.rs` says.
+//! A new command is a file with a `#[derive(clap::Args)]` struct with `fn run(self) -> Result<(), Failure>`, and a row
+//! of the table of commands. A command that talks to a robot has a field `#[command(flatten)] robot: RobotArgs`, as the
+//! last one so that its options have their own heading. It begins with `self.robot.target(&packs)?`, with the packs of
+//! a `SpecArgs` or with none. `target/seat.rs` describes the confirmation before it takes the one seat of the command
+//! port.
 
 pub(crate) mod call;
 mod check;
@@ -34,10 +35,10 @@ use crate::failure::Failure;
 
 pub(crate) use self::call::{all as all_of_call, protocol_of};
 
-/// Makes the enum of the commands, and its `run`.
+/// Generates the enum of the commands, and its `run`.
 macro_rules! commands {
     ($($(#[$attribute:meta])* $name:ident($arguments:ty),)*) => {
-        /// Command of a line.
+        /// Command of a command line.
         #[derive(Debug, Subcommand)]
         pub(crate) enum Command {
             $($(#[$attribute])* $name($arguments),)*

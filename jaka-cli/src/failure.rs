@@ -18,33 +18,33 @@ use jaka_spec::words::first_sentence;
 pub(crate) enum Failure {
     /// The command line, an argument or the config file is wrong.
     Usage(String),
-    /// The command line cannot be read, or asks for help.
+    /// The command line is unreadable, or asks for help.
     CommandLine(Box<clap::Error>),
-    /// The robot, or the connection to it.
+    /// Error of the robot, or of the connection to it.
     Robot(Error),
     /// The controller refused the command.
     Refused {
-        /// The controller's own words.
+        /// Text of the controller.
         refusal: Refusal,
-        /// Meaning of the code, where the spec knows it.
+        /// Meaning of the code, if the spec knows it.
         meaning: Option<String>,
-        /// Explanation of the refusal, as far as the robot's status shows one.
+        /// Explanation of the refusal, if the robot's status shows one.
         explanation: Option<Box<Explanation>>,
     },
-    /// A stop was not taken, or that is not known.
+    /// The controller did not accept a stop, or its acceptance is unknown.
     NotStopped(Box<Failure>),
     /// A wait ended with its timeout.
     NotInTime(String),
-    /// A motion was not sent: the cause, and a remedy.
+    /// A motion was not sent, with the cause and a remedy.
     NotSent(String),
-    /// Messages of the controller deviate from the spec, or requests of clients from the recording: the number of
+    /// Messages of the controller deviate from the spec, or requests of clients from the recording, with the number of
     /// deviations.
     Departs(String),
-    /// All output has been printed, or its reader is gone: the exit code tells the rest.
+    /// All output has been printed, or its reader is gone, with the exit code.
     Printed(u8),
-    /// Ctrl-C ended it before all was done; the results up to then have been printed.
+    /// Ctrl-C ended the command early, after it printed the results so far.
     Interrupted,
-    /// Something on this machine.
+    /// Failure on this machine.
     Local {
         /// Text that names the failed action, such as "cannot start the simulated controller".
         what: String,
@@ -54,21 +54,21 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The output cannot be written.
+    /// Creates the failure of an output error.
     pub(crate) fn output(source: io::Error) -> Self {
         if source.kind() == io::ErrorKind::BrokenPipe {
-            // The reader has closed it, which is not a failure.
+            // A closed reader is not a failure.
             return Self::Printed(0);
         }
         Self::local("cannot write the output", source)
     }
 
-    /// A file cannot be written.
+    /// Creates the failure of a file that cannot be written.
     pub(crate) fn unwritten(path: &Path, source: io::Error) -> Self {
         Self::local(format!("cannot write {}", path.display()), source)
     }
 
-    /// The error with the meaning that the spec or a pack gives the controller's code.
+    /// Creates a failure with the meaning of the controller's code in the spec or a pack.
     pub(crate) fn explained(spec: &Spec, error: impl Into<Error>) -> Self {
         let error = error.into();
         match error.kind() {
@@ -80,20 +80,20 @@ impl Failure {
         }
     }
 
-    /// Something on this machine does not work: the failed action, and the cause.
+    /// Creates the failure of an action on this machine, with its cause.
     pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
         Self::Local { what: what.into(), source }
     }
 }
 
-/// Meaning of a refusal's code, from the spec or a pack.
+/// Returns the meaning of a refusal's code, from the spec or a pack.
 fn meaning(spec: &Spec, refusal: &Refusal) -> Option<String> {
     let known = spec.errors().find(|known| known.wire == refusal.code.0);
     known.map(|known| first_sentence(&known.doc).0.to_owned())
 }
 
 impl Failure {
-    /// Command to type, or action to take, against the cause.
+    /// Returns a command to type, or an action to take, against the cause.
     pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         match self {
             Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
@@ -103,7 +103,7 @@ impl Failure {
     }
 }
 
-/// Text of a remedy, in terms of this program's commands.
+/// Returns the text of a remedy, in terms of this program's commands.
 pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
     if let Remedy::OfEvent(event) = remedy {
         let remedy = event.remedy()?;
@@ -165,7 +165,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
     }))
 }
 
-/// Meaning of a failed stop for a person: the arm may still move.
+/// Returns the text for a failed stop: the arm may still move.
 pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     if may_have_run {
         "it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop"
@@ -174,14 +174,14 @@ pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     }
 }
 
-/// Fact of an error of a library, which is the text of its kind, followed by the texts of its causes. Its own text has
-/// the library's remedy, too.
+/// Returns the text of an error's kind, followed by the texts of its causes. The error's own text also has the
+/// library's remedy.
 pub(crate) fn fact(kind: &dyn fmt::Display, error: &dyn StdError) -> String {
     let fact = kind.to_string();
     error.source().map_or_else(|| fact.clone(), |source| format!("{fact}: {}", chain(source)))
 }
 
-/// An error's text, followed by those of its causes.
+/// Returns an error's text, followed by those of its causes.
 pub(crate) fn chain(error: &(dyn StdError + 'static)) -> String {
     std::iter::successors(Some(error), |&error| error.source()).join(": ")
 }
@@ -197,11 +197,11 @@ impl fmt::Display for Failure {
                         |names: &[String]| if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
                     write!(f, "interrupted; accepted before: {}; not sent: {}", named(accepted), named(not_sent))
                 }
-                // Without the library's type.
+                // Omits the library's type.
                 ErrorKind::InvalidOption { option, value, expected, .. } => {
                     write!(f, "option `{option}` is {value}, expected {expected}")
                 }
-                // The fact alone: remedies are hints.
+                // Only the fact: the remedy is a hint.
                 kind => kind.fmt(f),
             },
             Self::Refused { refusal, explanation: Some(explanation), .. } => {
@@ -225,7 +225,7 @@ impl fmt::Display for Failure {
 impl StdError for Failure {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
         match self {
-            // Its text is part of this one.
+            // The display text includes that of the error.
             Self::Robot(error) => error.source(),
             Self::Local { source, .. } => Some(source),
             Self::NotStopped(failure) => Some(&**failure),

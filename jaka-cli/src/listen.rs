@@ -1,4 +1,4 @@
-//! The addresses at which a controller of this program listens.
+//! Listening addresses of a controller of this program.
 
 use std::io::{self, ErrorKind};
 use std::net::{IpAddr, SocketAddr, TcpListener};
@@ -10,7 +10,7 @@ use jaka_sim::{Builder, Controller};
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// The options that give the addresses.
+/// Options for the listening addresses.
 #[derive(Debug, Args)]
 pub(crate) struct ListenArgs {
     /// Address to listen at
@@ -34,7 +34,7 @@ impl ListenArgs {
         Ok(controller)
     }
 
-    /// Names the port that is in use, if that is why.
+    /// Creates the failure, with the port if it is in use.
     fn failed(&self, error: io::Error) -> Failure {
         let is_taken = |port: &u16| {
             let opened = TcpListener::bind((self.address, *port));

@@ -1,6 +1,6 @@
 //! Pictures as SVG, black on white, for pages and print.
 //!
-//! Texts in them are escaped by the library. Nothing in them is fetched from anywhere.
+//! The library escapes texts in them. They load no external resources.
 
 mod calls;
 mod canvas;

@@ -1,4 +1,4 @@
-//! The robot that a command talks to, or a simulated one.
+//! Robot of a command, or a simulated one.
 
 mod address;
 mod config_file;
@@ -29,25 +29,25 @@ use crate::text::seconds::some_seconds;
 /// Default timeout for connecting.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// Patience with a simulated controller. It shares this process: a machine that holds it up holds up the command, too.
+/// Timeout for a simulated controller. It shares this process, so that a slow machine delays both it and the command.
 const SIMULATED: Duration = Duration::from_secs(60);
 
-/// The options of a command that talks to a robot.
+/// Options of a command that talks to a robot.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Robot")]
 pub(crate) struct RobotArgs {
     #[command(flatten)]
     address: AddressArgs,
-    /// Record all that is sent and received to a new file
+    /// Record everything sent and received to a new file
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
 }
 
-/// The options by which a command finds its robot.
+/// Options for the robot of a command.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
 pub(crate) struct AddressArgs {
-    /// Its address, or its name in the config file.
+    /// Address, or name in the config file.
     #[arg(
         long,
         short,
@@ -62,12 +62,12 @@ pub(crate) struct AddressArgs {
     /// Port for status packets [default: 10000]
     #[arg(long, value_name = "PORT", conflicts_with = "sim")]
     status_port: Option<u16>,
-    /// How long connecting, each reply and each status packet may take [default: 5], and what is waited for
+    /// Timeout for connecting, each reply and each status packet [default: 5], and for waits
     ///
-    /// Without it, commands for which the protocol names a longer time, such as motions, get that longer time.
+    /// Without it, commands with a longer time in the protocol, such as motions, get that longer time.
     #[arg(long, value_name = "SECONDS", value_parser = some_seconds)]
     timeout: Option<Duration>,
-    /// The config file.
+    /// Config file.
     #[arg(
         long,
         help = "The config file [env: JAKA_CONFIG] [default: ~/.config/jaka/config.toml]",
@@ -79,56 +79,56 @@ pub(crate) struct AddressArgs {
     /// It has no power unless --sim-powered is given, and switches power and enabling at once.
     #[arg(long, value_name = "MODEL", num_args = 0..=1, require_equals = true, default_missing_value = "Zu 5", value_parser = model)]
     sim: Option<&'static Model>,
-    /// The simulated arm has power and is enabled from the start
+    /// Give the simulated arm power and enable it from the start
     #[arg(long, requires = "sim")]
     sim_powered: bool,
 }
 
-/// The model of this name.
+/// Returns the model of this name.
 pub(crate) fn model(name: &str) -> Result<&'static Model, String> {
     Model::named(name)
         .ok_or_else(|| format!("the models are {}", Model::published().iter().map(Model::name).join(", ")))
 }
 
-/// Robot and config file of a command line, before the robot is looked for.
+/// Robot and config file of a command line, before the search for the robot.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Lookup<'l> {
-    /// The config file that the line names.
+    /// Config file of the command line.
     pub(crate) config: Option<&'l Path>,
-    /// The robot that the line names, by its address or its name in the config file.
+    /// Robot of the command line, by its address or its name in the config file.
     pub(crate) robot: Option<&'l str>,
 }
 
-/// The packs that the environment names, or else the config file, for this robot or for all; and true if it is the
-/// config file.
+/// Returns the packs of the environment, or else of the config file, for this robot or for all; and true if they are
+/// from the config file.
 pub(crate) fn usual_packs(lookup: Lookup<'_>) -> Result<(Vec<PathBuf>, bool), Failure> {
     address::packs(lookup, &Environment::read())
 }
 
-/// The robots that the config file names, with their addresses; none if it cannot be read.
+/// Returns the robots of the config file, with their addresses; none if it is unreadable.
 pub(crate) fn robots(config: Option<&Path>) -> Vec<(String, String)> {
     let file = address::config_file(config, &Environment::read()).unwrap_or_default();
     file.robots.into_iter().map(|(name, entry)| (name, entry.address)).collect()
 }
 
 impl RobotArgs {
-    /// Robot and config file that the line names.
+    /// Returns the robot and the config file of the command line.
     pub(crate) fn lookup(&self) -> Lookup<'_> {
         Lookup { config: self.address.config.as_deref(), robot: self.address.robot.as_deref() }
     }
 
-    /// True if the command line names a robot or a simulated one.
+    /// Whether the command line names a robot or a simulated one.
     pub(crate) fn is_given(&self) -> bool {
         self.address.is_given()
     }
 
-    /// True if the robot is a simulated one.
+    /// Whether the robot is a simulated one.
     pub(crate) fn is_simulated(&self) -> bool {
         self.address.is_simulated()
     }
 
-    /// Finds the robot, or starts the simulated controller, which knows these packs, and begins the recording. Connects
-    /// to nothing yet.
+    /// Finds the robot, or starts the simulated controller with these packs, and starts the recording. Does not connect
+    /// yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         let target = self.address.target(packs)?;
         let Some(path) = &self.record else { return Ok(target) };
@@ -137,17 +137,17 @@ impl RobotArgs {
 }
 
 impl AddressArgs {
-    /// True if the command line names a robot or a simulated one.
+    /// Whether the command line names a robot or a simulated one.
     pub(crate) fn is_given(&self) -> bool {
         self.robot.is_some() || self.is_simulated()
     }
 
-    /// True if the robot is a simulated one.
+    /// Whether the robot is a simulated one.
     pub(crate) fn is_simulated(&self) -> bool {
         self.sim.is_some()
     }
 
-    /// Finds the robot, or starts the simulated controller, which knows these packs. Connects to nothing yet.
+    /// Finds the robot, or starts the simulated controller with these packs. Does not connect yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
         #[cfg(test)]
         if let Some(target) = crate::tests::target(self.timeout) {
@@ -171,7 +171,7 @@ impl AddressArgs {
         Ok(Target { config: address.configure(Config::new()), address, timeout: self.timeout, controller })
     }
 
-    /// A controller for one command, which has no delays.
+    /// Starts a controller without delays for one command.
     fn simulated(&self, model: &Model, packs: &[PathBuf]) -> Result<Controller, Failure> {
         let builder = Controller::builder().model(model.clone()).delays(Delays::NONE);
         let started = packs.iter().fold(builder, Builder::pack).start();
@@ -183,20 +183,20 @@ impl AddressArgs {
     }
 }
 
-/// A robot's addresses, and the config of its connections.
+/// Addresses of a robot, and the config of its connections.
 #[derive(Debug)]
 pub(crate) struct Target {
     address: RobotAddress,
     config: Config,
-    /// As the command line has it.
+    /// `--timeout` of the command line.
     timeout: Option<Duration>,
-    /// Kept alive for as long as the command talks to it.
+    /// Simulated controller, which lives as long as the target.
     #[expect(dead_code, reason = "it is dropped with the target")]
     controller: Option<Controller>,
 }
 
 impl Target {
-    /// A robot at these addresses, connected to by this config and this `--timeout`.
+    /// Creates a robot at these addresses, with this config and this `--timeout`.
     #[cfg(test)]
     pub(crate) fn at(config: Config, [commands, status]: [String; 2], timeout: Option<Duration>) -> Self {
         let title = "127.0.0.1".to_owned();
@@ -204,18 +204,18 @@ impl Target {
         Self { config: address.configure(config), address, timeout, controller: None }
     }
 
-    /// Title of the robot for people: its name and address.
+    /// Returns the title of the robot for people: its name and address.
     pub(crate) fn title(&self) -> &str {
         &self.address.title
     }
 
-    /// Returns the robot with a recorder for everything that goes over its connections.
+    /// Returns the robot with a recorder for all traffic on its connections.
     pub(crate) fn recorded(mut self, recorder: Recorder, sampling: StatusSampling) -> Self {
         self.config = self.config.recorder(recorder).status_sampling(sampling);
         self
     }
 
-    /// The address of one of its ports, and the timeout for connecting.
+    /// Returns the address of a port, and the timeout for connecting.
     pub(crate) fn address(&self, port: Port) -> (&str, Duration) {
         let address = match port {
             Port::Command => &self.address.commands,
@@ -224,7 +224,7 @@ impl Target {
         (address, self.address.connect_timeout.unwrap_or(CONNECT_TIMEOUT))
     }
 
-    /// Config of its connections.
+    /// Returns the config of its connections.
     pub(crate) fn config(&self) -> &Config {
         &self.config
     }
@@ -246,17 +246,17 @@ impl Target {
         Ok(robot)
     }
 
-    /// `--timeout` of the command line, if it is given.
+    /// Returns `--timeout` of the command line, if given.
     pub(crate) fn timeout(&self) -> Option<Duration> {
         self.timeout
     }
 
-    /// Timeout for an action: `--timeout` of the command line, or else this one.
+    /// Returns the timeout for an action: `--timeout` of the command line, or else this one.
     pub(crate) fn patience(&self, usual: Duration) -> Duration {
         self.timeout.unwrap_or(usual)
     }
 
-    /// Connects to both ports, and looks at all that should be looked at before the robot is used.
+    /// Connects to both ports, and runs the checks before the use of the robot.
     pub(crate) fn preflight<S: MotionStatus>(&self, limits: Option<&Limits>) -> Preflight {
         Preflight::read_as::<S>(&self.config, &self.address.commands, &self.address.status, limits)
     }
@@ -266,12 +266,12 @@ impl Target {
         Ok(StatusStream::connect_with(&self.config, &self.address.status)?)
     }
 
-    /// The newest status packet in terms of the built-in type, by the status port alone, read as another type.
+    /// Returns the newest status packet in terms of the built-in type, read as another type from the status port alone.
     pub(crate) fn status<S: MotionStatus>(&self) -> Result<RobotStatus, Failure> {
         Ok(self.status_stream()?.newest_packet_as::<S>()?.robot_status())
     }
 
-    /// Connects to the status port, where a packet is awaited for this long.
+    /// Connects to the status port, with this timeout for a packet.
     pub(crate) fn status_stream_within(&self, timeout: Duration) -> Result<StatusStream, Failure> {
         Ok(StatusStream::connect_with(&self.config.clone().reply_timeout(timeout), &self.address.status)?)
     }

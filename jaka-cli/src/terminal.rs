@@ -1,4 +1,4 @@
-//! This program on its terminal: keys, questions, results, warnings, logs and exit codes.
+//! Terminal of this program: keys, questions, results, warnings, logs and exit codes.
 
 pub(crate) mod console;
 pub(crate) mod exit;

@@ -1,4 +1,4 @@
-//! Commands that run in the test program, on arms in simulated time: each time in their output is exact.
+//! Commands that run in the test program, on arms in simulated time, so that all times in their output are exact.
 
 mod beyond;
 mod causes;
@@ -31,19 +31,19 @@ use crate::failure::command_line::is_help;
 use crate::target::Target;
 use crate::terminal::exit;
 
-/// Handler of Ctrl-C, once a command has one.
+/// Handler of Ctrl-C, once a command has set one.
 type Handler = Arc<Mutex<Option<Box<dyn FnMut() + Send>>>>;
 
 thread_local! {
     /// Handler of this thread's command.
     static HANDLER: RefCell<Handler> = RefCell::default();
-    /// Config and addresses of the robot that this thread's commands talk to.
+    /// Config and addresses of the robot of this thread's commands.
     static ROBOT: RefCell<Option<(Config, [String; 2])>> = const { RefCell::new(None) };
     /// Output and errors of this thread.
     static PRINTED: RefCell<[Vec<u8>; 2]> = const { RefCell::new([Vec::new(), Vec::new()]) };
 }
 
-/// The status packet of this JSON.
+/// Returns the status packet of this JSON.
 pub(crate) fn packet(json: Value) -> Node<'static> {
     Node::status(of_status(), json)
 }
@@ -57,7 +57,7 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// All of it in one text, for snapshots.
+    /// Returns all of it in one text, for snapshots.
     pub(crate) fn text(&self) -> String {
         format!("{}{}exit code {}\n", self.out, self.err, self.code)
     }
@@ -68,7 +68,7 @@ pub(crate) fn jaka<S: AsRef<str>>(arm: &Arm, words: impl IntoIterator<Item = S>)
     jaka_at(arm.config(), [arm.command_addr(), arm.status_addr()], words)
 }
 
-/// Runs a command on what is at these addresses, for commands and for status packets.
+/// Runs a command on the ports at these addresses, for commands and for status packets.
 pub(crate) fn jaka_at<S: AsRef<str>>(
     config: Config,
     addresses: [SocketAddr; 2],
@@ -118,7 +118,7 @@ pub(crate) fn interrupted<S: AsRef<str>>(
     Run { err: told + &run.err, ..run }
 }
 
-/// Runs a command on an arm, while another thread does something, which waits in the arm's time.
+/// Runs a command on an arm while another thread runs `other`, which waits in the arm's time.
 pub(crate) fn jaka_beside<S: AsRef<str>>(
     arm: &Arm,
     other: impl FnOnce() + Send,
@@ -133,29 +133,29 @@ pub(crate) fn handle(call: impl FnMut() + Send + 'static) {
     HANDLER.with_borrow(|handler| *handler.lock().expect("no other has panicked with it") = Some(Box::new(call)));
 }
 
-/// Robot of the command that this thread runs.
+/// Returns the robot of this thread's command.
 pub(crate) fn target(timeout: Option<Duration>) -> Option<Target> {
     let robot = ROBOT.with_borrow(Clone::clone);
     robot.map(|(config, addresses)| Target::at(config, addresses, timeout))
 }
 
-/// Current time of this thread's command.
+/// Returns the current time of this thread's command.
 pub(crate) fn now() -> Instant {
     let robot = |robot: &Option<(Config, _)>| robot.as_ref()?.0.get_clock().map(SimulatedClock::now);
     ROBOT.with_borrow(robot).unwrap_or_else(Instant::now)
 }
 
-/// Standard output of this thread's command.
+/// Returns the standard output of this thread's command.
 pub(crate) fn stdout() -> Printed {
     Printed(0)
 }
 
-/// Standard error of this thread's command.
+/// Returns the standard error of this thread's command.
 pub(crate) fn stderr() -> Printed {
     Printed(1)
 }
 
-/// A stream whose text is kept, without colours.
+/// Stream that keeps its text, without colours.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Printed(usize);
 
@@ -177,7 +177,7 @@ impl Write for Printed {
     }
 }
 
-/// A file of this name that does not exist yet, in a folder of the test's own.
+/// Returns the path of a new file of this name, in the test's own folder.
 pub(crate) fn scratch(name: &str) -> PathBuf {
     let test = thread::current().name().unwrap_or("unnamed").replace("::", "-");
     let folder = std::env::temp_dir().join(format!("jaka-cli-{}-{test}", std::process::id()));

@@ -1,32 +1,32 @@
-//! Words of a command line, for readers that need some of them before, or without, its parser.
+//! Words of a command line, for readers that need some of them before its parser, or without it.
 
 use std::borrow::Cow;
 use std::ffi::{OsStr, OsString};
 
 use clap::{Arg, Command};
 
-/// Words of a command line up to some place. Errors are left to the parser.
+/// Words of a command line up to some place. The parser reports errors.
 pub(crate) struct Words<'c> {
-    /// Command to which the words lead.
+    /// Command of the words.
     pub(crate) command: &'c Command,
-    /// Words without a name that lead to no command.
+    /// Words without a name that are no commands.
     pub(crate) positionals: Vec<Positional<'c>>,
     /// Options, in their order.
     pub(crate) options: Vec<GivenOption<'c>>,
-    /// Option whose value comes next.
+    /// Option with its value in the next word.
     pending: Option<&'c Arg>,
-    /// True after `--`: all that follows has no name.
+    /// Whether `--` precedes: all later words have no name.
     is_escaped: bool,
 }
 
 /// Word without a name.
 pub(crate) struct Positional<'c> {
-    /// Place among the words.
+    /// Index among the words.
     pub(crate) place: usize,
     pub(crate) word: Cow<'c, str>,
 }
 
-/// Option that a line gives, with its value if it has one.
+/// Option in a line, with its value if it has one.
 pub(crate) struct GivenOption<'c> {
     pub(crate) arg: &'c Arg,
     pub(crate) value: Option<OsString>,
@@ -45,7 +45,7 @@ pub(crate) enum LastWord<'c, 'w> {
 }
 
 impl<'c> Words<'c> {
-    /// Words by the options of a command and of its subcommands.
+    /// Reads words by the options of a command and of its subcommands.
     pub(crate) fn of(command: &'c Command, words: &'c [OsString]) -> Self {
         let (positionals, options) = (Vec::new(), Vec::new());
         let mut line = Self { command, positionals, options, pending: None, is_escaped: false };
@@ -56,22 +56,22 @@ impl<'c> Words<'c> {
         line
     }
 
-    /// Last value of an option.
+    /// Returns the last value of an option.
     pub(crate) fn value(&self, id: &str) -> Option<&OsStr> {
         self.values(id).last()
     }
 
-    /// Values of an option.
+    /// Returns the values of an option.
     pub(crate) fn values(&self, id: &str) -> impl Iterator<Item = &OsStr> {
         self.options.iter().filter(move |option| option.arg.get_id() == id).filter_map(|option| option.value.as_deref())
     }
 
-    /// True if an option is given.
+    /// Whether the line has an option.
     pub(crate) fn has(&self, id: &str) -> bool {
         self.options.iter().any(|option| option.arg.get_id() == id)
     }
 
-    /// Meaning of a word that follows.
+    /// Returns the meaning of the next word.
     pub(crate) fn last_word<'w>(&self, word: &'w str) -> LastWord<'c, 'w> {
         if let Some(arg) = self.pending.filter(|arg| takes(arg, word)) {
             return LastWord::Value(arg);
@@ -131,7 +131,7 @@ impl<'c> Words<'c> {
         }
     }
 
-    /// Option of a long name.
+    /// Returns the option of a long name.
     fn long(&self, name: &str) -> Option<&'c Arg> {
         let has = |arg: &&Arg| {
             arg.get_long() == Some(name) || arg.get_all_aliases().is_some_and(|aliases| aliases.contains(&name))
@@ -140,7 +140,7 @@ impl<'c> Words<'c> {
     }
 }
 
-/// True if the next word is the option's value; `-` is one, for standard input.
+/// Whether the next word is the option's value; `-` is one, for standard input.
 fn takes(option: &Arg, word: &str) -> bool {
     let is_number = || option.is_allow_negative_numbers_set() && word.parse::<f64>().is_ok();
     !word.starts_with('-') || word == "-" || option.is_allow_hyphen_values_set() || is_number()

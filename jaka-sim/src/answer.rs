@@ -1,7 +1,7 @@
 //! Answers of the controller to requests.
 //!
-//! `topics` has the changes and the reply of each command. A command without a handler gets the spec's example, so a
-//! new command in the spec is answered without code.
+//! `topics` has the state changes and the reply of each command. A command without a handler gets the spec's example,
+//! so a new command in the spec has an answer without code.
 
 mod motion;
 mod pack;
@@ -20,20 +20,20 @@ pub(crate) use self::pack::put;
 use crate::spec_index::{CommandEntry, SpecIndex, own_payload, usual_refusal};
 use crate::world::{Change, Wait, World};
 
-/// Outcome of a request in a topic.
+/// Outcome of a request in its topic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
-    /// The reply is written.
+    /// The handler has written the reply.
     Replied,
-    /// It is carried out, and nothing is to be set in its reply.
+    /// The controller accepts the request, and sets nothing in its reply.
     Accepted,
-    /// The request cannot be carried out.
+    /// The controller cannot carry out the request.
     Refused,
-    /// The request is not one of the topic's, or the sample is as good a reply as any.
+    /// The topic does not handle the request, or the sample is sufficient as a reply.
     Unhandled,
 }
 
-/// Sequel of a request, other than its immediate reply.
+/// Effect of a request beyond its immediate reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sequel {
     Nothing,
@@ -45,9 +45,9 @@ pub(crate) enum Sequel {
     Shutdown,
 }
 
-/// The reply to a request that is carried out.
+/// Draft of the reply to an accepted request.
 struct Draft<'r> {
-    /// A reply that fits: what a command's handler does not set, it has.
+    /// Valid reply with the fields that a command's handler does not set.
     sample: &'r str,
     out: &'r mut Writer,
 }
@@ -80,7 +80,7 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
         refuse(command, &(ErrorCode::CALL_FAILED, format!("call {command} failed: `{field}`")), out);
         return Sequel::Nothing;
     }
-    // Also where a pack allows it: what cannot be read cannot be carried out.
+    // Refuses these commands even if a pack allows them: a request that cannot be read cannot be carried out.
     let is_of_pack = entry.packed && matches!(request, Err(RequestError::Unknown { .. }));
     if request.is_err() && !is_of_pack {
         refuse(command, &usual_refusal(command), out);
@@ -91,7 +91,7 @@ pub(crate) fn answer(text: &str, spec_index: &SpecIndex, world: &mut World, out:
     sequel(request.as_ref(), entry, world)
 }
 
-/// The commands that have one are never refused.
+/// Returns the sequel of a request. The controller never refuses a command with a sequel.
 fn sequel(request: Option<&Request>, entry: &CommandEntry, world: &World) -> Sequel {
     match (request, world.habits.late_queries) {
         (Some(Request::WaitComplete(_)), _) => after(Wait::Rest(None), world),
@@ -99,7 +99,7 @@ fn sequel(request: Option<&Request>, entry: &CommandEntry, world: &World) -> Seq
         (Some(Request::EnableRobot(_)), _) if world.habits.late_power => after(Wait::Change(Change::Enabled), world),
         (Some(Request::Quit(_)), _) => Sequel::SessionEnd,
         (Some(Request::Shutdown(_)), _) => Sequel::Shutdown,
-        // Queries may be answered late while the arm moves.
+        // With the habit, replies to queries wait while the arm moves.
         (_, Some(time)) if entry.command.effect == Effect::Query => {
             after(Wait::Rest(world.now().checked_add(time)), world)
         }
@@ -107,18 +107,18 @@ fn sequel(request: Option<&Request>, entry: &CommandEntry, world: &World) -> Seq
     }
 }
 
-/// The reply comes after the wait, and at once where there is nothing to wait for.
+/// Makes the reply follow the wait; it follows at once if the wait is over.
 fn after(wait: Wait, world: &World) -> Sequel {
     if world.is_over(wait) { Sequel::Nothing } else { Sequel::Wait(wait) }
 }
 
-/// Writes the reply to something that is not a request.
+/// Writes the reply to an unknown request.
 pub(crate) fn refuse_unknown(spec_index: &SpecIndex, out: &mut Writer) {
     write_refusal(None, ErrorCode::EXCEPTION, &spec_index.unknown, out);
 }
 
-/// Carries out a command, whose request is given as it came and in terms of the built-in spec; `request` is missing
-/// where only a pack has it.
+/// Carries out a command, with its request as received and in terms of the built-in spec. `request` is `None` for a
+/// command that only a pack has.
 fn carry_out(
     (text, own): (&str, &str),
     request: Option<&Request>,
@@ -161,7 +161,7 @@ fn carry_out(
     world.make_consistent();
 }
 
-/// The refusal of a command in a state in which it cannot be carried out.
+/// Returns the refusal of a command that the present state excludes.
 fn refusal(entry: &CommandEntry, world: &World) -> Option<(ErrorCode, String)> {
     if !entry.command.requires.iter().all(|requirement| world.state.meets(*requirement)) {
         return Some(entry.refusal.clone());
@@ -173,7 +173,7 @@ fn refuse(command: &str, (code, message): &(ErrorCode, String), out: &mut Writer
     write_refusal(Some(command), *code, message, out);
 }
 
-/// Accepts a command, with what the handler sets in its reply: a field that it does not set is that of the sample.
+/// Accepts a command, with the reply fields set by the handler; the other fields are those of the sample.
 fn reply<C: Command>(_command: &C, draft: &mut Draft<'_>, set: impl FnOnce(&mut C::Reply)) -> Outcome {
     let Ok(mut reply) = own_payload::<C::Reply>(draft.sample) else { return Outcome::Unhandled };
     set(&mut reply);
@@ -192,7 +192,7 @@ impl Visit for Accept<'_, '_> {
     }
 }
 
-/// True for on; anything but on and off has been refused before.
+/// Whether the switch is on; values other than on and off have been refused before.
 fn is_on(switch: Switch) -> bool {
     switch == Switch::On
 }

@@ -1,4 +1,4 @@
-//! The options of a controller.
+//! Options of a controller.
 
 use std::collections::HashMap;
 use std::io::{self, ErrorKind};
@@ -17,14 +17,14 @@ use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
 use crate::{Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, Trip, Underrun};
 
-/// Makes [`Builder`] of a row for each option, with what it is if not set, and a method that sets it. Those that come
-/// first have methods of their own.
+/// Generates [`Builder`] with a field, a default and a setter for each option. The fields listed first have
+/// hand-written methods.
 macro_rules! options {
     (
         with methods of their own [ $( $field:ident: $Field:ty = $initial:expr; )* ]
         $( $(#[$meta:meta])* $option:ident: $Option:ty = $usual:expr; )*
     ) => {
-        /// Options for a [`Controller`](crate::Controller), which are set before it starts.
+        /// Options for a [`Controller`](crate::Controller), set before it starts.
         #[derive(Debug, Clone)]
         pub struct Builder {
             $( pub(crate) $option: $Option, )*
@@ -67,55 +67,55 @@ options! {
         replay: Option<ReplaySource> = None;
     ]
 
-    /// Sets the address to listen at: that of loopback if not set. Any other lets other machines move the simulated
+    /// Sets the address to listen at (default: loopback). With any other address, other machines can move the simulated
     /// arm.
     address: IpAddr = Ipv4Addr::LOCALHOST.into();
 
-    /// Sets the arm: a Zu 5 if not set.
+    /// Sets the arm (default: Zu 5).
     model: Model = Model::default();
 
-    /// Sets how long changes of state take, other than motion: [`Delays::REAL`] if not set.
+    /// Sets the delays of state changes other than motion (default: [`Delays::REAL`]).
     delays: Delays = Delays::REAL;
 
-    /// Sets by how much the arm lags behind its commanded positions, as the time constant of a first-order lag: none if
-    /// not set.
+    /// Sets the lag of the arm behind its commanded positions, as the time constant of a first-order lag (default:
+    /// none).
     ///
-    /// So an arm in motion is behind by its speed times the lag, 1.6 deg at 100 deg/s and 16 ms, and comes to rest
-    /// later. It never overshoots. On a real arm, commanded and actual joints were seen to differ by up to 0.023 deg;
-    /// its lag is not known.
+    /// An arm in motion is behind by its speed times the lag: 1.6 deg at 100 deg/s and 16 ms. It stops later and never
+    /// overshoots. On a real arm, commanded and actual joints were observed to differ by up to 0.023 deg; its lag is
+    /// unknown.
     ///
-    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets are the commanded ones. Without a
-    /// lag the arm is where it is commanded to be, so that a test can compare places in each cycle.
+    /// `get_joint_pos`, `get_tcp_pos`, and `joint_position` and `position` of packets give the commanded positions.
+    /// Without a lag, actual and commanded positions are equal, so that a test can compare positions in each cycle.
     lag: Duration = Duration::ZERO;
 
-    /// Sets what the arm does in servo mode when set-points stop while it has speed: [`Underrun::Hold`] if not set.
+    /// Sets the reaction of the arm if set-points stop in servo mode while it moves (default: [`Underrun::Hold`]).
     underrun: Underrun = Underrun::Hold;
 
-    /// Lets the controller's time pass so many times as fast as real time, from 0.001 to 1000: 1 if not set.
+    /// Sets the ratio of the controller's time to real time, from 0.001 to 1000 (default: 1).
     ///
-    /// Motions, [`Delays`], habits and the time between status packets are the controller's. What is not its own keeps
-    /// real time: the times of faults, replays, and clients with their timeouts and servo periods. With any other
-    /// number the controller does not start.
+    /// Motions, [`Delays`], habits and the period of status packets use the controller's time. Times of faults,
+    /// replays, and clients with their timeouts and servo periods use real time. With a number out of range the
+    /// controller does not start.
     ///
-    /// A stepped clock is not affected.
+    /// The ratio has no effect on a stepped clock.
     time_scale: f64 = 1.0;
 
-    /// Sets what happens when a second client connects to the command port: [`Takeover::Replace`] if not set.
+    /// Sets the rule for a second client that connects to the command port (default: [`Takeover::Replace`]).
     takeover: Takeover = Takeover::Replace;
 
-    /// Sets what goes wrong with replies and packets: nothing if not set.
+    /// Sets the faults of replies and packets (default: none).
     faults: FaultPlan = FaultPlan::new();
 
-    /// Sets the firmware that the controller has: [`Firmware::V1_5_14`] if not set.
+    /// Sets the firmware of the controller (default: [`Firmware::V1_5_14`]).
     firmware: Firmware = Firmware::default();
 
-    /// Sets when a replay sends what it sends: [`ReplayTiming::Recorded`] if not set.
+    /// Sets the times at which a replay sends its bytes (default: [`ReplayTiming::Recorded`]).
     replay_timing: ReplayTiming = ReplayTiming::Recorded;
 }
 
 impl Builder {
-    /// Sets the ports for commands and for status packets: 0, for free ones, if not set. Real controllers have 10001
-    /// and 10000.
+    /// Sets the ports for commands and for status packets (default: 0, which selects free ports). Real controllers use
+    /// 10001 and 10000.
     #[must_use]
     pub fn ports(mut self, commands: u16, status: u16) -> Self {
         self.command_port = commands;
@@ -123,16 +123,15 @@ impl Builder {
         self
     }
 
-    /// Sets what the controller does as some real ones do, one or several [`Habit`](crate::Habit)s: those of the
-    /// firmware if not set.
+    /// Sets one or several [`Habit`](crate::Habit)s, traits of some real controllers (default: those of the firmware).
     #[must_use]
     pub fn habits(mut self, habits: impl Into<Habits>) -> Self {
         self.habits = Some(habits.into());
         self
     }
 
-    /// Sets what makes the drives stop the arm with an error event: nothing if not set, since the thresholds of real
-    /// drives are not published.
+    /// Sets the conditions on which the drives stop the arm with an error event (default: none, since the thresholds of
+    /// real drives are not published).
     ///
     /// ```
     /// use std::time::Duration;
@@ -149,10 +148,10 @@ impl Builder {
         self
     }
 
-    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, in the
-    /// first controller cycle that is not before it.
+    /// Schedules an event of the arm, of an input or of links for a time since the start of the controller. The event
+    /// occurs in the first controller cycle that is not before that time.
     ///
-    /// An input that the controller does not have keeps it from starting.
+    /// The controller does not start if it does not have the input.
     ///
     /// ```
     /// use std::time::Duration;
@@ -172,28 +171,29 @@ impl Builder {
         self
     }
 
-    /// Lets time go on by [`Controller::advance`](crate::Controller::advance) alone, so that a test decides when the
-    /// arm moves.
+    /// Selects a clock that only [`Controller::advance`](crate::Controller::advance) advances, so that a test decides
+    /// when the arm moves.
     ///
-    /// Status packets are sent as time goes on, and each reader gets one on connecting.
+    /// The controller sends status packets as its time advances, and one to each reader on connecting.
     #[must_use]
     pub fn stepped_clock(mut self) -> Self {
         self.stepped = true;
         self
     }
 
-    /// Takes the time from a simulated clock: that of connections, faults and status packets, and the controller's own.
-    /// The clock of the system if not set.
+    /// Sets a simulated clock for connections, faults, status packets and the controller itself (default: the system
+    /// clock).
     ///
     /// A client of jaka-sync with the same clock takes part in it, and so does each thread that waits by a method of
-    /// the controller. Time goes on as soon as all wait, so that hours pass in seconds. See [`SimulatedClock`].
+    /// the controller. Time advances as soon as all threads wait, so that hours pass in seconds. See
+    /// [`SimulatedClock`].
     #[must_use]
     pub fn clock(mut self, clock: &SimulatedClock) -> Self {
         self.time = Clock::simulated(clock);
         self
     }
 
-    /// Adds a program: a list of the protocol's own motion commands, run one after the other.
+    /// Adds a program: a list of the protocol's own motion commands that run in sequence.
     ///
     /// Every controller has `test.jks` and `track/test.jks`, which turn joint 1 by 10 degrees and back.
     #[must_use]
@@ -202,28 +202,28 @@ impl Builder {
         self
     }
 
-    /// Adds the programs of a folder and its subfolders: files of requests, one a line, as they go over the wire. A
-    /// program's name is that of its file, with the subfolder's before it, such as `track/part.jks`. They are read at
-    /// the start.
+    /// Adds the programs of a folder and its subfolders. A program file has one request a line, in its wire form. The
+    /// program has the name of the file after that of the subfolder, such as `track/part.jks`. The controller reads the
+    /// files at its start.
     #[must_use]
     pub fn programs_from(mut self, folder: impl Into<PathBuf>) -> Self {
         self.folders.push(folder.into());
         self
     }
 
-    /// Adds a command pack: a TOML file that adds commands to the spec, or changes what is there. It is read at the
-    /// start.
+    /// Adds a command pack: a TOML file that adds commands to the spec, or changes existing ones. The controller reads
+    /// it at its start.
     ///
-    /// Commands of a pack are checked and answered by what it says: with its example, or else with zeros. To answer
-    /// something else, see [`Controller::set_reply`](crate::Controller::set_reply). A command that the simulated
-    /// firmware does not have by the pack's `since` and `until` is unknown to the controller, as to a real one: choose
-    /// a [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
+    /// The controller checks commands of a pack by the pack's spec, and answers with its example or else with zeros.
+    /// For other replies, see [`Controller::set_reply`](crate::Controller::set_reply). A command outside the `since`
+    /// and `until` of the pack for the simulated firmware is unknown to the controller, as to a real one: choose a
+    /// [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
     ///
-    /// Keys that a pack names otherwise than the built-in spec, other words for false and true, units that convert, and
-    /// arrays that are objects are followed, in requests, replies and packets, and so are forms by firmware, in those
-    /// of [`State::version`](crate::State::version). A command of which a pack gives a key another type or another
-    /// meaning is refused with a message that names the key, since the state has no value for it; such a key of status
-    /// packets is an error at the start. A reply whose value the pack does not allow is refused.
+    /// Requests, replies and packets follow a pack in renamed keys, other words for false and true, converted units,
+    /// and arrays in the form of objects. They also follow forms by firmware, for the one of
+    /// [`State::version`](crate::State::version). The controller refuses a command for which a pack changes the type or
+    /// the meaning of a key, since the state has no value for it; the message names the key. Such a key of status
+    /// packets is an error at the start. The controller also refuses a reply with a value that the pack does not allow.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());
@@ -238,18 +238,19 @@ impl Builder {
         Ok(programs)
     }
 
-    /// Puts a plane into the way of the tool centre point: none if not set.
+    /// Adds a contact plane as an obstacle for the tool centre point (default: none).
     ///
-    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) says how far the tool went in.
+    /// [`Controller::deepest_penetration`](crate::Controller::deepest_penetration) returns the depth that the tool
+    /// reached.
     #[must_use]
     pub fn contact(mut self, contact: Contact) -> Self {
         self.contact = Some(contact);
         self
     }
 
-    /// Sets the time between two status packets: that of the firmware if not set, which is 30 or 50 ms.
+    /// Sets the period of status packets (default: that of the firmware, which is 30 or 50 ms).
     ///
-    /// With [`Duration::MAX`], each reader gets the packet on connecting and then those of
+    /// With [`Duration::MAX`], each reader gets one packet on connecting and then those of
     /// [`Controller::publish`](crate::Controller::publish).
     #[must_use]
     pub fn status_period(mut self, period: Duration) -> Self {
@@ -257,11 +258,11 @@ impl Builder {
         self
     }
 
-    /// Answers from a recording instead of by the simulated arm, whose state and faults then have no effect on replies.
+    /// Answers from a recording instead of with the simulated arm. State and faults then have no effect on replies.
     ///
-    /// Status packets of the recording are sent at their times; after the last one of a connection, it is repeated each
-    /// [`status_period`](Self::status_period). Time is real, also with a stepped clock. Where the client deviates from
-    /// the recording is listed by [`Controller::deviations`](crate::Controller::deviations).
+    /// The controller sends status packets of the recording at their times. After the last packet of a connection, it
+    /// repeats that packet every [`status_period`](Self::status_period). Time is real, also with a stepped clock.
+    /// [`Controller::deviations`](crate::Controller::deviations) lists the client's deviations from the recording.
     ///
     /// ```
     /// use std::io::{Read, Write};
@@ -289,12 +290,12 @@ impl Builder {
         self
     }
 
-    /// The time between two status packets.
+    /// Returns the period of status packets.
     pub(crate) fn period(&self) -> Duration {
         self.status_period.unwrap_or_else(|| self.firmware.status_period())
     }
 
-    /// The real time between two status packets.
+    /// Returns the period of status packets in real time.
     pub(crate) fn real_period(&self) -> Duration {
         scaled(self.period(), self.time_scale.recip())
     }
@@ -309,7 +310,7 @@ impl Builder {
         Err(io::Error::new(ErrorKind::InvalidInput, text))
     }
 
-    /// Habits of the controller that no document describes: those that are set, or else those of its firmware.
+    /// Returns the undocumented habits of the controller: those set, or else those of its firmware.
     pub(crate) fn usual_habits(&self) -> Habits {
         self.habits.unwrap_or_else(|| self.firmware.habits())
     }
@@ -319,9 +320,9 @@ impl Builder {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Takeover {
-    /// The new client becomes the active one, and the old connection is closed.
+    /// Makes the new client the active one, and closes the old connection.
     #[default]
     Replace,
-    /// The new connection is closed.
+    /// Closes the new connection.
     Refuse,
 }

@@ -1,4 +1,4 @@
-//! Time of the controller, and its threads.
+//! Time and threads of the controller.
 
 use std::io;
 use std::thread::{self, JoinHandle};
@@ -12,19 +12,19 @@ pub(crate) const CYCLE: Duration = Duration::from_millis(8);
 /// Passage of a controller's time.
 #[derive(Debug)]
 pub(crate) enum ControllerClock {
-    /// With the time of this clock since a moment, so many times as fast.
+    /// The controller's time follows this clock since a moment, scaled by a factor.
     Running { time: Clock, start: Instant, scale: f64 },
-    /// Only by [`Controller::advance`](crate::Controller::advance).
+    /// Only [`Controller::advance`](crate::Controller::advance) advances the controller's time.
     Stepped,
 }
 
 impl ControllerClock {
-    /// Clock that goes with this time from now on.
+    /// Creates a clock that follows this time from now on.
     pub(crate) fn of(time: &Clock, scale: f64) -> Self {
         Self::Running { time: time.clone(), start: time.now(), scale }
     }
 
-    /// Time of the controller, if it goes by itself.
+    /// Returns the controller's time; `None` for a stepped clock.
     pub(crate) fn now(&self) -> Option<Duration> {
         match self {
             Self::Running { time, start, scale } => Some(scaled(time.elapsed(*start), *scale)),
@@ -32,13 +32,13 @@ impl ControllerClock {
         }
     }
 
-    /// Time to the next cycle, in the time that passes; [`Duration::MAX`] where it does not come by itself.
+    /// Returns the time to the next cycle, by the underlying clock; [`Duration::MAX`] for a stepped clock.
     pub(crate) fn until_next_cycle(&self) -> Duration {
         self.now().map_or(Duration::MAX, |now| self.until(now + Duration::from_nanos(1)))
     }
 
-    /// Time to the first cycle that is not before this time, in the time that passes; [`Duration::MAX`] where it does
-    /// not come by itself.
+    /// Returns the time to the first cycle that is not before this time, by the underlying clock; [`Duration::MAX`] for
+    /// a stepped clock.
     pub(crate) fn until(&self, due: Duration) -> Duration {
         let (Self::Running { scale, .. }, Some(now)) = (self, self.now()) else { return Duration::MAX };
         let cycles = u32::try_from(due.as_nanos().div_ceil(CYCLE.as_nanos())).unwrap_or(u32::MAX);
@@ -46,15 +46,15 @@ impl ControllerClock {
     }
 }
 
-/// Shortest wait for the next cycle, so that rounding does not make it none.
+/// Shortest wait for the next cycle, so that rounding does not make it zero.
 const SHORTEST: Duration = Duration::from_micros(100);
 
-/// Time that is so many times as long, at most [`Duration::MAX`].
+/// Multiplies a time by a factor, to at most [`Duration::MAX`].
 pub(crate) fn scaled(time: Duration, factor: f64) -> Duration {
     Duration::try_from_secs_f64(time.as_secs_f64() * factor).unwrap_or(Duration::MAX)
 }
 
-/// Starts a thread of the controller, which serves others.
+/// Starts a serving thread of the controller.
 pub(crate) fn spawn(time: &Clock, name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
     thread::Builder::new().name(format!("jaka-sim {name}")).spawn(time.serving(work))
 }

@@ -1,4 +1,4 @@
-//! Port 10001: one active client, whose requests are answered in order.
+//! Command port (10001): one active client, with requests answered in order.
 
 mod replayed;
 mod request_reader;
@@ -58,7 +58,7 @@ fn admit(socket: Socket, serving: &mut Option<JoinHandle<()>>, shared: &Arc<Shar
 fn close_active(serving: &mut Option<JoinHandle<()>>, shared: &Shared) {
     shared.active_client.close();
     if let Some(thread) = serving.take() {
-        // A panic there has been reported, and concerns one connection.
+        // The panic hook has reported a panic of the thread, which concerns one connection.
         drop(thread.join());
     }
 }
@@ -75,7 +75,7 @@ fn serve_to_end(connection: &Arc<CommandConnection>, shared: &Shared) {
         NextStep::Shutdown => shut_down(shared),
         _ => {}
     }
-    // The port is free before the client sees the end.
+    // The port is free before the client sees the end of the connection.
     shared.active_client.clear(connection);
     if end == NextStep::Reset {
         connection.wire().reset_on_drop();
@@ -90,10 +90,10 @@ fn take_over(shared: &Shared) {
     }
 }
 
-/// Closes the connections of the status port, as the end of the session closes this one. New ones are accepted: those
-/// of a controller that has been started again.
+/// Closes the connections of the status port, as the end of the session closes this one. Accepts new connections, as a
+/// restarted controller does.
 fn shut_down(shared: &Shared) {
-    // If the system has no socket left to wait with, only what has been accepted so far is closed.
+    // If the system has no socket left to wait with, closes only the connections accepted so far.
     shared.status_listener.wait_until_accepted();
     shared.readers.close();
 }
@@ -114,7 +114,7 @@ fn serve(connection: &CommandConnection, shared: &Shared) -> NextStep {
     }
 }
 
-/// Waits for the next request, or until a late reply is due.
+/// Waits for the next request, or until a delayed reply is due.
 fn receive(
     requests: &mut RequestReader,
     connection: &CommandConnection,
@@ -136,7 +136,7 @@ fn receive(
     }
 }
 
-/// Answers nothing to the end of the connection.
+/// Leaves all requests unanswered until the connection ends.
 fn ignore(requests: &mut RequestReader, connection: &CommandConnection) -> NextStep {
     log::trace!(target: "jaka_sim", "command client ignored");
     if matches!(requests.ignore(), Ok(false)) {
@@ -147,8 +147,8 @@ fn ignore(requests: &mut RequestReader, connection: &CommandConnection) -> NextS
 
 /// Answers one request.
 ///
-/// The state has changed before the request is in the log, and the writer is locked until the reply is written or
-/// waits: a thread that has waited for the request sees its effects, and can release its reply.
+/// The state changes before the log has the request, and the writer stays locked until the reply is written or held. A
+/// thread that has waited for the request therefore sees its effects, and can release its reply.
 fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared, reply: &mut Writer) -> NextStep {
     let mut writer = connection.writer();
     reply.clear();
@@ -187,10 +187,10 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     writer.send_reply(fault.delivery(reply.as_str()), sequel)
 }
 
-/// The request in the spec's own forms, of which the firmware may have others.
+/// Converts a request from the forms of the firmware to the spec's own forms.
 ///
 /// # Errors
-/// The name of a field whose value is in no form of the firmware.
+/// Name of a field with a value in no form of the firmware.
 fn in_own_forms<'t>(text: &'t str, forms: Option<&Forms>) -> Result<Cow<'t, str>, String> {
     let members: Option<Map<_, _>> = forms.and_then(|_| serde_json::from_str(text).ok());
     let (Some(forms), Some(members)) = (forms, members) else { return Ok(Cow::Borrowed(text)) };
@@ -202,7 +202,7 @@ fn in_own_forms<'t>(text: &'t str, forms: Option<&Forms>) -> Result<Cow<'t, str>
     }
 }
 
-/// Writes an accepted reply in the forms of the firmware. One that has a packet's keys has them already.
+/// Writes an accepted reply in the forms of the firmware. A reply with a packet's keys already has them.
 fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut Writer) {
     let (Some(forms), Some(entry)) = (forms, shared.spec_index.entry(command)) else { return };
     let is_refusal = Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some());
@@ -216,12 +216,12 @@ fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut 
     }
 }
 
-/// True for a command whose reply has a packet's keys.
+/// Whether a command has a reply with a packet's keys.
 fn is_status(entry: &CommandEntry, shared: &Shared) -> bool {
     entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type())
 }
 
-/// Writes what a packet shows into the accepted reply that has a packet's keys.
+/// Writes the values of a packet into an accepted reply with a packet's keys.
 fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer) {
     let Some(entry) = shared.spec_index.entry(command) else { return };
     if !is_status(entry, shared) || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
@@ -231,7 +231,7 @@ fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer)
     reply.raw(&accepted(&entry.command.wire, &shared.packet_of(&world.state)));
 }
 
-/// Writes the fields that a user has set into the reply.
+/// Writes the fields set by the user into the reply.
 fn put_set_fields(command: &str, shared: &Shared, reply: &mut Writer) {
     if let Some(fields) = shared.replies().get(command).cloned() {
         answer::put(&fields, reply);

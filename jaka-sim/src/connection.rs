@@ -1,5 +1,4 @@
-//! The connections of the command port: the active client's, what waits to be written to it, and the client of a
-//! takeover.
+//! Connections of the command port: that of the active client, its pending replies, and the client of a takeover.
 
 mod active;
 mod reply_writer;
@@ -16,9 +15,10 @@ pub(crate) use self::reply_writer::ReplyWriter;
 use crate::Port;
 use crate::link::{Links, Wire};
 
-/// The connection of a command client.
+/// Connection of a command client.
 ///
-/// One thread reads from it. Replies, and what the controller's owner sends, go through [`CommandConnection::writer`].
+/// One thread reads from it. Replies, and bytes that the controller's owner sends, go through
+/// [`CommandConnection::writer`].
 #[derive(Debug)]
 pub(crate) struct CommandConnection {
     wire: Arc<Wire>,
@@ -37,35 +37,35 @@ impl CommandConnection {
         &self.wire
     }
 
-    /// Waits until no other thread writes.
+    /// Returns the writer, after waiting until no other thread writes.
     pub(crate) fn writer(&self) -> ReplyWriter<'_> {
         ReplyWriter::new(&self.wire, lock(&self.pending))
     }
 
-    /// Ends the connection, as its link lets it, and wakes the threads that read from it or write to it.
+    /// Ends the connection, subject to its link, and wakes the threads that read from it or write to it.
     pub(crate) fn close(&self) {
         self.wire.close();
         *lock(&self.closed) = true;
         self.changed.notify_all();
     }
 
-    /// Waits for the time, and says whether the connection was closed by then.
+    /// Waits for the time, and returns whether the connection was closed by then.
     pub(crate) fn closes_within(&self, time: Duration) -> bool {
         *self.changed.wait_until(&self.closed, time, |closed| *closed)
     }
 }
 
-/// Fate of a connection after a request.
+/// Next step on a connection after a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NextStep {
-    /// The next request is read.
+    /// Read the next request.
     Continue,
     Close,
     Reset,
-    /// It stays open, and no further request is answered.
+    /// Keep the connection open without further answers.
     HalfOpen,
-    /// Another client takes the port.
+    /// Let another client take the port.
     Takeover,
-    /// The controller shuts down.
+    /// Shut down the controller.
     Shutdown,
 }

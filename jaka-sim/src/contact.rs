@@ -5,12 +5,12 @@ use std::io;
 use jaka_motion::Transform;
 use jaka_proto::messages::types::Pose;
 
-/// A plane that resists the tool centre point as a spring does: see [`Builder::contact`](crate::Builder::contact).
+/// Plane that resists the tool centre point like a spring: see [`Builder::contact`](crate::Builder::contact).
 ///
-/// The force is the depth of the tool centre point below the plane times the stiffness, along the normal; without
-/// friction and without torques. The arm goes on as if nothing were there. The torque sensor shows the force along the
-/// axes of the tool frame in use if it works ([`TorqueSensor::working`](crate::TorqueSensor::working)): of a real
-/// sensor neither the axes nor the units are documented.
+/// The force is the depth of the tool centre point below the plane times the stiffness, along the normal, without
+/// friction and torques. The arm moves as without the plane. The torque sensor shows the force along the axes of the
+/// tool frame in use if it works ([`TorqueSensor::working`](crate::TorqueSensor::working)). No document gives the axes
+/// or the units of a real sensor.
 ///
 /// ```
 /// use jaka_sim::{Contact, Controller};
@@ -29,14 +29,14 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// A plane through a point (mm, in the frame of the base), with the direction out of it, of any length, and its
-    /// stiffness in N/mm.
+    /// Creates a plane through a point (mm, in the frame of the base), with its outward direction, of any length, and
+    /// its stiffness in N/mm.
     pub fn plane(point: [f64; 3], normal: [f64; 3], stiffness: f64) -> Self {
         let length = dot(normal, normal).sqrt();
         Self { point, normal: normal.map(|part| part / length), stiffness }
     }
 
-    /// Fails if the plane is none.
+    /// Returns an error for an invalid plane.
     pub(crate) fn check(&self) -> io::Result<()> {
         let is_finite = self.point.iter().chain(&self.normal).all(|part| part.is_finite());
         if is_finite && self.stiffness.is_finite() && self.stiffness >= 0.0 {
@@ -46,14 +46,14 @@ impl Contact {
         Err(io::Error::new(io::ErrorKind::InvalidInput, text))
     }
 
-    /// Depth of the tool centre point below the plane, in mm.
+    /// Returns the depth of the tool centre point below the plane, in mm.
     pub(crate) fn depth(&self, tool: &Transform) -> f64 {
         let at = tool.position_mm();
         let above = dot([0, 1, 2].map(|i| at[i] - self.point[i]), self.normal);
         (-above).max(0.0)
     }
 
-    /// Reading of the sensor, along the axes of the tool, in N and Nm.
+    /// Returns the reading of the sensor, along the axes of the tool, in N and Nm.
     pub(crate) fn force(&self, tool: &Transform) -> [f64; 6] {
         let force = self.stiffness * self.depth(tool);
         if force == 0.0 {
@@ -64,7 +64,7 @@ impl Contact {
     }
 }
 
-/// A direction, seen from a frame.
+/// Returns a direction relative to a frame.
 fn turned_into(frame: &Transform, direction: [f64; 3]) -> [f64; 3] {
     let back = frame.inverse();
     let there = back * Transform::from(Pose::from_millimetres_degrees(direction, [0.0; 3]));

@@ -1,4 +1,4 @@
-//! A running controller.
+//! Running controller.
 
 mod program_thread;
 
@@ -23,20 +23,20 @@ use crate::{
     command_port, status_port,
 };
 
-/// A simulated controller, which serves both of its ports until it is dropped.
+/// Simulated controller that serves both of its ports until it is dropped.
 ///
-/// Any number of them run side by side, each on ports of its own. Dropping it closes all connections, frees the ports
-/// and waits for the threads.
+/// Any number of controllers run side by side, each on its own ports. Dropping a controller closes all connections,
+/// frees the ports and waits for the threads.
 pub struct Controller {
     shared: Arc<Shared>,
     commands: Option<JoinHandle<()>>,
     status: Option<JoinHandle<()>>,
-    /// Lent to an action, which does not end it.
+    /// Whether this is the handle of an action; dropping it does not end the controller.
     is_lent: bool,
 }
 
 impl Controller {
-    /// Starts a controller with the usual options.
+    /// Starts a controller with the default options.
     ///
     /// # Errors
     /// A port cannot be opened, or a thread cannot be started.
@@ -44,7 +44,7 @@ impl Controller {
         Self::builder().start()
     }
 
-    /// The options of a controller to start.
+    /// Returns the options of a controller to start.
     pub fn builder() -> Builder {
         Builder::default()
     }
@@ -54,37 +54,36 @@ impl Controller {
         thread::Builder::new().name("jaka-sim".to_owned()).spawn(move || run(&shared))
     }
 
-    /// Address at which the controller takes commands: port 10001 of a real controller.
+    /// Returns the address for commands: port 10001 on a real controller.
     pub fn command_addr(&self) -> SocketAddr {
         self.shared.command_listener.address()
     }
 
-    /// Address at which the controller sends status packets: port 10000 of a real controller.
+    /// Returns the address for status packets: port 10000 on a real controller.
     pub fn status_addr(&self) -> SocketAddr {
         self.shared.status_listener.address()
     }
 
-    /// A copy of the present state.
+    /// Returns a copy of the present state.
     pub fn state(&self) -> State {
         self.shared.world().state.clone()
     }
 
-    /// Changes the state, as no command could: powers the arm at once, or puts it into a protective stop.
+    /// Changes the state beyond the effect of any command: powers the arm at once, or puts it into a protective stop.
     ///
-    /// What cannot be in the new state ends with it: enabling without power, servo mode and drag mode without
-    /// enabling, servo mode in a protective stop. Requests wait while `change` runs, so it must not call
-    /// the controller.
+    /// Conditions that the new state excludes end: enabling without power, servo mode and drag mode without enabling,
+    /// servo mode in a protective stop. Requests wait while `change` runs, so `change` must not call the controller.
     pub fn set_state(&self, change: impl FnOnce(&mut State)) {
         let mut world = self.shared.world();
         change(&mut world.state);
         world.make_consistent();
     }
 
-    /// Lets time go on, on a controller with a [stepped clock](Builder::stepped_clock): motions move, delays pass, and
-    /// status packets go out on the way. Time goes on in controller cycles of 8 ms; what is less is kept for the next
-    /// call.
+    /// Advances the time of a controller with a [stepped clock](Builder::stepped_clock): motions progress, delays pass,
+    /// and the controller sends status packets. Time advances in controller cycles of 8 ms; the remainder counts for
+    /// the next call.
     ///
-    /// On a controller with a real clock this does nothing, nor within an action of [`when`](Self::when).
+    /// Has no effect on a controller with a real clock, or within an action of [`when`](Self::when).
     pub fn advance(&self, time: Duration) {
         if self.is_lent {
             return;
@@ -93,32 +92,32 @@ impl Controller {
         self.shared.step(time);
     }
 
-    /// The simulated clock, if it was [given](Builder::clock) one.
+    /// Returns the simulated clock, if [given](Builder::clock).
     pub fn clock(&self) -> Option<&SimulatedClock> {
         self.shared.time().as_simulated()
     }
 
-    /// The controller's time since its start, in whole cycles.
+    /// Returns the controller's time since its start, in whole cycles.
     pub fn elapsed(&self) -> Duration {
         self.shared.world().now()
     }
 
-    /// Has something happen to the arm, to an input or to links at a time of the controller since its start, which is
-    /// that of [`elapsed`](Self::elapsed): in the first controller cycle that is not before it, or at once where it has
-    /// passed.
+    /// Schedules an event of the arm, of an input or of links for a time since the start of the controller, as in
+    /// [`elapsed`](Self::elapsed). The event occurs in the first controller cycle that is not before that time, or at
+    /// once if the time has passed.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if the controller does not have the input; or a thread cannot be started.
+    /// [`ErrorKind::InvalidInput`] if the controller does not have the input; or a thread cannot start.
     pub fn at(&self, time: Duration, happening: impl Into<Happening>) -> io::Result<()> {
         let scheduled = Scheduled { happening: happening.into(), at: time };
         self.shared.world().schedule(scheduled)?;
         self.keep_time(&[scheduled])
     }
 
-    /// Puts a plane into the way of the tool centre point, or takes it away, and forgets how deep the tool has been.
+    /// Sets or removes the contact plane of the tool centre point, and resets the depth that the tool reached.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if it is not a plane: a normal of zero, a number that is not finite, a negative
+    /// [`ErrorKind::InvalidInput`] for an invalid plane: a normal of zero, a number that is not finite, a negative
     /// stiffness.
     pub fn set_contact(&self, contact: Option<Contact>) -> io::Result<()> {
         contact.as_ref().map_or(Ok(()), Contact::check)?;
@@ -126,10 +125,10 @@ impl Controller {
         Ok(())
     }
 
-    /// Greatest depth of the tool centre point below the plane of [`Builder::contact`] or
-    /// [`set_contact`](Self::set_contact), in mm; 0 without one.
+    /// Returns the greatest depth of the tool centre point below the plane of [`Builder::contact`] or
+    /// [`set_contact`](Self::set_contact), in mm; 0 without a plane.
     ///
-    /// It is computed in each controller cycle, and counts until the plane is set again.
+    /// The controller updates it in each cycle, until the plane is set again.
     pub fn deepest_penetration(&self) -> f64 {
         self.shared.world().deepest_penetration()
     }
@@ -139,7 +138,7 @@ impl Controller {
         self.shared.world().happen(&Happening::Collide);
     }
 
-    /// Presses the emergency stop: the arm is not enabled, and cannot be, until it is released.
+    /// Presses the emergency stop: the arm is disabled, and cannot be enabled until the release.
     pub fn press_emergency_stop(&self) {
         self.shared.world().happen(&Happening::PressEmergencyStop);
     }
@@ -154,8 +153,8 @@ impl Controller {
         self.shared.world().happen(&Happening::CutPower);
     }
 
-    /// Sets fields of the reply to a command, for each time that it is accepted from now on: of a command that a pack
-    /// adds, and of any other. Fields that are not set here are answered as usual.
+    /// Sets fields of all later replies to accepted commands of this name, from a pack or not. Other fields keep their
+    /// usual values.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -168,8 +167,8 @@ impl Controller {
         self.shared.replies().insert(command.into(), fields.into_iter().collect());
     }
 
-    /// Sets keys of status packets from now on: those that a pack adds, and any other but that of the packet's length.
-    /// A key that the firmware does not send is sent by none of this. Keys that are not set here show the state.
+    /// Sets keys of all later status packets: those of a pack, and any other except the packet's length. The controller
+    /// does not send a key that the firmware does not have. Keys that are not set show the state.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -182,30 +181,30 @@ impl Controller {
         self.shared.status_values().extend(keys);
     }
 
-    /// The text of the requests received so far, in order, the last 10,000 of them and of these the last 16 MiB.
+    /// Returns the text of the requests received so far, in order: the last 10,000, and of these the last 16 MiB.
     ///
-    /// Also those that were refused; without bytes that have not even the outline of a request.
+    /// Includes refused requests; omits bytes without the outline of a request.
     pub fn requests(&self) -> Vec<String> {
         self.shared.request_log.texts()
     }
 
-    /// Waits until `count` requests have been received since the start; false if there are fewer after `timeout`.
+    /// Waits until `count` requests were received since the start; returns false if there are fewer after `timeout`.
     ///
-    /// The requests that it counts have been carried out.
+    /// The controller has carried out the counted requests.
     pub fn wait_for_requests(&self, count: usize, timeout: Duration) -> bool {
         self.shared.request_log.wait_for(count, timeout)
     }
 
-    /// Deviations of clients from the recording, in a [replay](Builder::replay); empty if there were none.
+    /// Returns the deviations of clients from the recording of a [replay](Builder::replay); empty if there were none.
     ///
-    /// The connection of a client that has left may not have ended yet:
-    /// [`wait_for_disconnect`](Self::wait_for_disconnect) waits for it.
+    /// The connection of a client that has left may still be open: [`wait_for_disconnect`](Self::wait_for_disconnect)
+    /// waits for its end.
     pub fn deviations(&self) -> Vec<Deviation> {
         self.shared.replay.as_ref().map(ReplaySession::deviations).unwrap_or_default()
     }
 
-    /// Waits until there are `count` [`deviations`](Self::deviations) in all; false if there are not after `timeout`,
-    /// or nothing is replayed.
+    /// Waits until there are `count` [`deviations`](Self::deviations) in total; returns false if there are fewer after
+    /// `timeout`, or without a replay.
     pub fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         self.shared.replay.as_ref().is_some_and(|session| session.wait_for_deviations(count, timeout))
     }
@@ -213,7 +212,7 @@ impl Controller {
     /// Sends unsolicited bytes to the command client.
     ///
     /// # Errors
-    /// [`ErrorKind::NotConnected`] if there is no client, or what the socket reports.
+    /// [`ErrorKind::NotConnected`] without a client, or the error of the socket.
     pub fn send(&self, bytes: &[u8]) -> io::Result<()> {
         self.shared.command_listener.wait_until_accepted();
         let connection = self.shared.active_client.connection().ok_or(ErrorKind::NotConnected)?;
@@ -222,8 +221,8 @@ impl Controller {
 
     /// Sends a status packet to all readers now.
     ///
-    /// Returns when each has been sent its packet. A reader that has not read for a second is dropped. In a replay,
-    /// which has its own packets, this does nothing.
+    /// Returns after sending to each reader. The controller drops a reader that does not read for a second. Has no
+    /// effect in a replay, which has its own packets.
     pub fn publish(&self) {
         self.shared.status_listener.wait_until_accepted();
         self.shared.publish();
@@ -235,8 +234,8 @@ impl Controller {
         self.shared.readers.send(bytes);
     }
 
-    /// Closes the connections of the command client and of all status readers, whatever is wrong with their links. New
-    /// ones are accepted.
+    /// Closes the connections of the command client and of all status readers, regardless of link faults. The
+    /// controller accepts new connections.
     pub fn disconnect(&self) {
         self.wait_until_accepted();
         self.shared.active_client.close();
@@ -246,44 +245,44 @@ impl Controller {
 
     /// Waits until the controller has accepted every connection made before this call, on both ports.
     ///
-    /// A client's `connect` returns as soon as the system has the connection. Only after this call has a new command
-    /// client taken the port from the one before it. If the system has no socket left to wait with, only what has been
-    /// accepted so far counts.
+    /// A client's `connect` returns as soon as the operating system has the connection. Only after this call, a new
+    /// command client has replaced the one before it. If the system has no socket left to wait with, this call covers
+    /// only the connections accepted so far.
     pub fn wait_until_accepted(&self) {
         self.shared.command_listener.wait_until_accepted();
         self.shared.status_listener.wait_until_accepted();
     }
 
-    /// Waits until no command client is connected; false if one still is after `timeout`.
+    /// Waits until no command client is connected; returns false if one is still connected after `timeout`.
     pub fn wait_for_disconnect(&self, timeout: Duration) -> bool {
         self.shared.active_client.wait_until_none(timeout)
     }
 
-    /// Puts a fault into the queue, from which each reply takes the next.
+    /// Adds a fault to the queue; each reply takes the next fault from it.
     pub fn inject(&self, fault: Fault) {
         self.shared.faults().script.push_back(fault);
     }
 
-    /// Gives a fault to the next reply to this command, such as `joint_move`, that has none yet.
+    /// Assigns a fault to the next reply to this command, such as `joint_move`, without an assigned fault.
     ///
-    /// That reply takes none from the queue of [`inject`](Self::inject).
+    /// That reply takes no fault from the queue of [`inject`](Self::inject).
     pub fn inject_for(&self, command: impl Into<String>, fault: Fault) {
         self.shared.faults().commands.push((command.into(), fault));
     }
 
-    /// Gives a fault to all replies that have no other, from now on; [`Fault::None`] ends it.
+    /// Applies a fault to all later replies without another fault; [`Fault::None`] ends it.
     pub fn inject_always(&self, fault: Fault) {
         self.shared.faults().inject_always(fault);
     }
 
-    /// Takes back all faults of replies to come, also those of the [`FaultPlan`](crate::FaultPlan).
+    /// Removes all faults of later replies, also those of the [`FaultPlan`](crate::FaultPlan).
     ///
-    /// What is kept back already stays so, and so do the faults of the status port and of the links.
+    /// Replies already held back stay so, and so do the faults of the status port and of the links.
     pub fn clear_faults(&self) {
         self.shared.faults().clear();
     }
 
-    /// Sets what is wrong with status packets from now on; [`StatusFault::None`] ends it.
+    /// Sets the fault of all later status packets; [`StatusFault::None`] ends it.
     ///
     /// ```
     /// use jaka_sim::{Controller, StatusFault};
@@ -299,19 +298,19 @@ impl Controller {
         self.shared.readers.set_fault(fault);
     }
 
-    /// Sends the replies that are held back by [`Fault::Hold`], if the client is still connected, and has the other
-    /// client of [`take_over`](Self::take_over) or [`Fault::Takeover`] leave.
+    /// Sends the replies held back by [`Fault::Hold`], if the client is still connected, and disconnects the other
+    /// client of [`take_over`](Self::take_over) or [`Fault::Takeover`].
     pub fn release(&self) {
         if let Some(connection) = self.shared.active_client.connection() {
-            // A connection that is lost takes its replies with it.
+            // The replies of a lost connection are lost with it.
             connection.writer().release().ok();
         }
         self.shared.active_client.disconnect_other();
     }
 
-    /// Has another client take the command port: the connection of the present one is closed.
+    /// Connects another client to the command port and closes the connection of the present one.
     ///
-    /// The other client stays until a further client takes the port from it, or, if further clients are refused
+    /// The other client stays until a further client replaces it, or, if the port refuses further clients
     /// ([`Takeover::Refuse`](crate::Takeover::Refuse)), until [`release`](Self::release).
     ///
     /// # Errors
@@ -323,21 +322,21 @@ impl Controller {
         Ok(())
     }
 
-    /// The links of a port, in both directions.
+    /// Returns the links of a port, in both directions.
     pub fn link(&self, port: Port) -> Link<'_> {
         Link { controller: self, selector: LinkSelector { port: Some(port), direction: None } }
     }
 
-    /// The links of both ports, in both directions.
+    /// Returns the links of both ports, in both directions.
     pub fn links(&self) -> Link<'_> {
         Link { controller: self, selector: LinkSelector::default() }
     }
 
-    /// Runs a program in a thread of its own while this thread does something with the controller, and returns what the
-    /// program returns when both have ended.
+    /// Runs a program in its own thread while this thread does something with the controller. Returns the program's
+    /// result after both have ended.
     ///
-    /// The program may take `limit` after this thread is ready, in real time whatever the clock is; one that takes
-    /// longer is left to itself. With a [simulated clock](crate::Builder::clock) both begin at the same time.
+    /// The program may take `limit` after this thread is ready, in real time with any clock. The controller does not
+    /// wait longer for it. With a [simulated clock](crate::Builder::clock) both begin at the same time.
     ///
     /// ```
     /// use std::io::{Read, Write};
@@ -363,10 +362,10 @@ impl Controller {
     /// ```
     ///
     /// # Errors
-    /// [`ErrorKind::TimedOut`] if the program takes longer; or a thread cannot be started.
+    /// [`ErrorKind::TimedOut`] if the program takes longer; or a thread cannot start.
     ///
     /// # Panics
-    /// The program panics: with the same payload.
+    /// If the program panics: with the same payload.
     pub fn run_while<T: Send + 'static>(
         &self,
         limit: Duration,
@@ -374,7 +373,7 @@ impl Controller {
         meanwhile: impl FnOnce(&Self),
     ) -> io::Result<T> {
         let time = self.shared.time();
-        // This thread takes part in a simulated time before the program's does.
+        // This thread joins the simulated time before the thread of the program does.
         let run = time.participating(|| {
             let thread = ProgramThread::spawn(time, program)?;
             meanwhile(self);
@@ -383,17 +382,17 @@ impl Controller {
         run()
     }
 
-    /// Does something once, in a thread of its own, when the state first is as the condition says, which may be now.
+    /// Runs an action once, in its own thread, when the state first meets the condition, which may be now.
     ///
-    /// The condition is asked in each controller cycle and after each change of the state. Requests wait meanwhile, so
-    /// it must not call the controller. The action may do with the controller what its owner may, and take its time:
-    /// the arm goes on, except that with a [stepped clock](crate::Builder::stepped_clock) [`advance`](Self::advance)
-    /// waits for it, and does nothing within it.
+    /// The controller checks the condition in each cycle and after each change of the state. Requests wait meanwhile,
+    /// so the condition must not call the controller. The action may call the controller, and the arm continues to move
+    /// while it runs. With a [stepped clock](crate::Builder::stepped_clock), [`advance`](Self::advance) waits for the
+    /// action, and has no effect within it.
     ///
-    /// With a clock of its own the controller is late by as much as the machine is busy; with a stepped or a
+    /// With a real clock the controller is late by as much as the machine is busy; with a stepped or a
     /// [simulated](crate::Builder::clock) one the action begins in the cycle in which the condition holds.
     ///
-    /// Dropping the controller gives up what has not happened, and waits for actions that have begun.
+    /// Dropping the controller discards pending conditions, and waits for running actions.
     ///
     /// ```
     /// use std::time::Duration;
@@ -410,7 +409,7 @@ impl Controller {
     /// ```
     ///
     /// # Errors
-    /// A thread cannot be started.
+    /// A thread cannot start.
     pub fn when(
         &self,
         condition: impl FnMut(&State) -> bool + Send + 'static,
@@ -424,8 +423,8 @@ impl Controller {
         Ok(trigger)
     }
 
-    /// Has links change at their times where nobody asks the controller for anything then; a stepped clock needs no
-    /// thread for it.
+    /// Starts a thread that applies scheduled link events on time if nobody calls the controller. A stepped clock needs
+    /// no thread.
     pub(super) fn keep_time(&self, scheduled: &[Scheduled]) -> io::Result<()> {
         let is_of_links = |scheduled: &Scheduled| matches!(scheduled.happening, Happening::Link { .. });
         if self.shared.options.stepped || !scheduled.iter().any(is_of_links) {
@@ -444,11 +443,11 @@ impl Builder {
     /// Starts the controller.
     ///
     /// # Errors
-    /// A port cannot be opened, a thread cannot be started, a program or a pack cannot be read, or the
+    /// A port cannot be opened, a thread cannot start, a program or a pack cannot be read, or the
     /// [`time_scale`](Self::time_scale) is out of range.
     pub fn start(self) -> io::Result<Controller> {
         let shared = Arc::new(Shared::new(self)?);
-        // If the second thread cannot be started, dropping this ends the first.
+        // If the second thread cannot start, dropping this ends the first.
         let mut controller = Controller { shared, commands: None, status: None, is_lent: false };
         controller.commands = Some(controller.spawn(command_port::run)?);
         controller.status = Some(controller.spawn(status_port::run)?);
@@ -471,9 +470,9 @@ impl Drop for Controller {
 
 /// Closes a listener and waits for its thread.
 fn close(listener: &Listener, thread: Option<JoinHandle<()>>) {
-    // A thread that cannot be woken is left to itself, rather than waited for without end.
+    // Does not wait for a thread that cannot be woken.
     if let (Ok(()), Some(thread)) = (listener.close(), thread) {
-        // A panic there has been reported.
+        // The panic hook has reported a panic of the thread.
         drop(thread.join());
     }
 }
@@ -487,10 +486,10 @@ impl fmt::Debug for Controller {
     }
 }
 
-/// The links between a controller's ports and its clients, of one port or both, in one direction or both.
+/// Links between a controller's ports and its clients, of one port or both, in one direction or both.
 ///
-/// What is set holds for the connections that are open and for those to come, until something else is set. See
-/// [`LinkFault`] for what each does.
+/// A fault applies to open and later connections, until another one is set. See [`LinkFault`] for the effect of each
+/// fault.
 ///
 /// ```
 /// use std::time::Duration;
@@ -512,22 +511,22 @@ pub struct Link<'c> {
 }
 
 impl Link<'_> {
-    /// In one direction alone.
+    /// Selects one direction.
     pub fn direction(self, direction: Direction) -> Self {
         Self { selector: LinkSelector { direction: Some(direction), ..self.selector }, ..self }
     }
 
-    /// In the direction of what clients receive alone: replies and status packets.
+    /// Selects the direction to the client: replies and status packets.
     pub fn to_client(self) -> Self {
         self.direction(Direction::ToClient)
     }
 
-    /// In the direction of what clients send alone: requests.
+    /// Selects the direction to the controller: requests.
     pub fn to_controller(self) -> Self {
         self.direction(Direction::ToController)
     }
 
-    /// Sets what is wrong from now on: [`Happening::Link`].
+    /// Sets the fault from now on: [`Happening::Link`].
     pub fn set(self, fault: LinkFault) {
         self.controller.shared.command_listener.wait_until_accepted();
         self.controller.shared.status_listener.wait_until_accepted();
@@ -535,36 +534,36 @@ impl Link<'_> {
         self.controller.shared.world().happen(&Happening::Link { port, direction, fault });
     }
 
-    /// Lets nothing pass: [`LinkFault::Hold`].
+    /// Blocks all bytes: [`LinkFault::Hold`].
     pub fn hold(self) {
         self.set(LinkFault::Hold);
     }
 
-    /// Makes each byte arrive this much later: [`LinkFault::Delay`].
+    /// Delays each byte by this time: [`LinkFault::Delay`].
     pub fn delay(self, time: Duration) {
         self.set(LinkFault::Delay(time));
     }
 
-    /// Lets this many bytes a second pass: [`LinkFault::Slow`]. Bytes that were held pass at this rate, too.
+    /// Limits the rate to this many bytes a second: [`LinkFault::Slow`]. Held bytes pass at this rate, too.
     pub fn slow(self, bytes_per_second: u64) {
         self.set(LinkFault::Slow(bytes_per_second));
     }
 
-    /// Lets nothing pass ever again on the connections that there are: [`LinkFault::Cut`].
+    /// Blocks all bytes for good on the present connections: [`LinkFault::Cut`].
     pub fn cut(self) {
         self.set(LinkFault::Cut);
     }
 
-    /// Lets everything pass at once, also what has been held: [`LinkFault::None`].
+    /// Passes all bytes at once, including held ones: [`LinkFault::None`].
     pub fn release(self) {
         self.set(LinkFault::None);
     }
 }
 
-/// Waits until the condition holds, and then acts.
+/// Waits until the condition holds, and then runs the action.
 fn watch(shared: &Arc<Shared>, trigger: &Trigger, action: impl FnOnce(&Controller)) {
     while trigger.waits(shared.until_next_cycle()) {
-        // The condition is asked on the way.
+        // Taking the world checks the condition.
         drop(shared.world());
     }
     let lent = Controller { shared: Arc::clone(shared), commands: None, status: None, is_lent: true };

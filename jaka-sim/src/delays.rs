@@ -1,28 +1,28 @@
-//! Delays of the controller, other than for motion.
+//! Delays of the controller, other than motions.
 
 use std::time::Duration;
 
-/// Durations of changes of state, other than motion.
+/// Durations of state changes, other than motions.
 ///
-/// A command that starts such a change is answered at once, and the state follows;
-/// [`Habit::LatePower`](crate::Habit::LatePower) has `power_on` and `enable_robot` answered when it is there.
+/// The controller answers a command for such a change at once, and the state follows. With
+/// [`Habit::LatePower`](crate::Habit::LatePower), it answers `power_on` and `enable_robot` after the change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Delays {
-    /// From `power_on` to power.
+    /// Time from `power_on` to power.
     pub power_on: Duration,
-    /// From `enable_robot` to enabled.
+    /// Time from `enable_robot` to enabled.
     pub enable: Duration,
-    /// From `servo_move` to servo mode.
+    /// Time from `servo_move` to servo mode.
     pub servo_mode: Duration,
-    /// From the start of a motion to the moment when the robot is no longer in position. A motion that ends before
-    /// never shows.
+    /// Time from the start of a motion until the robot stops reporting that it is in position. A shorter motion never
+    /// shows.
     pub in_position: Duration,
 }
 
 impl Delays {
-    /// As field notes have them: 8 s for power, 3.5 s for enabling, 100 ms for being in position. Servo mode is entered
-    /// at once, within 9 ms of firmware 1.5.14 (a timed log).
+    /// Delays from field notes: 8 s for power, 3.5 s for enabling, 100 ms for being in position. The controller enters
+    /// servo mode at once; firmware 1.5.14 takes at most 9 ms (a timed log).
     pub const REAL: Self = Self {
         power_on: Duration::from_secs(8),
         enable: Duration::from_millis(3500),
@@ -30,7 +30,7 @@ impl Delays {
         in_position: Duration::from_millis(100),
     };
 
-    /// None at all: each change is made at once.
+    /// No delays: the controller makes each change at once.
     pub const NONE: Self = Self {
         power_on: Duration::ZERO,
         enable: Duration::ZERO,

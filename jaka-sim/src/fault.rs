@@ -1,4 +1,4 @@
-//! Faults of replies, status packets and links, and how they are written.
+//! Faults of replies, status packets and links, and their text forms.
 
 mod kinds;
 mod link;
@@ -25,10 +25,10 @@ pub use self::status::StatusFault;
 pub(crate) use self::status::{PacketWrites, Sent};
 pub(crate) use self::token_reader::{TokenReader, read_time};
 
-/// The most bytes that a fault makes up: 256 MiB.
+/// Greatest number of bytes that a fault generates: 256 MiB.
 const MOST_BYTES: usize = 256 << 20;
 
-/// Random bytes, the same for the same seed.
+/// Returns random bytes; equal seeds give equal bytes.
 fn garbage(bytes: usize, seed: u64) -> Vec<u8> {
     SplitMix64::new(seed).bytes(bytes.min(MOST_BYTES))
 }

@@ -1,4 +1,4 @@
-//! Firmware, by what its messages look like and what it does.
+//! Firmware, by the form of its messages and its behaviour.
 
 mod shape;
 mod values;
@@ -14,7 +14,7 @@ use jaka_proto::messages::status::TaskState;
 
 use crate::{Habit, Habits};
 
-/// Makes the enum of a table of firmwares, a row each: a firmware without a [`Shape`] does not compile.
+/// Generates the enum of a table of firmwares, with a row for each: a firmware without a [`Shape`] does not compile.
 macro_rules! firmwares {
     (
         $(#[$meta:meta])*
@@ -27,7 +27,7 @@ macro_rules! firmwares {
         }
 
         impl $Firmware {
-            /// All of them.
+            /// All firmwares.
             pub const ALL: &'static [Self] = &[$(Self::$Name),*];
 
             pub(crate) const fn shape(self) -> &'static Shape {
@@ -40,12 +40,12 @@ macro_rules! firmwares {
 }
 
 firmwares! {
-    /// The firmware that a controller has.
+    /// Firmware of a controller.
     ///
-    /// It decides the shape of status packets and the time between them, how many inputs and outputs there are, how
-    /// replies are written, what `get_version` answers, and what the controller does that no document describes.
-    /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) come
-    /// before it.
+    /// It determines the keys and the period of status packets, the numbers of inputs and outputs, the form of replies,
+    /// the version in `get_version`, and undocumented behaviour.
+    /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) take
+    /// precedence over it.
     ///
     /// | | `V1_5_14` | `Newer` | `Document` | `Odd` |
     /// |---|---|---|---|---|
@@ -62,18 +62,18 @@ firmwares! {
     /// | decimals of joint positions in packets, of positions in replies | 5, 6 | 5, 6 | any | any |
     /// | decimals of poses in packets | 5 | 13 | any | any |
     /// | `task_state` of a disabled arm with power | 3 | 3 | 2 | 3 |
-    /// | functions with an input to begin with | none | none | those of the document's sample | those of the document's sample |
+    /// | initial functions with an input | none | none | as in the document's sample | as in the document's sample |
     /// | blanks after commas and colons | yes | yes | no | yes |
     /// | event in `get_robot_state` | no | a number | no | a text |
-    /// | states in `get_robot_state` | the document's words | `"True"`, `"False"` | the document's words | one of five forms |
-    /// | time between packets | 30 ms | 50 ms | 50 ms | 100 ms |
-    /// | packet, to begin with | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
+    /// | states in `get_robot_state` | document's words | `"True"`, `"False"` | document's words | one of five forms |
+    /// | period of packets | 30 ms | 50 ms | 50 ms | 100 ms |
+    /// | initial packet | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
     /// | habits | `late-power`, `servo-at-rest`, `disable-moving`, `events` | `servo-at-rest`, `events` | none | all |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum Firmware;
 
-    /// Firmware 1.5.14, as a packet, transcripts and a timed log of such a controller have it.
+    /// Firmware 1.5.14, by a packet, transcripts and a timed log of such a controller.
     #[default]
     V1_5_14 => Shape {
         name: "1.5.14",
@@ -98,10 +98,10 @@ firmwares! {
         extio_module_id: None,
     };
 
-    /// Firmware that is newer than the document, as a capture of such a controller has its packets: with more than the
-    /// 5000 bytes that the document allows.
+    /// Firmware newer than the document, by a capture of the packets of such a controller: they have more than the 5000
+    /// bytes that the document allows.
     ///
-    /// `get_robot_state` answers as packets do. Which version sent the packets of the capture is not known.
+    /// `get_robot_state` answers in the form of packets. The version that sent the captured packets is unknown.
     Newer => Shape {
         name: "newer",
         version: "1.7.2",
@@ -125,7 +125,7 @@ firmwares! {
         extio_module_id: Some("ext_0f5118ef9a5cb05b"),
     };
 
-    /// Messages as the document prints them, version 2.0.4, without blanks. No controller is known that writes so.
+    /// Messages as printed in the document, version 2.0.4, without blanks. No known controller writes this form.
     Document => Shape {
         name: "document",
         version: "1.6.5_01_X86",
@@ -149,12 +149,11 @@ firmwares! {
         extio_module_id: None,
     };
 
-    /// Forms other than the document's, each seen on some controller or reported of one, all at once. No controller is
-    /// known that writes so.
+    /// Forms other than the document's, each seen or reported on some controller, all at once. No known controller
+    /// writes all of them.
     ///
-    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies come the other way
-    /// round, a reply of success has no message, names have blanks around them, and a key that nobody knows comes with
-    /// replies and packets.
+    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies are in reverse order,
+    /// a successful reply has no message, names have blanks around them, and replies and packets have an unknown key.
     Odd => Shape {
         name: "odd",
         version: "1.7.2",
@@ -188,23 +187,23 @@ firmwares! {
 }
 
 impl Firmware {
-    /// A name to be typed: `1.5.14`, `newer`, `document` or `odd`.
+    /// Returns the name for input: `1.5.14`, `newer`, `document` or `odd`.
     pub fn name(self) -> &'static str {
         self.shape().name
     }
 
-    /// The time between two of its status packets.
+    /// Returns the period of its status packets.
     pub fn status_period(self) -> Duration {
         self.shape().status_period
     }
 
-    /// Habits of the firmware that no document describes.
+    /// Returns the undocumented habits of the firmware.
     pub fn habits(self) -> Habits {
         self.shape().habits.iter().copied().collect()
     }
 }
 
-/// Its [`name`](Firmware::name).
+/// Writes the [`name`](Firmware::name).
 impl fmt::Display for Firmware {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

@@ -1,4 +1,4 @@
-//! Habits of real controllers that no document describes.
+//! Undocumented habits of real controllers.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,70 +7,71 @@ use std::time::Duration;
 use crate::ScriptError;
 use crate::fault::{kinds, quoted};
 
-/// The times of real controllers.
+/// Times of real controllers.
 const PAUSE: Duration = Duration::from_millis(100);
 const LEAD: Duration = Duration::from_millis(16);
 
 kinds! {
-    /// Something that some real controllers do, and that a client must handle.
+    /// Undocumented behaviour of some real controllers that a client must handle.
     ///
-    /// [`Builder::habits`](crate::Builder::habits) makes a controller do it. A habit has a text form, as
-    /// `jaka sim --habits` takes it: `pause 100ms`, `events`. It is what `Display` writes and `FromStr` reads; a time
-    /// that is left out is that of [`one_of_each`](Self::one_of_each).
+    /// [`Builder::habits`](crate::Builder::habits) selects the habits of a controller. A habit has a text form, as for
+    /// `jaka sim --habits`: `pause 100ms`, `events`. `Display` writes it and `FromStr` reads it; a missing time is that
+    /// of [`one_of_each`](Self::one_of_each).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Habit("a habit", unknown);
 
     pub(crate) fn set(&self, habits: &mut Habits) -> ();
 
-    /// The arm rests this long, in position, between two motions of the queue. `pause 100ms` as a text.
+    /// Rests this long, in position, between two motions of the queue. `pause 100ms` as a text.
     ///
-    /// What waits for the arm to be in position alone takes the first motion's end for the last one's.
+    /// A client that only waits for the arm to be in position takes the end of the first motion for that of the last
+    /// one.
     Pause(time: Duration as time_or(PAUSE) = PAUSE): "pause" => habits.pause = Some(*time);
 
-    /// `get_joint_pos`, `get_tcp_pos` and the commanded positions of status packets are those that the arm will have
-    /// this much later. `lead 16ms` as a text.
+    /// Gives the positions of the arm this much later in `get_joint_pos`, in `get_tcp_pos` and as the commanded
+    /// positions of status packets. `lead 16ms` as a text.
     ///
-    /// At rest they are where the arm is. At 5 deg/s, 16 ms are 0.08 deg.
+    /// At rest they are the actual positions. At 5 deg/s, 16 ms are 0.08 deg.
     Lead(time: Duration as time_or(LEAD) = LEAD): "lead" => habits.lead = Some(*time);
 
-    /// Replies to queries wait until the arm is at rest, as with firmware 1.4, or for this long in the controller's
-    /// time, whichever is the sooner. `late-queries` or `late-queries 2s` as a text.
+    /// Delays replies to queries until the arm is at rest, as firmware 1.4 does, or for this long in the controller's
+    /// time, whichever is sooner. `late-queries` or `late-queries 2s` as a text.
     ///
-    /// A reply says what was so when its request was received, and later replies wait until it is sent; the requests
-    /// are carried out.
+    /// A reply has the values at the time of its request, and later replies wait for it; the controller carries out
+    /// their requests.
     LateQueries(time: Option<Duration> as optional_time = None): "late-queries" => {
         habits.late_queries = Some(time.unwrap_or(Duration::MAX));
     };
 
-    /// `power_on` and `enable_robot` are answered when the arm has power and is enabled, as with firmware 1.5.14.
+    /// Answers `power_on` and `enable_robot` when the arm has power and is enabled, as firmware 1.5.14 does.
     /// `late-power` as a text.
     ///
-    /// Later replies wait until that reply is sent. Without this habit they are answered at once, as by newer firmware.
+    /// Later replies wait for that reply. Without this habit the controller answers at once, as newer firmware does.
     LatePower: "late-power" => habits.late_power = true;
 
-    /// A motion with a tolerance that another one follows does not come to rest: where it is nearer to its end than the
-    /// tolerance, the next begins, and the arm rounds the corner. `blend` as a text.
+    /// Blends a motion with a tolerance into the next one without a stop. When the distance to the end of the first
+    /// motion is less than the tolerance, the next motion begins, and the arm rounds the corner. `blend` as a text.
     ///
     /// `moveL` and `movc` have a tolerance. Without this habit each motion ends at its target.
     Blend: "blend" => habits.blend = true;
 
-    /// `servo_move` is acknowledged while the arm moves, and servo mode is not entered. `servo-at-rest` as a text.
+    /// Acknowledges `servo_move` while the arm moves, without entering servo mode. `servo-at-rest` as a text.
     ///
-    /// `is_in_servomove` stays false, and `servo_j` is refused with -1.
+    /// `is_in_servomove` stays false, and the controller refuses `servo_j` with -1.
     ServoAtRest: "servo-at-rest" => habits.servo_at_rest = true;
 
-    /// `disable_robot` is acknowledged while the arm moves, as by firmware 1.5.14. `disable-moving` as a text.
+    /// Acknowledges `disable_robot` while the arm moves, as firmware 1.5.14 does. `disable-moving` as a text.
     ///
-    /// What an arm does then is not known; here it is disabled, and its motion ends. Without this habit it is refused,
-    /// as the vendor's event `0x0F003A` says.
+    /// The reaction of a real arm is unknown; here the arm is disabled, and its motion ends. Without this habit the
+    /// controller refuses the command, in accordance with the vendor's event `0x0F003A`.
     DisableMoving: "disable-moving" => habits.disable_moving = true;
 
-    /// Information is put into the error code of status packets: enabling and disabling, servo mode on and off, the
+    /// Reports information in the error code of status packets: enabling and disabling, servo mode on and off, the
     /// start of a program. `events` as a text.
     ///
-    /// It stays for 256 ms, until the next, or until `clear_error`: 312 of 312 captured packets of enabled arms have
-    /// `"0x0"`, and one entry of a log stood for 257 ms. An error is not replaced by it.
+    /// It stays for 256 ms, until the next information, or until `clear_error`: 312 of 312 captured packets of enabled
+    /// arms have `"0x0"`, and one entry of a log lasted 257 ms. Information does not replace an error.
     Events: "events" => habits.events = true;
 }
 
@@ -91,13 +92,13 @@ fn unknown(_word: &str) -> String {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
-/// As a text they are separated by commas; `all` is [`Habits::all`], `none` none.
+/// Commas separate the habits in a text; `all` is [`Habits::all`], and `none` is no habit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a habit of its own")]
 pub struct Habits {
     pub(crate) pause: Option<Duration>,
     pub(crate) lead: Option<Duration>,
-    /// The longest time where replies wait for the arm alone.
+    /// Longest time for which replies to queries wait for the arm.
     pub(crate) late_queries: Option<Duration>,
     pub(crate) late_power: bool,
     pub(crate) blend: bool,
@@ -107,17 +108,17 @@ pub struct Habits {
 }
 
 impl Habits {
-    /// No habits.
+    /// Returns no habits.
     pub fn none() -> Self {
         Self::default()
     }
 
-    /// All habits, as [`Habit::one_of_each`] has them.
+    /// Returns all habits, with the arguments of [`Habit::one_of_each`].
     pub fn all() -> Self {
         Habit::one_of_each().into_iter().collect()
     }
 
-    /// The habits that there are.
+    /// Returns an iterator over the habits.
     pub fn iter(&self) -> impl Iterator<Item = Habit> {
         let late_queries = self.late_queries.map(|time| Some(time).filter(|time| *time < Duration::MAX));
         let timed = [self.pause.map(Habit::Pause), self.lead.map(Habit::Lead), late_queries.map(Habit::LateQueries)];

@@ -1,4 +1,4 @@
-//! Happenings to the arm, to inputs and to links, and their times.
+//! Events of the arm, of inputs and of links, and their times.
 
 use std::fmt;
 use std::io;
@@ -25,13 +25,13 @@ worded! {
 }
 
 kinds! {
-    /// Something that happens to the arm, to an input or to the links: at a time by [`Builder::at`](crate::Builder::at)
-    /// and [`Controller::at`](crate::Controller::at), on a condition by [`Controller::when`](crate::Controller::when).
+    /// Event of the arm, of an input or of the links: at a time by [`Builder::at`](crate::Builder::at) and
+    /// [`Controller::at`](crate::Controller::at), on a condition by [`Controller::when`](crate::Controller::when).
     ///
-    /// Inputs are given by their place in the list of the [`State`] and of status packets, from 0. What is set stays
-    /// until something else is set.
+    /// An index of an input is its place in the list of the [`State`] and of status packets, from 0. A value stays
+    /// until the next change.
     ///
-    /// It has a text form, as `jaka sim --schedule` takes it.
+    /// An event has a text form, as for `jaka sim --schedule`.
     ///
     /// ```
     /// use jaka_sim::{Happening, Level};
@@ -43,56 +43,55 @@ kinds! {
     #[non_exhaustive]
     pub enum Happening("what can happen", unknown);
 
-    /// Makes it happen. An input that the controller does not have is left out.
+    /// Applies the event. Ignores an input that the controller does not have.
     pub(crate) fn happen(&self, state: &mut State, links: &Links) -> ();
 
-    /// A collision: a protective stop and the error `0xf0034`, until `clear_error`. `collide` as a text.
+    /// Collision: a protective stop and the error `0xf0034`, until `clear_error`. `collide` as a text.
     Collide: "collide" => state.collide();
 
-    /// The emergency stop is pressed: the arm is not enabled, and cannot be. `press-emergency-stop` as a text.
+    /// Press of the emergency stop: the arm is disabled, and cannot be enabled. `press-emergency-stop` as a text.
     PressEmergencyStop: "press-emergency-stop" => state.emergency_stop = true;
 
-    /// The emergency stop is released. The arm stays disabled until it is enabled again. `release-emergency-stop` as a
+    /// Release of the emergency stop. The arm stays disabled until it is enabled again. `release-emergency-stop` as a
     /// text.
     ReleaseEmergencyStop: "release-emergency-stop" => state.emergency_stop = false;
 
-    /// The arm loses its power. `cut-power` as a text.
+    /// Loss of the arm's power. `cut-power` as a text.
     CutPower: "cut-power" => state.powered = false;
 
-    /// A digital input of the cabinet has this level. `input 3 high` as a text.
+    /// New level of a digital input of the cabinet. `input 3 high` as a text.
     Input(index: usize as index = 3, level: Level as level = Level::High): "input" => {
         set(&mut state.digital_inputs, *index, *level == Level::High);
     };
 
-    /// A digital input of the tool has this level. `tool-input 0 low` as a text.
+    /// New level of a digital input of the tool. `tool-input 0 low` as a text.
     ToolInput(index: usize as index = 0, level: Level as level = Level::Low): "tool-input" => {
         set(&mut state.tool_digital_inputs, *index, *level == Level::High);
     };
 
-    /// An analog input of the cabinet has this value, in the unit of status packets. `analog-input 3 2.5` as a text.
+    /// New value of an analog input of the cabinet, in the unit of status packets. `analog-input 3 2.5` as a text.
     AnalogInput(index: usize as index = 3, value: f64 as value = 2.5): "analog-input" => {
         set(&mut state.analog_inputs, *index, *value);
     };
 
-    /// An analog input of the tool has this value, in the unit of status packets. `tool-analog-input 0 2.5` as a text.
+    /// New value of an analog input of the tool, in the unit of status packets. `tool-analog-input 0 2.5` as a text.
     ToolAnalogInput(index: usize as index = 0, value: f64 as value = 2.5): "tool-analog-input" => {
         set(&mut state.tool_analog_inputs, *index, *value);
     };
 
-    /// Something is wrong with links from now on, or nothing any more. `link status to-client hold` as a text, or
-    /// `link both both none`.
+    /// New fault of links, or its end. `link status to-client hold` as a text, or `link both both none`.
     Link {
-        /// Port of the links; both ports if it is `None`.
+        /// Port of the links; both ports if `None`.
         port: Option<Port> as port = Some(Port::Status),
-        /// Direction on them; both directions if it is `None`.
+        /// Direction of the links; both directions if `None`.
         direction: Option<Direction> as direction = Some(Direction::ToClient),
-        /// The fault.
+        /// Fault.
         fault: LinkFault as link_fault = LinkFault::Hold,
     }: "link" => links.set(LinkSelector { port: *port, direction: *direction }, *fault);
 }
 
 impl Happening {
-    /// Fails for an input that the controller does not have.
+    /// Returns an error for an input that the controller does not have.
     pub(crate) fn check(&self, state: &State) -> io::Result<()> {
         let (kind, side, index, count) = match self {
             Self::Input(index, _) => ("digital", "cabinet", *index, state.digital_inputs.len()),
@@ -113,7 +112,7 @@ impl Happening {
     }
 }
 
-/// A fault of all links, in both directions.
+/// Applies a fault to all links, in both directions.
 impl From<LinkFault> for Happening {
     fn from(fault: LinkFault) -> Self {
         Self::Link { port: None, direction: None, fault }
@@ -124,7 +123,7 @@ fn unknown(_word: &str) -> String {
     format!("expected one of {}", quoted(&Happening::one_of_each()))
 }
 
-/// The list may have been made shorter since.
+/// Sets an element. The list may be shorter than at the check.
 fn set<T>(list: &mut [T], index: usize, value: T) {
     if let Some(place) = list.get_mut(index) {
         *place = value;
@@ -189,7 +188,7 @@ impl TokenReader<'_, '_> {
         self.chosen(Direction::ALL, "`to-controller`, `to-client` or `both`")
     }
 
-    /// Reads one of these by its name; `None` for both.
+    /// Reads the name of one of the items; `None` for both.
     fn chosen<T: ToString>(&mut self, items: [T; 2], what: &str) -> Result<Option<T>, ScriptError> {
         let word = self.word(what)?.text;
         let found = items.into_iter().find(|item| item.to_string() == word);
@@ -201,8 +200,7 @@ impl TokenReader<'_, '_> {
     }
 }
 
-/// Something that happens, and the controller's time since its start at which it does: `collide at 2s` as a text, and
-/// without a time at once.
+/// Event and its time since the start of the controller: `collide at 2s` as a text, and at once without a time.
 ///
 /// ```
 /// use jaka_sim::{Controller, Scheduled};
@@ -216,7 +214,7 @@ impl TokenReader<'_, '_> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scheduled {
-    /// The happening.
+    /// Event.
     pub happening: Happening,
     /// Time since the start, by the controller's clock.
     pub at: Duration,
@@ -228,7 +226,7 @@ impl FromStr for Scheduled {
     /// Reads the text form.
     ///
     /// # Errors
-    /// There is no such happening, or what follows it is not a time.
+    /// The event is unknown, or the text after it is not a time.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
         TokenReader::read_all(text, |tokens| {
             let happening = Happening::read(tokens)?;

@@ -1,4 +1,4 @@
-//! JSON text, taken apart and put together.
+//! Splitting and formatting of JSON text.
 
 use jaka_proto::wire::Reader;
 
@@ -11,7 +11,7 @@ pub(crate) enum Separators {
     Spaced,
 }
 
-/// The members of an object, their values as they are; `None` for what is not an object.
+/// Returns the members of an object, with unchanged values; `None` for text other than an object.
 pub(crate) fn members(json: &str) -> Option<Vec<(String, &str)>> {
     let mut reader = Reader::new(json);
     let mut members = Vec::new();
@@ -23,7 +23,7 @@ pub(crate) fn members(json: &str) -> Option<Vec<(String, &str)>> {
     Some(members)
 }
 
-/// The elements of an array, as they are; `None` for what is not an array.
+/// Returns the elements of an array, unchanged; `None` for text other than an array.
 pub(crate) fn elements(json: &str) -> Option<Vec<&str>> {
     let mut reader = Reader::new(json);
     let mut elements = Vec::new();
@@ -40,7 +40,7 @@ pub(crate) fn respace(json: &str, separators: Separators) -> String {
     let blank = if separators == Separators::Spaced { " " } else { "" };
     let mut out = String::with_capacity(json.len() * 3 / 2);
     let mut rest = json;
-    // By bytes, since it goes through every packet: all of these are characters of one.
+    // Searches bytes for speed, since it goes through every packet; each of these characters is one byte.
     while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b',' | b':' | b' ' | b'\t' | b'\r' | b'\n'))
     {
         out.push_str(&rest[..at]);
@@ -56,7 +56,7 @@ pub(crate) fn respace(json: &str, separators: Separators) -> String {
     out
 }
 
-/// Length of the string with which `json` begins, with its quotes; all of `json` if the string does not end.
+/// Returns the length of the string at the start of `json`, with its quotes; all of `json` if the string does not end.
 fn string(json: &str) -> usize {
     let mut at = 1;
     while let Some(found) = json[at..].bytes().position(|byte| matches!(byte, b'"' | b'\\')) {
@@ -64,7 +64,7 @@ fn string(json: &str) -> usize {
         if json.as_bytes()[at - 1] == b'"' {
             return at;
         }
-        // What is escaped may be a character of several bytes.
+        // The escaped character may have several bytes.
         at += json[at..].chars().next().map_or(0, char::len_utf8);
     }
     json.len()

@@ -39,15 +39,15 @@ pub use fault::{Fault, FaultPlan, LinkFault, ScriptError, StatusFault};
 pub use firmware::Firmware;
 pub use habits::{Habit, Habits};
 pub use happening::{Happening, Level, Scheduled};
-/// The clock of tests that take no time.
+/// Clock for tests without real time.
 pub use jaka_clock::{self, SimulatedClock};
-/// The arm that is simulated.
+/// Model of the simulated arm.
 pub use jaka_motion::Model;
-/// The messages that [`State`] is made of.
+/// Message types of a [`State`].
 pub use jaka_proto as proto;
-/// A port of the controller: the one that takes commands, or the one that sends status packets.
+/// Port of the controller: for commands or for status packets.
 pub use jaka_proto::recording::Port;
-/// A state that a command needs, as the spec says it: see [`State::meets`].
+/// State required by a command, in the terms of the spec: see [`State::meets`].
 pub use jaka_spec::Requirement;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};

@@ -1,8 +1,8 @@
-//! The links between the ports and their clients, with what is wrong with them.
+//! Links between the ports and their clients, with their faults.
 //!
-//! A connection is a [`Wire`]. As long as no link has ever had a fault, a wire writes to its socket and reads from it,
-//! and the only addition is atomic flags. After the first fault, what a wire sends can wait in a queue, for a thread
-//! that is spawned when the first bytes wait; what it receives waits where it is read, in the thread that reads.
+//! A connection is a [`Wire`]. Until the first fault of any link, a wire writes to its socket and reads from it
+//! directly, with only atomic flags in addition. After the first fault, outgoing bytes can wait in a queue for a thread
+//! that starts when the first bytes wait. Incoming bytes wait in the thread that reads.
 
 mod inbound;
 mod queue;
@@ -23,15 +23,15 @@ pub(crate) use self::wire::Wire;
 use crate::fault::LinkFault;
 use crate::link_selector::LinkSelector;
 
-/// Greatest number of connections that may wait to end because of a fault. If there are more, the oldest ends at once.
+/// Greatest number of connections with a delayed end because of a fault. Beyond it, the oldest ends at once.
 const MOST_SENDERS: usize = 512;
 
-/// The links of a controller.
+/// Links of a controller.
 ///
 /// Locks are taken in this order: `state`, a wire's queue.
 #[derive(Debug)]
 pub(crate) struct Links {
-    /// True once any link has had a fault.
+    /// Whether any link has ever had a fault.
     used: AtomicBool,
     state: Mutex<LinkStates>,
     changed: Signal,
@@ -39,11 +39,11 @@ pub(crate) struct Links {
     senders: Mutex<VecDeque<Sender>>,
 }
 
-/// A thread that sends what has waited, and the connection on which it does.
+/// Thread that sends queued bytes, and its connection.
 type Sender = (Weak<Wire>, JoinHandle<()>);
 
 impl Links {
-    /// The links of a controller.
+    /// Creates the links of a controller.
     pub(crate) fn new(time: &Clock) -> Self {
         Self {
             used: AtomicBool::new(false),
@@ -54,7 +54,7 @@ impl Links {
         }
     }
 
-    /// Sets what is wrong with these links from now on.
+    /// Sets the fault of these links from now on.
     pub(crate) fn set(&self, selector: LinkSelector, fault: LinkFault) {
         let mut state = lock(&self.state);
         if fault != LinkFault::None {
@@ -65,7 +65,7 @@ impl Links {
         self.changed.notify_all();
     }
 
-    /// The time in which they wait.
+    /// Returns the clock for waits.
     pub(crate) fn time(&self) -> &Clock {
         &self.time
     }
@@ -79,12 +79,12 @@ impl Links {
         lock(&self.state)
     }
 
-    /// Waits for a change, or for so long, or less.
+    /// Waits for a change, or for at most this time; may return early.
     fn wait<'l>(&'l self, state: MutexGuard<'l, LinkStates>, time: Option<Duration>) -> MutexGuard<'l, LinkStates> {
         self.changed.wait(&self.state, state, time.unwrap_or(Duration::MAX))
     }
 
-    /// Has all threads that wait check their link again.
+    /// Wakes all waiting threads to check their link again.
     fn notify(&self) {
         drop(self.state());
         self.changed.notify_all();
@@ -101,14 +101,14 @@ impl Links {
         }
     }
 
-    /// Ends all connections on which something waits, and waits for their threads.
+    /// Ends all connections with waiting bytes, and waits for their threads.
     pub(crate) fn abort(&self) {
         let senders = std::mem::take(&mut *lock(&self.senders));
         for (wire, _) in &senders {
             wire.upgrade().inspect(|wire| wire.abort());
         }
         for (_, thread) in senders {
-            // A panic there has been reported, and concerns one connection.
+            // The panic hook has reported a panic of the thread, which concerns one connection.
             drop(thread.join());
         }
     }

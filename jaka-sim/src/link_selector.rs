@@ -1,17 +1,17 @@
-//! Selection of links: those of one port or both, in one direction or both.
+//! Selection of links: of one port or both, in one direction or both.
 
 use crate::Port;
 
 jaka_proto::worded! {
-    /// A direction in which bytes pass between a port and its clients, displayed as in the text of a
+    /// Direction of the bytes between a port and its clients, displayed as in the text of a
     /// [`Happening`](crate::Happening).
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[expect(clippy::exhaustive_enums, reason = "a connection has these two")]
     pub enum Direction {
-        /// Direction from clients to the controller, for requests. Clients of the status port have nothing to send but
-        /// the end of their connection.
+        /// From clients to the controller, for requests. Clients of the status port can only send the end of their
+        /// connection.
         ToController => "to-controller",
-        /// Direction from the controller to clients, for replies and status packets.
+        /// From the controller to clients, for replies and status packets.
         ToClient => "to-client",
     }
 }
@@ -21,10 +21,10 @@ impl Direction {
     pub const ALL: [Self; 2] = [Self::ToController, Self::ToClient];
 }
 
-/// The word of a text for both ports, and for both directions.
+/// Word in a text for both ports, and for both directions.
 pub(crate) const BOTH: &str = "both";
 
-/// A choice of links; `None` stands for both.
+/// Selected links; `None` means both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct LinkSelector {
     pub(crate) port: Option<Port>,
@@ -32,7 +32,7 @@ pub(crate) struct LinkSelector {
 }
 
 impl LinkSelector {
-    /// The links that are meant.
+    /// Returns an iterator over the selected links.
     pub(crate) fn each(self) -> impl Iterator<Item = (Port, Direction)> {
         let ports = Port::ALL.into_iter().filter(move |port| self.port.is_none_or(|chosen| chosen == *port));
         let chosen = move |direction: &Direction| self.direction.is_none_or(|chosen| chosen == *direction);

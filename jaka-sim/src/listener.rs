@@ -1,4 +1,4 @@
-//! A listener that can be woken.
+//! Listener with a wake-up.
 
 use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream};
@@ -7,34 +7,34 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Signal, Socket, lock};
 
-/// Limit for a connection on loopback, which takes a second and more where many wait to be accepted.
+/// Timeout for a connection on loopback, which takes a second and more with a long backlog.
 pub(crate) const CONNECT_TIMEOUT: Duration = Duration::from_secs(60);
 
-/// Delay after an `accept` that failed, perhaps because no file descriptor is left.
+/// Delay after a failed `accept`, for example without a free file descriptor.
 const RETRY_DELAY: Duration = Duration::from_millis(20);
 
-/// A TCP listener on which one thread accepts.
+/// TCP listener with one accepting thread.
 ///
-/// std can neither wake `accept` nor say whether its queue is empty. So the listener connects to itself to wake up; it
-/// recognises these connections by their address. The queue is in order of arrival: when a wake-up is accepted,
-/// everything that connected before it has been accepted too.
+/// std can neither wake `accept` nor report whether its backlog is empty. So the listener connects to itself to wake
+/// up; it recognises these connections by their address. The backlog is in order of arrival: when the listener accepts
+/// a wake-up, it has accepted all earlier connections.
 #[derive(Debug)]
 pub(crate) struct Listener {
     socket: TcpListener,
     address: SocketAddr,
     state: Mutex<ListenerState>,
-    /// In real time.
+    /// Signal in real time.
     changed: Signal,
     time: Clock,
 }
 
 #[derive(Debug, Default)]
 struct ListenerState {
-    /// Local addresses of wake-up connections that have not been accepted yet.
+    /// Local addresses of wake-up connections not accepted yet.
     wake_ups: Vec<SocketAddr>,
-    /// No further connection is accepted.
+    /// Whether the listener accepts no further connection.
     closed: bool,
-    /// The accepting thread has ended.
+    /// Whether the accepting thread has ended.
     stopped: bool,
 }
 
@@ -53,19 +53,19 @@ impl Listener {
         self.address
     }
 
-    /// Passes on each connection until the listener is closed. An error of one says that it is lost, and concerns no
-    /// other.
+    /// Passes on each connection until the listener is closed. An error of one connection means its loss, and does not
+    /// affect the others.
     pub(crate) fn accept_all(&self, client: &str, mut admit: impl FnMut(Socket) -> io::Result<()>) {
         while let Some((stream, peer)) = self.accept() {
             let accepted = Socket::accepted(stream, peer, &self.time);
-            // A simulated time goes on only after that.
+            // A simulated time advances only after that.
             if let Err(error) = accepted.and_then(|(socket, _work)| admit(socket)) {
                 log::trace!(target: "jaka_sim", "{client} lost: {error}");
             }
         }
     }
 
-    /// Waits for the next connection; `None` once the listener is closed.
+    /// Waits for the next connection; returns `None` once the listener is closed.
     fn accept(&self) -> Option<(TcpStream, SocketAddr)> {
         loop {
             let accepted = self.socket.accept();
@@ -87,10 +87,10 @@ impl Listener {
         }
     }
 
-    /// Waits until every connection made so far has been accepted. If the system has no socket left to wait with, only
-    /// what has been accepted so far counts.
+    /// Waits until every connection made so far is accepted. If the system has no socket left to wait with, covers only
+    /// the connections accepted so far.
     pub(crate) fn wait_until_accepted(&self) {
-        // The lock is held while connecting, so that the wake-up is known when it is accepted.
+        // Holds the lock while connecting, so that the accepting thread knows the wake-up.
         let mut state = lock(&self.state);
         let wake_up = TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT);
         let Ok((address, _wake_up)) = wake_up.and_then(|stream| Ok((stream.local_addr()?, stream))) else { return };
@@ -100,7 +100,7 @@ impl Listener {
         drop(self.changed.wait_until(&self.state, Duration::MAX, is_accepted));
     }
 
-    /// Accepts nothing more, and wakes the accepting thread. An error says that the thread could not be woken.
+    /// Stops accepting, and wakes the accepting thread. Returns an error if the thread could not be woken.
     pub(crate) fn close(&self) -> io::Result<()> {
         lock(&self.state).closed = true;
         self.changed.notify_all();
@@ -110,7 +110,7 @@ impl Listener {
         TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT).map(drop)
     }
 
-    /// Says that the accepting thread ends.
+    /// Records that the accepting thread ends.
     pub(crate) fn stop(&self) {
         lock(&self.state).stopped = true;
         self.changed.notify_all();

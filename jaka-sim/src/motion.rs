@@ -1,7 +1,7 @@
-//! The arm in motion, cycle by cycle.
+//! Motion of the arm, cycle by cycle.
 //!
 //! Planned motions wait in a queue, and each follows its path under a trapezoidal speed profile. Jogs and servo
-//! set-points move the arm without the queue. All this is what the joints are commanded to do; the drives follow.
+//! set-points move the arm without the queue. The results are commanded joint positions; the drives follow them.
 
 mod blend;
 mod drives;
@@ -31,36 +31,36 @@ use crate::clock::CYCLE;
 /// Greatest number of cycles by which the commanded position can be ahead of the arm.
 const MOST_AHEAD: u128 = 100;
 
-/// Everything that moves the arm.
+/// Sources of motion: queue, jog and servo mode.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Engine {
     queue: VecDeque<Planned>,
     running: Option<Running>,
-    /// The motion before, while it goes over into the one that runs.
+    /// Previous motion during its blend into the running one.
     leaving: Option<Leaving>,
-    /// For how long the arm rests between two motions of the queue.
+    /// Duration of the rest between two motions of the queue.
     pause: Duration,
-    /// For how long it still does.
+    /// Remaining time of the present rest.
     resting: Duration,
     pub(crate) jog: Option<Jogging>,
-    /// Servo mode, where it is on.
+    /// Servo mode, if it is on.
     pub(crate) servo: Option<Servo>,
-    /// Joint position at the end of the last motion of the queue; none if no motion waits or runs.
+    /// Joint position at the end of the last motion of the queue; `None` if no motion waits or runs.
     tail: Option<Joints>,
 }
 
 impl Engine {
-    /// An engine that rests for this long between two motions of the queue.
+    /// Creates an engine that rests for this long between two motions of the queue.
     pub(crate) fn new(pause: Duration) -> Self {
         Self { pause, ..Self::default() }
     }
 
-    /// Joint position at the end of all accepted motions; `now` if there are none.
+    /// Returns the joint position at the end of all accepted motions; `now` if there are none.
     pub(crate) fn tail(&self, now: Joints) -> Joints {
         self.tail.unwrap_or(now)
     }
 
-    /// Number of motions that wait or run.
+    /// Returns the number of motions that wait or run.
     pub(crate) fn pending(&self) -> usize {
         self.queue.len() + usize::from(self.running.is_some())
     }
@@ -71,12 +71,12 @@ impl Engine {
         self.queue.push_back(planned);
     }
 
-    /// Number of motions that wait for the end of the one that runs.
+    /// Returns the number of motions that wait for the end of the running one.
     pub(crate) fn waiting(&self) -> usize {
         self.queue.len()
     }
 
-    /// Brakes, and forgets all that waits. The next motion starts where that ends.
+    /// Brakes, and discards all waiting motions. The next motion starts at the end of the braking.
     pub(crate) fn stop(&mut self, joints: Joints, model: &Model) {
         self.queue.clear();
         self.jog = None;
@@ -89,22 +89,22 @@ impl Engine {
         });
     }
 
-    /// Stands still at once.
+    /// Stops at once.
     pub(crate) fn halt(&mut self) {
         *self = Self::new(self.pause);
     }
 
-    /// True while the arm is commanded to move or has motions to run.
+    /// Whether the arm has a commanded motion or motions to run.
     pub(crate) fn is_busy(&self) -> bool {
         self.pending() > 0 || self.jog.is_some() || self.servo.as_ref().is_some_and(Servo::is_moving)
     }
 
-    /// True while the arm rests between two motions.
+    /// Whether the arm rests between two motions.
     pub(crate) fn is_resting(&self) -> bool {
         !self.resting.is_zero()
     }
 
-    /// Joint position this much later, in whole cycles, if nothing is commanded meanwhile.
+    /// Returns the joint position this much later, in whole cycles, without further commands.
     pub(crate) fn ahead(&self, joints: Joints, time: Duration, rate: f64, model: &Model) -> Joints {
         if time < CYCLE {
             return joints;
@@ -114,7 +114,7 @@ impl Engine {
         (0..cycles.min(MOST_AHEAD)).fold(joints, |joints, _| engine.cycle(joints, rate, model))
     }
 
-    /// One controller cycle: where the arm is to be at its end.
+    /// Computes one controller cycle, and returns the commanded joint position at its end.
     pub(crate) fn cycle(&mut self, joints: Joints, rate: f64, model: &Model) -> Joints {
         if let Some(servo) = self.servo.as_mut().filter(|servo| servo.is_moving()) {
             return servo.cycle(model);
@@ -142,7 +142,7 @@ impl Engine {
             return joints;
         };
         let (share, ended) = running.cycle(rate);
-        // Paths were tried before; a place between those tried where the arm cannot be stops it.
+        // Planning checked some points of the path; an unreachable point between them stops the arm.
         let Some(next) = running.planned.path.at(share, model, joints) else {
             self.queue.clear();
             self.finish();
@@ -156,7 +156,7 @@ impl Engine {
         plus(next, offset)
     }
 
-    /// Advances the motion before, and returns the offset of the joints that it still adds in this cycle, in degrees.
+    /// Advances the previous motion, and returns the joint offset that it still adds in this cycle, in degrees.
     fn leave(&mut self, rate: f64, model: &Model) -> Joints {
         let Some(leaving) = &mut self.leaving else { return [0.0; 6] };
         let offset = leaving.cycle(rate, model);
@@ -166,7 +166,7 @@ impl Engine {
         offset
     }
 
-    /// Has the next motion begin where this one is near enough to its end.
+    /// Starts the next motion when this one is near enough to its end.
     fn blend(&mut self, share: f64, joints: Joints, model: &Model) {
         let Some(running) = &self.running else { return };
         let may_begin = share >= 0.5 && running.brake.is_none() && self.leaving.is_none();
@@ -177,7 +177,7 @@ impl Engine {
         }
     }
 
-    /// The motion that has run is over.
+    /// Ends the running motion.
     fn finish(&mut self) {
         self.running = None;
         self.leaving = None;

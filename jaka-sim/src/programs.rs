@@ -9,13 +9,13 @@ use jaka_proto::messages::motion::JointMove;
 
 use crate::motion::Joints;
 
-/// The commands of a program, in order.
+/// Commands of a program, in order.
 pub(crate) type Program = Vec<Request>;
 
-/// Remaining commands of the program that runs.
+/// Remaining commands of the running program.
 pub(crate) type Runner = vec::IntoIter<Request>;
 
-/// The programs that every controller has: the document's example, which moves joint 1 there and back.
+/// Returns the programs of every controller: the document's example, which moves joint 1 there and back.
 pub(crate) fn built_in() -> HashMap<String, Program> {
     let turn = |angle: f64| {
         let offset = [angle, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -25,14 +25,14 @@ pub(crate) fn built_in() -> HashMap<String, Program> {
     HashMap::from([("test.jks".to_owned(), program.clone()), ("track/test.jks".to_owned(), program)])
 }
 
-/// A program that goes through recorded positions.
+/// Creates a program that moves through recorded positions.
 pub(crate) fn replay(points: &[Joints]) -> Program {
     let to = |joints: &Joints| Request::JointMove(JointMove::absolute(*joints, 30.0).acceleration(120.0));
     points.iter().map(to).collect()
 }
 
-/// The programs of a folder: files with one request per line, as sent on the wire. Their names are those of the files,
-/// with the folders below `root` before them.
+/// Reads the programs of a folder: files with one request per line, as sent on the wire. A program has the name of its
+/// file after the folders below `root`.
 pub(crate) fn load_folder(folder: &Path, prefix: &str, programs: &mut HashMap<String, Program>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

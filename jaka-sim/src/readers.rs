@@ -1,4 +1,4 @@
-//! The readers of status packets.
+//! Readers of status packets.
 
 mod packet_writer;
 mod reader;
@@ -19,10 +19,10 @@ use crate::StatusFault;
 use crate::clock;
 use crate::link::Links;
 
-/// Greatest number of readers, so that no number of connections uses up threads and memory.
+/// Greatest number of readers, so that connections cannot use up threads and memory.
 const MAX_READERS: usize = 256;
 
-/// The readers, each with a thread of its own so that none waits for another.
+/// List of readers, each with its own thread so that none waits for another.
 #[derive(Debug)]
 pub(crate) struct Readers {
     list: Arc<Mutex<ReaderList>>,
@@ -31,7 +31,7 @@ pub(crate) struct Readers {
 #[derive(Debug)]
 struct ReaderList {
     readers: VecDeque<(Arc<Reader>, JoinHandle<()>)>,
-    /// Fault of the packets that go out.
+    /// Fault of the sent packets.
     fault: StatusFault,
 }
 
@@ -40,7 +40,7 @@ impl Readers {
         Self { list: Arc::new(Mutex::new(ReaderList { readers: VecDeque::new(), fault })) }
     }
 
-    /// Sets what is wrong with the packets from now on.
+    /// Sets the fault of all later packets.
     pub(crate) fn set_fault(&self, fault: StatusFault) {
         let mut list = lock(&self.list);
         for (reader, _) in &list.readers {
@@ -49,18 +49,18 @@ impl Readers {
         list.fault = fault;
     }
 
-    /// The time between two packets, which is `usual` if nothing is wrong.
+    /// Returns the period of packets, which is `usual` without a fault.
     pub(crate) fn period(&self, usual: Duration) -> Duration {
         packet_writer::period(&lock(&self.list).fault, usual)
     }
 
-    /// Sends a packet to all with what is wrong with packets, and waits until each has been sent it or has been dropped
+    /// Sends a packet with the present fault to all readers, and waits until each reader has got it or is dropped
     /// because it does not read.
     pub(crate) fn send_packet(&self, packet: Vec<u8>) {
         self.post(&Message::Packet(packet.into()));
     }
 
-    /// Sends bytes to all as they are, and waits as [`send_packet`](Self::send_packet) does.
+    /// Sends bytes unchanged to all readers, and waits as [`send_packet`](Self::send_packet) does.
     pub(crate) fn send(&self, bytes: &[u8]) {
         self.post(&Message::Bytes(bytes.into()));
     }
@@ -73,7 +73,7 @@ impl Readers {
         }
     }
 
-    /// Has each thread compute again when its next packet is due.
+    /// Lets each thread compute the time of its next packet again.
     pub(crate) fn reschedule(&self) {
         for (reader, _) in &lock(&self.list).readers {
             reader.post(Message::Reschedule);
@@ -89,10 +89,10 @@ impl Readers {
         readers.into_iter().for_each(close);
     }
 
-    /// Adds a reader whose thread runs this, until it ends.
+    /// Adds a reader with a thread that runs this, until it ends.
     ///
-    /// If there are too many, the oldest is dropped. A reader that has left is noticed only when it is written to; its
-    /// socket is closed then.
+    /// Drops the oldest reader if there are too many. The controller notices that a reader has left only when it writes
+    /// to it; then it closes the socket.
     pub(crate) fn add(
         &self,
         socket: Socket,
@@ -118,6 +118,6 @@ impl Readers {
 /// Closes a connection, and waits for its thread.
 fn close((reader, thread): (Arc<Reader>, JoinHandle<()>)) {
     reader.close();
-    // A panic there has been reported, and concerns one connection.
+    // The panic hook has reported a panic of the thread, which concerns one connection.
     drop(thread.join());
 }

@@ -19,53 +19,53 @@ use self::dependencies::{Dependencies, Dependency};
 pub use self::deviation::Deviation;
 pub(crate) use self::script::{Script, ScriptStep};
 
-/// Mode in which a controller answers from a recording: see [`Builder::replay`](crate::Builder::replay).
+/// Mode of the answers from a recording: see [`Builder::replay`](crate::Builder::replay).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replay {
-    /// The n-th connection to a port is the n-th of the recording, message by message: requests must come in the
-    /// recorded order and be equal as JSON, and the controller sends what it sent then, also what was late, unasked or
-    /// garbage, and ends the connection where it did then.
+    /// The n-th connection to a port replays the n-th of the recording, message by message. Requests must come in the
+    /// recorded order and be equal as JSON. The controller sends the recorded bytes, also late, unsolicited or garbage
+    /// ones, and ends the connection at the recorded point.
     ///
-    /// Status packets wait for the requests that were sent before them, so that a program that is slower, or faster,
-    /// sees the same. A set-point that holds the arm may come more often than then. Anything else is a [`Deviation`],
+    /// Status packets wait for the requests recorded before them, so that a slower or faster program sees the same. A
+    /// program may repeat a set-point that holds the arm more often than recorded. Anything else is a [`Deviation`],
     /// and ends the connection.
     Strict,
-    /// Each request gets the reply to the first equal request of the recording, of whatever connection, that has not
-    /// been used yet. Where none came then, none comes now.
+    /// Each request gets the reply to the first unused equal request of the recording, from any connection. A request
+    /// without a recorded reply gets none.
     ///
-    /// A request is equal if it is the same JSON: no reply to another one is ever used. Where there is none left, the
-    /// request is refused, and a [`Deviation`]. Further status readers get the packets of the last one of the
-    /// recording.
+    /// A request is equal if it is the same JSON: the controller never uses a reply to another request. If none is
+    /// left, the controller refuses the request, which is a [`Deviation`]. Further status readers get the packets of
+    /// the last recorded reader.
     Matching,
 }
 
 /// Timing of the messages of a replay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ReplayTiming {
-    /// As long after the request, or the beginning of the connection, as then.
+    /// Recorded time after the request, or after the start of the connection.
     #[default]
     Recorded,
     /// Replies at once, and status packets one each [`Builder::status_period`](crate::Builder::status_period).
     Immediate,
 }
 
-/// A recording to be replayed, and how.
+/// Recording to replay, and the mode.
 #[derive(Debug, Clone)]
 pub(crate) struct ReplaySource {
     pub(crate) recording: Arc<Recording>,
     pub(crate) mode: Replay,
 }
 
-/// A replay that runs.
+/// Running replay.
 pub(crate) struct ReplaySession {
     pub(crate) mode: Replay,
     timing: ReplayTiming,
     commands: Vec<Arc<Script>>,
     readers: Vec<Arc<Script>>,
-    /// Requests for which the status packets of a strict replay wait.
+    /// Requests on which the status packets of a strict replay wait.
     dependencies: Option<Dependencies>,
     progress: Mutex<ReplayProgress>,
-    /// Signalled at each deviation.
+    /// Signal at each deviation.
     deviated: Signal,
 }
 
@@ -73,7 +73,7 @@ pub(crate) struct ReplaySession {
 struct ReplayProgress {
     commands: usize,
     readers: usize,
-    /// The answers that have not been used, by their request.
+    /// Unused answers, by their request.
     answers: HashMap<String, VecDeque<Answer>>,
     deviations: Vec<Deviation>,
 }
@@ -99,7 +99,8 @@ impl ReplaySession {
         }
     }
 
-    /// Events on the next command connection; `None` if the recording has no further one, which is a deviation.
+    /// Returns the events of the next command connection; `None` if the recording has no further one, which is a
+    /// deviation.
     pub(crate) fn next_commands(&self) -> Option<Arc<Script>> {
         let mut progress = lock(&self.progress);
         let script = self.commands.get(progress.commands).cloned();
@@ -107,7 +108,7 @@ impl ReplaySession {
         self.known(script, Port::Command, &mut progress)
     }
 
-    /// Events on the next status connection.
+    /// Returns the events of the next status connection.
     pub(crate) fn next_reader(&self) -> Option<Arc<Script>> {
         let mut progress = lock(&self.progress);
         let again = self.readers.last().filter(|_| self.mode == Replay::Matching);
@@ -124,7 +125,7 @@ impl ReplaySession {
         script
     }
 
-    /// The answer to a request; `None` if none is left, which is a deviation.
+    /// Returns the answer to a request; `None` if none is left, which is a deviation.
     pub(crate) fn answer(&self, request: &str) -> Option<Answer> {
         let mut progress = lock(&self.progress);
         let same = progress.answers.get_mut(&canonical(request));
@@ -135,7 +136,7 @@ impl ReplaySession {
         answer
     }
 
-    /// Delay of a message after its predecessor: the recorded one, or none with immediate timing.
+    /// Returns the delay of a message after its predecessor: the recorded one, or none with immediate timing.
     pub(crate) fn delay(&self, recorded: Duration) -> Duration {
         match self.timing {
             ReplayTiming::Recorded => recorded,
@@ -143,15 +144,15 @@ impl ReplaySession {
         }
     }
 
-    /// A request of the script has come, or never will: status packets that were recorded after it can go out.
+    /// Records that a request of the script has come or never will, which releases later status packets.
     pub(crate) fn request_came(&self, script: &Script, at: Duration) {
         if let Some(dependencies) = &self.dependencies {
             dependencies.came(script.start.saturating_add(at));
         }
     }
 
-    /// Time at which a packet of a connection that began at `began` is due: as long after the last request before it as
-    /// in the recording, or at `next`; `None` while a request is awaited.
+    /// Returns the due time of a packet on a connection opened at `began`: the recorded time after the last request
+    /// before it, or `next`; `None` while a request is outstanding.
     pub(crate) fn packet_due(&self, script: &Script, at: Duration, began: Instant, next: Instant) -> Option<Instant> {
         let recorded = script.start.saturating_add(at);
         let (since, delay) =
@@ -180,7 +181,7 @@ impl ReplaySession {
         lock(&self.progress).deviations.clone()
     }
 
-    /// Waits until there are this many deviations in all; false where there are not in time.
+    /// Waits until there are this many deviations in total; returns false on timeout.
     pub(crate) fn wait_for_deviations(&self, count: usize, timeout: Duration) -> bool {
         let enough = |progress: &ReplayProgress| progress.deviations.len() >= count;
         enough(&self.deviated.wait_until(&self.progress, timeout, enough))

@@ -1,4 +1,4 @@
-//! The requests that were received.
+//! Log of the received requests.
 
 use std::collections::VecDeque;
 use std::sync::Mutex;
@@ -6,11 +6,11 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Signal, lock};
 
-/// Greatest number of texts that are kept, and of their bytes.
+/// Greatest number of texts in the log, and of their bytes.
 const KEPT: usize = 10_000;
 const KEPT_BYTES: usize = 16 << 20;
 
-/// The texts of the last requests, and the count of all.
+/// Texts of the last requests, and the count of all.
 #[derive(Debug, Default)]
 pub(crate) struct RequestLog {
     logged: Mutex<Logged>,
@@ -29,7 +29,7 @@ impl RequestLog {
         Self { logged: Mutex::default(), grown: Signal::new(time) }
     }
 
-    /// Adds a request, and forgets the oldest where there are too many.
+    /// Adds a request, and removes the oldest ones beyond the limits.
     pub(crate) fn record(&self, request: String) {
         let mut logged = lock(&self.logged);
         logged.bytes += request.len();
@@ -43,7 +43,7 @@ impl RequestLog {
         lock(&self.logged).texts.iter().cloned().collect()
     }
 
-    /// Waits until `count` requests were received in all; false if they were not in time.
+    /// Waits until `count` requests were received in total; returns false on timeout.
     pub(crate) fn wait_for(&self, count: usize, timeout: Duration) -> bool {
         self.grown.wait_until(&self.logged, timeout, |logged| logged.count >= count).count >= count
     }

@@ -1,4 +1,4 @@
-//! State that the threads of one controller share.
+//! State shared by the threads of one controller.
 
 use std::collections::HashMap;
 use std::io;
@@ -22,13 +22,13 @@ use crate::trigger::Triggers;
 use crate::world::World;
 use crate::{Builder, FaultPlan, State, status_packet};
 
-/// State that the threads of one controller share. No lock is held while waiting for another of these. The exception is
-/// `world`: it is taken last, except for the progress of a trigger.
+/// State shared by the threads of one controller. No thread holds a lock while it waits for another of these. The
+/// exception is `world`: it is taken last, except for the progress of a trigger.
 #[derive(Debug)]
 pub(crate) struct Shared {
     pub(crate) options: Builder,
     pub(crate) spec_index: Arc<SpecIndex>,
-    /// Forms of the firmware, by its version; none where all firmware has the same.
+    /// Forms of the firmware, by its version; `None` if all firmware has the same.
     forms: Mutex<(String, Option<Arc<Forms>>)>,
     pub(crate) command_listener: Listener,
     pub(crate) status_listener: Listener,
@@ -37,7 +37,7 @@ pub(crate) struct Shared {
     pub(crate) request_log: RequestLog,
     pub(crate) links: Arc<Links>,
     pub(crate) triggers: Triggers,
-    /// The replay, in place of the simulated arm.
+    /// Replay in place of the simulated arm.
     pub(crate) replay: Option<ReplaySession>,
     world: Mutex<World>,
     clock: ControllerClock,
@@ -89,12 +89,12 @@ impl Shared {
         })
     }
 
-    /// The time in which threads and connections wait.
+    /// Returns the clock of threads and connections.
     pub(crate) fn time(&self) -> &Clock {
         &self.options.time
     }
 
-    /// The world as it is now.
+    /// Returns the world, advanced to the present time.
     pub(crate) fn world(&self) -> MutexGuard<'_, World> {
         let mut world = lock(&self.world);
         if let Some(now) = self.clock.now() {
@@ -103,23 +103,23 @@ impl Shared {
         world
     }
 
-    /// Forms of the firmware that a state names; none where all firmware has the same.
+    /// Returns the forms of the state's firmware; `None` if all firmware has the same.
     pub(crate) fn forms(&self, state: &State) -> Option<Arc<Forms>> {
         let mut known = lock(&self.forms);
         if known.0 != state.version {
             *known = (state.version.clone(), forms_of(&self.spec_index, &state.version));
-            // What the last packet showed is written in other forms.
+            // The parts of the last packet have other forms.
             lock(&self.packet_parts).clear();
         }
         known.1.clone()
     }
 
-    /// The status packet of the present state.
+    /// Returns the status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
         self.packet_of(&self.world().state).into_bytes()
     }
 
-    /// The status packet of a state.
+    /// Returns the status packet of a state.
     pub(crate) fn packet_of(&self, state: &State) -> String {
         let set = self.status_values().clone();
         let forms = self.forms(state);
@@ -127,19 +127,19 @@ impl Shared {
         status_packet::packet(state, self.options.firmware, model, &set, &mut lock(&self.packet_parts))
     }
 
-    /// Sends the present state to all status readers; nothing in a replay, which has its own packets.
+    /// Sends the present state to all status readers, except in a replay, which has its own packets.
     pub(crate) fn publish(&self) {
         if self.replay.is_none() {
             self.readers.send_packet(self.packet());
         }
     }
 
-    /// Has another client take the command port: the connection of the active one is closed.
+    /// Connects another client to the command port and closes the connection of the active one.
     pub(crate) fn take_over(&self) -> io::Result<()> {
         self.active_client.take_over(self.command_listener.address())
     }
 
-    /// Lets a stepped clock go on, and sends the status packets that fall due on the way.
+    /// Advances a stepped clock, and sends the status packets that are due.
     pub(crate) fn step(&self, time: Duration) {
         if !matches!(self.clock, ControllerClock::Stepped) {
             return;
@@ -148,7 +148,7 @@ impl Shared {
         let end = steps.now.saturating_add(time);
         let period = self.readers.period(self.options.period()).max(CYCLE);
         while let Some(due) = steps.packet.checked_add(period).filter(|due| *due <= end) {
-            // A packet that was not due at the period before goes out now.
+            // The period may have become shorter: a packet with a past due time goes out now.
             let due = due.max(steps.now);
             self.pass_to(due);
             self.publish();
@@ -158,7 +158,7 @@ impl Shared {
         steps.now = end;
     }
 
-    /// Lets a stepped time pass, and waits for the actions of conditions that hold on the way.
+    /// Advances a stepped time, and waits for the actions of conditions that hold meanwhile.
     fn pass_to(&self, time: Duration) {
         self.triggers.wait_for_actions();
         while !lock(&self.world).advance_until_fired(time) {
@@ -166,27 +166,27 @@ impl Shared {
         }
     }
 
-    /// Time until the next scheduled change, in the time that passes; none if nothing is scheduled.
+    /// Returns the time until the next scheduled change, by the underlying clock; `None` if nothing is scheduled.
     pub(crate) fn until_next_due(&self) -> Option<Duration> {
         self.world().next_due().map(|due| self.clock.until(due))
     }
 
-    /// Time until the next controller cycle.
+    /// Returns the time until the next controller cycle.
     pub(crate) fn until_next_cycle(&self) -> Duration {
         self.clock.until_next_cycle()
     }
 
-    /// Faults of the replies to come.
+    /// Returns the faults of later replies.
     pub(crate) fn faults(&self) -> MutexGuard<'_, FaultPlan> {
         lock(&self.faults)
     }
 
-    /// The values of keys of status packets that a user has set.
+    /// Returns the values of status packet keys set by the user.
     pub(crate) fn status_values(&self) -> MutexGuard<'_, Map<String, Value>> {
         lock(&self.status_values)
     }
 
-    /// The fields of replies that a user has set, by command.
+    /// Returns the reply fields set by the user, by command.
     pub(crate) fn replies(&self) -> MutexGuard<'_, HashMap<String, Map<String, Value>>> {
         lock(&self.replies)
     }

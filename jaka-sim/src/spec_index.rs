@@ -13,44 +13,43 @@ use jaka_proto::{Command, Envelope, ErrorCode, FirmwareRange, Request, write_ref
 use jaka_spec::{COMMAND_NAME, Effect, Field, Requirement, Source, Spec};
 use serde_json::{Map, Value};
 
-/// A spec, indexed by `cmdName`.
+/// Spec, indexed by `cmdName`.
 #[derive(Debug)]
 pub(crate) struct SpecIndex {
     entries: HashMap<String, CommandEntry>,
-    /// All of it.
+    /// Whole spec.
     pub(crate) spec: Spec,
-    /// The index of the built-in spec, to which packs were added.
+    /// Index of the built-in spec, if packs were added to it.
     base: Option<Arc<Self>>,
-    /// A report on extension I/O modules by the built-in spec, to fill in.
+    /// Report on extension I/O modules by the built-in spec, to fill in.
     pub(crate) extio_report: Option<ExtioReport>,
-    /// The controller's message for something that is not a command.
+    /// Message of the controller for an unknown command.
     pub(crate) unknown: String,
 }
 
 /// Entry of one command of the spec.
 #[derive(Debug)]
 pub(crate) struct CommandEntry {
-    /// All of it.
+    /// Command in the spec.
     pub(crate) command: jaka_spec::Command,
-    /// True for a command that moves the arm: one that needs it enabled to do so.
+    /// Whether the command moves the arm and needs it enabled.
     pub(crate) moves: bool,
-    /// True for one that a pack adds or changes.
+    /// Whether a pack adds or changes the command.
     pub(crate) packed: bool,
-    /// The firmware that has it, where a pack says so, or the document does not have it.
+    /// Firmware with the command, if a pack limits it or the document does not have the command.
     beyond: Option<FirmwareRange>,
-    /// Message of the refusal of a command that a pack changes in a way in which the simulated arm cannot follow it.
+    /// Refusal message for a command changed by a pack in a way that the simulated arm cannot follow.
     pub(crate) not_followed: Option<String>,
-    /// The code and message of the refusal in a wrong state.
+    /// Code and message of the refusal in a wrong state.
     pub(crate) refusal: (ErrorCode, String),
-    /// The first successful reply that the spec prints, or one that is made up where it prints none or a pack changes
-    /// it.
+    /// First successful reply printed in the spec; a generated one if there is none or a pack changes it.
     pub(crate) sample: String,
     /// Sample reply by the built-in spec, if that has the command.
     pub(crate) typed_sample: String,
 }
 
 impl SpecIndex {
-    /// The index of the built-in spec, which is read once in a process.
+    /// Returns the index of the built-in spec, which is read once in a process.
     fn built_in() -> io::Result<Arc<Self>> {
         static BUILT_IN: OnceLock<Arc<SpecIndex>> = OnceLock::new();
         if let Some(index) = BUILT_IN.get() {
@@ -60,7 +59,7 @@ impl SpecIndex {
         Ok(Arc::clone(BUILT_IN.get_or_init(|| Arc::new(Self::new(spec, None, &BTreeSet::new())))))
     }
 
-    /// The index of the built-in spec with packs, each of which adds to those before it.
+    /// Returns the index of the built-in spec with packs, each of which adds to the previous ones.
     pub(crate) fn open(packs: &[PathBuf]) -> io::Result<Arc<Self>> {
         let built_in = Self::built_in()?;
         if packs.is_empty() {
@@ -84,7 +83,8 @@ impl SpecIndex {
         Ok(Arc::new(Self::new(spec, Some(built_in), &packed)))
     }
 
-    /// The index of a spec that packs have made of another one, and the commands that they add or change.
+    /// Creates the index of a spec that packs have derived from another one; `packed` has the commands that they add or
+    /// change.
     fn new(spec: Spec, base: Option<Arc<Self>>, packed: &BTreeSet<String>) -> Self {
         let not_followed = |command: &str| {
             let base = base.as_ref().filter(|_| packed.contains(command))?;
@@ -106,10 +106,10 @@ impl SpecIndex {
         self.entries.get(command)
     }
 
-    /// The request in terms of the built-in spec, where a pack has other keys or forms for it.
+    /// Converts a request to the built-in spec, if a pack has other keys or forms for it.
     ///
     /// # Errors
-    /// The name of a field whose value has no form there.
+    /// Name of a field with a value without a form there.
     pub(crate) fn as_built_in<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, String> {
         let Some((name, members)) = self.of_packs(text) else { return Ok(Cow::Borrowed(text)) };
         let Some(base) = &self.base else { return Ok(Cow::Borrowed(text)) };
@@ -120,7 +120,7 @@ impl SpecIndex {
         }
     }
 
-    /// Name and members of a request of a built-in command that packs change.
+    /// Returns the name and members of a request for a built-in command that packs change.
     fn of_packs(&self, text: &str) -> Option<(String, Map<String, Value>)> {
         let base = self.base.as_ref()?;
         let members: Map<_, _> = serde_json::from_str(text).ok()?;
@@ -129,18 +129,18 @@ impl SpecIndex {
         Some((name, members))
     }
 
-    /// The built-in spec, where packs were added to it.
+    /// Returns the built-in spec, if packs were added to it.
     pub(crate) fn without_packs(&self) -> Option<&Spec> {
         self.base.as_ref().map(|base| &base.spec)
     }
 
-    /// The spec by which the state has what a command sets or answers: the built-in one, if that has the command.
+    /// Returns the spec that defines the state for a command: the built-in one, if it has the command.
     pub(crate) fn spec_of(&self, command: &str) -> &Spec {
         let base = self.base.as_ref().filter(|base| base.entry(command).is_some());
         base.map_or(&self.spec, |base| &base.spec)
     }
 
-    /// A reply in terms of the built-in spec with the keys and forms of packs; false where a value has none.
+    /// Converts a reply from the built-in spec to the keys and forms of packs; returns false if a value has none.
     pub(crate) fn with_packs(&self, command: &str, reply: &mut Map<String, Value>) -> bool {
         let Some(base) = self.base.as_ref().filter(|base| base.entry(command).is_some()) else { return true };
         let translated = Translation::new(&base.spec, &self.spec).message(Message::Reply(command), reply);
@@ -148,8 +148,9 @@ impl SpecIndex {
         translated.lost.is_empty() && translated.unknown.is_empty()
     }
 
-    /// A value of the state at a key of status packets, which a pack may have changed, in JSON; `member` gives it by
-    /// the built-in spec's key. None where the state has none; null where its value has no form there.
+    /// Returns a value of the state for a key of status packets, which a pack may have changed, in JSON. `member`
+    /// returns it for a key of the built-in spec. Returns `None` if the state has no value, and null if the value has
+    /// no form there.
     pub(crate) fn status_value<'j>(&self, field: &Field, member: impl Fn(&str) -> Option<&'j str>) -> Option<String> {
         let Some(base) = &self.base else { return member(&field.wire).map(str::to_owned) };
         let (own, others) = (self.spec.status_fields(), base.spec.status_fields());
@@ -157,11 +158,11 @@ impl SpecIndex {
         let json = member(&known.wire)?;
         let value: Value = serde_json::from_str(json).ok()?;
         let translated = Translation::new(&base.spec, &self.spec).field(known, field, &value).unwrap_or_default();
-        // What a pack does not change keeps its order of keys.
+        // An unchanged value keeps its order of keys.
         Some(if translated == value { json.to_owned() } else { translated.to_string() })
     }
 
-    /// The reply that the spec prints for a command.
+    /// Returns the reply that the spec prints for a command.
     pub(crate) fn example<C: Command>(&self) -> io::Result<C::Reply> {
         let entry = self.entry(C::INFO.name);
         let entry = entry.ok_or_else(|| io::Error::other(format!("the spec does not have `{}`", C::INFO.name)))?;
@@ -198,21 +199,20 @@ impl CommandEntry {
         }
     }
 
-    /// Whether firmware of this version has the command. One whose version cannot be read has all.
+    /// Whether firmware of this version has the command; firmware with an unreadable version has all commands.
     pub(crate) fn is_in_firmware(&self, version: &str) -> bool {
         self.beyond.is_none_or(|range| version.parse().map_or(true, |version| range.contains(version)))
     }
 }
 
-/// Fails where a pack gives a key of status packets another type or another meaning than the built-in spec has: the
-/// state has no value for it, and zeros in its place would be false.
+/// Returns an error if a pack changes the type or the meaning of a key of status packets: the state has no value for
+/// it, and zeros would be false.
 fn check_status_followed(built_in: &Spec, spec: &Spec) -> Result<(), String> {
     let lost = Translation::new(built_in, spec).lost(Message::Status);
     lost.first().map_or(Ok(()), |key| Err(format!("{}, in status packets", not_followed(key))))
 }
 
-/// Message of the refusal of a command of which a pack gives a key another type or another meaning; none if it is
-/// followed.
+/// Returns the refusal message for a command with a key whose type or meaning a pack changes; `None` if there is none.
 fn command_not_followed(built_in: &Spec, spec: &Spec, command: &str) -> Option<String> {
     built_in.command(command)?;
     let missing = Translation::new(spec, built_in).missing(Message::Request(command));
@@ -224,12 +224,12 @@ fn not_followed(key: &str) -> String {
     format!("the simulator cannot follow the pack: it has a value of another type or in another unit for `{key}`")
 }
 
-/// Reads the payload of a sample, which has the spec's own forms.
+/// Reads the payload of a sample in the spec's own forms.
 pub(crate) fn own_payload<R: Fields>(sample: &str) -> Result<R, DecodeError> {
     R::read_fields(&mut Reader::in_own_form(sample))
 }
 
-/// The report in a packet of samples.
+/// Returns the report in a packet of samples.
 fn extio_report(spec: &Spec) -> Option<ExtioReport> {
     let fields = spec.status_fields().iter();
     let members: Map<_, _> =
@@ -238,12 +238,12 @@ fn extio_report(spec: &Spec) -> Option<ExtioReport> {
     packet.extio.and_then(|extio| extio.known().cloned())
 }
 
-/// A reply that fits the spec.
+/// Generates a reply that fits the spec.
 fn made_up(spec: &Spec, command: &jaka_spec::Command) -> String {
     accepted(&command.wire, &Value::Object(jaka_dynamic::sample_reply(spec, command)).to_string())
 }
 
-/// The reply that accepts a command, with the members of a JSON object.
+/// Returns the reply that accepts a command, with the members of a JSON object.
 pub(crate) fn accepted(command: &str, members: &str) -> String {
     let mut out = Writer::new();
     write_refusal(Some(command), ErrorCode::SUCCESS, "", &mut out);
@@ -253,7 +253,7 @@ pub(crate) fn accepted(command: &str, members: &str) -> String {
     }
 }
 
-/// Usual refusal of a command that the controller knows.
+/// Returns the usual refusal of a known command.
 pub(crate) fn usual_refusal(command: &str) -> (ErrorCode, String) {
     (ErrorCode::CALL_FAILED, format!("call {command} failed"))
 }

@@ -1,4 +1,4 @@
-//! The status packet.
+//! Status packet.
 
 mod extio;
 mod keys;
@@ -16,25 +16,25 @@ use crate::json_text::{members, respace};
 use crate::spec_index::SpecIndex;
 use crate::{Firmware, State};
 
-/// A key and what it shows, as the last packet had them: most are the same in the next one, and to write them is most
-/// of what a controller does.
+/// Key and value in the last packet. Most are unchanged in the next packet, and writing them is most of the
+/// controller's work.
 #[derive(Debug, Default)]
 pub(crate) struct Part {
     shown: Option<Shown>,
     text: String,
 }
 
-/// Value that a packet shows at a key.
+/// Value of a key in a packet.
 #[derive(Debug, PartialEq)]
 enum Shown {
-    /// Value that a user has set, as it is.
+    /// Value set by the user, unchanged.
     Set(Value),
     /// Value of the state, in JSON.
     State(String),
 }
 
-/// The packet that shows a state: the keys of the firmware, and those that packs add. A key that a user has set has the
-/// user's value.
+/// Returns the packet for a state: the keys of the firmware, and those of packs. A key set by the user has the user's
+/// value.
 pub(crate) fn packet(
     state: &State,
     firmware: Firmware,
@@ -68,8 +68,8 @@ pub(crate) fn packet(
     with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }
 
-/// The fields that the firmware sends, `own` by the built-in spec, and those that packs add last. Packs may have given
-/// them other names.
+/// Returns the fields that the firmware sends, `own` by the built-in spec, and those added by packs last. Packs may
+/// have renamed them.
 fn fields<'s>(spec_index: &'s SpecIndex, own: &BTreeMap<String, &str>) -> Vec<&'s Field> {
     let is_sent = |field: &&Field| own.contains_key(&field.wire);
     let fields = spec_index.spec.status_fields();
@@ -82,7 +82,7 @@ fn fields<'s>(spec_index: &'s SpecIndex, own: &BTreeMap<String, &str>) -> Vec<&'
     known.chain(fields.iter().filter(is_added)).collect()
 }
 
-/// A key and what it shows, after a comma.
+/// Returns a key and its value, after a comma.
 fn written(field: &Field, shown: &Shown, values: Values<'_>, forms: Option<&Forms>) -> String {
     let mut out = Writer::new();
     match shown {
@@ -94,24 +94,24 @@ fn written(field: &Field, shown: &Shown, values: Values<'_>, forms: Option<&Form
     format!(",{}:{value}", json(&key))
 }
 
-/// The key and the value of a field in the form of the firmware.
+/// Returns the key and the value of a field in the form of the firmware.
 fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)> {
     let member = Map::from_iter([(field.wire.clone(), serde_json::from_str(value).ok()?)]);
     let (key, value) = forms.written(Message::Status, &member)?.into_iter().next()?;
     Some((key, value.to_string()))
 }
 
-/// Value of the state that a packet shows at a key, in JSON; `own` has the values of all keys by the built-in spec.
+/// Returns the value of the state for a key of packets, in JSON; `own` has the values of all keys by the built-in spec.
 fn shown(field: &Field, own: &BTreeMap<String, &str>, spec_index: &SpecIndex) -> String {
     let value = spec_index.status_value(field, |wire| own.get(wire).copied());
     value.unwrap_or_else(|| jaka_dynamic::sample_value(&spec_index.spec, field).to_string())
 }
 
-/// The packet's text, with its own length between its parts.
+/// Returns the packet's text, with its own length between its parts.
 fn with_length(head: &str, tail: &str) -> String {
     let rest = head.len() + tail.len();
     let mut length = rest;
-    // The length counts its own digits. It never shrinks here, so this ends.
+    // The length counts its own digits. It never shrinks here, so the loop ends.
     while rest + length.to_string().len() != length {
         length = rest + length.to_string().len();
     }
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn the_length_counts_itself() {
-        // Lengths around those at which it gets another digit, and so counts one more.
+        // Lengths around those at which the length has another digit, and so counts one more.
         for padding in (0..120).chain(900..1020).chain(9_900..10_020) {
             let text = with_length("{\"len\":", &format!(",\"errmsg\":\"{}\"}}", "x".repeat(padding)));
             assert!(text.starts_with(&format!("{{\"len\":{},", text.len())), "{padding}: {text}");

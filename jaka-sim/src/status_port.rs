@@ -1,4 +1,4 @@
-//! Port 10000: any number of readers, each of which is sent the state again and again.
+//! Status port (10000): any number of readers, each of which gets the state periodically.
 
 use std::io;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ fn admit(socket: Socket, shared: &Arc<Shared>) -> io::Result<()> {
             }
         });
     }
-    // With a stepped clock, packets go out as it is stepped.
+    // With a stepped clock, each step sends the packets.
     let period = Some(host.options.real_period()).filter(|_| !host.options.stepped);
     let run = move |reader: &Reader| reader.run(period, || host.packet());
     shared.readers.add(socket, &shared.links, run)

@@ -1,4 +1,4 @@
-//! Conditions on the state, and the actions that follow once they hold.
+//! Conditions on the state, and their actions.
 
 use std::any::Any;
 use std::fmt;
@@ -11,8 +11,8 @@ use jaka_clock::{Clock, Signal, lock};
 
 use crate::State;
 
-/// Handle of a condition of [`Controller::when`](crate::Controller::when), which tells its progress. Dropping it
-/// changes nothing.
+/// Handle of a condition of [`Controller::when`](crate::Controller::when). It reports the progress; dropping it has no
+/// effect.
 #[derive(Debug, Clone)]
 pub struct Trigger(Arc<Inner>);
 
@@ -25,7 +25,7 @@ struct Inner {
 #[derive(Debug, Default)]
 struct TriggerProgress {
     fired_at: Option<Duration>,
-    /// The action has returned, or there is none to come.
+    /// Whether the action has returned, or will never run.
     is_over: bool,
     panic: Option<Box<dyn Any + Send>>,
 }
@@ -35,16 +35,17 @@ impl Trigger {
         Self(Arc::new(Inner { progress: Mutex::default(), changed: Signal::new(time) }))
     }
 
-    /// Time at which the condition first held, in the controller's time since its start; `None` if it has not held yet.
+    /// Returns the time at which the condition first held, in the controller's time since its start; `None` if it has
+    /// not held yet.
     pub fn fired_at(&self) -> Option<Duration> {
         lock(&self.0.progress).fired_at
     }
 
-    /// Waits until the action has returned; false if it has not after `timeout`, or the controller is gone before the
+    /// Waits until the action has returned; returns false on timeout, or if the controller was dropped before the
     /// condition held.
     ///
     /// # Panics
-    /// The condition or the action has panicked: with the same payload, once.
+    /// If the condition or the action has panicked: with the same payload, once.
     pub fn wait(&self, timeout: Duration) -> bool {
         let mut progress = self.0.changed.wait_until(&self.0.progress, timeout, |progress| progress.is_over);
         if let Some(payload) = progress.panic.take() {
@@ -54,7 +55,7 @@ impl Trigger {
         progress.is_over && progress.fired_at.is_some()
     }
 
-    /// Waits for the condition, or so long; true if it is still waited for.
+    /// Waits for the condition, up to this time; returns true if it is still pending.
     pub(crate) fn waits(&self, time: Duration) -> bool {
         let is_settled = |progress: &TriggerProgress| progress.fired_at.is_some() || progress.is_over;
         !is_settled(&self.0.changed.wait_until(&self.0.progress, time, is_settled))
@@ -66,7 +67,7 @@ impl Trigger {
         drop(self.0.changed.wait_until(&self.0.progress, Duration::MAX, is_done));
     }
 
-    /// Waits for the condition no longer.
+    /// Discards the condition if it is still pending.
     pub(crate) fn give_up(&self) {
         self.change(|progress| progress.is_over |= progress.fired_at.is_none());
     }
@@ -92,7 +93,7 @@ impl Trigger {
     }
 }
 
-/// A condition that is waited for.
+/// Pending condition.
 pub(crate) struct Condition {
     holds: Box<dyn FnMut(&State) -> bool + Send>,
     trigger: Trigger,
@@ -103,7 +104,7 @@ impl Condition {
         Self { holds: Box::new(holds), trigger: trigger.clone() }
     }
 
-    /// True if it need not be asked again, since it holds in this state or has panicked.
+    /// Whether the condition is settled: it holds in this state, or its check has panicked.
     pub(crate) fn is_settled(&mut self, state: &State, now: Duration) -> bool {
         match panic::catch_unwind(AssertUnwindSafe(|| (self.holds)(state))) {
             Ok(false) => return false,
@@ -120,7 +121,7 @@ impl fmt::Debug for Condition {
     }
 }
 
-/// The conditions of a controller, each with the thread that waits for it.
+/// Conditions of a controller, each with its waiting thread.
 #[derive(Debug, Default)]
 pub(crate) struct Triggers(Mutex<Vec<(Trigger, JoinHandle<()>)>>);
 
@@ -137,7 +138,7 @@ impl Triggers {
         all.iter().for_each(Trigger::wait_for_action);
     }
 
-    /// Gives up all conditions that do not hold yet, and waits for the actions of the others and for the threads.
+    /// Discards all pending conditions, and waits for the actions of the others and for the threads.
     pub(crate) fn close(&self) {
         loop {
             let all = std::mem::take(&mut *lock(&self.0));
@@ -150,7 +151,7 @@ impl Triggers {
             // An action may drop the controller.
             let is_other = |thread: &JoinHandle<()>| thread.thread().id() != thread::current().id();
             for (trigger, thread) in all.into_iter().filter(|(_, thread)| is_other(thread)) {
-                // By a simulated clock, time goes on only for a wait that it knows.
+                // A simulated clock advances only for waits that it knows.
                 trigger.wait_for_action();
                 drop(thread.join());
             }

@@ -2,7 +2,7 @@
 
 use crate::fault::{kinds, quoted};
 
-/// The events of the first joint's drive, by the vendor's table of controller events; those of the others follow at
+/// Events of the first joint's drive, in the vendor's table of controller events; those of the other joints follow at
 /// this distance.
 const SPEED: u32 = 0x10_8482;
 const SPEED_DEVIATION: u32 = 0x10_8485;
@@ -13,42 +13,43 @@ const COMMAND_ERROR: u32 = 0x10_8614;
 const NEXT_JOINT: u32 = 0x1_0000;
 
 kinds! {
-    /// A threshold beyond which a joint's drive stops the arm with an error event.
+    /// Threshold beyond which a joint's drive stops the arm with an error event.
     ///
-    /// The vendor's table of controller events says what trips, and not at which values: without
-    /// [`Builder::trips`](crate::Builder::trips) nothing does. A trip puts its event into the error code, ends servo
-    /// mode and halts the arm where it is; further set-points are refused as outside servo mode. In the codes, `n` is
-    /// the joint, from 0 to 5.
+    /// The vendor's table of controller events gives the conditions, but not their values: without
+    /// [`Builder::trips`](crate::Builder::trips) there are none. A trip puts its event into the error code, ends servo
+    /// mode and halts the arm in its position; the controller then refuses set-points as outside servo mode. In the
+    /// codes, `n` is the joint, from 0 to 5.
     ///
-    /// Positions and speeds of the arm are looked at in each cycle of each motion. Set-points are compared with the one
-    /// before, each over its nominal period whenever it came; the first, and one that comes more than 100 ms after the
-    /// one before, with rest. They are looked at as they were sent, before the filter.
+    /// The drives check positions and speeds of the arm in each cycle of each motion. They compare a set-point with the
+    /// previous one, each over its nominal period regardless of its arrival time. They compare the first set-point, and
+    /// one more than 100 ms after the previous one, with rest. They check set-points as sent, before the filter.
     ///
-    /// A trip has a text form, as `jaka sim --trips` takes it: `deviation 1.5`. It is what `Display` writes and
-    /// `FromStr` reads.
+    /// A trip has a text form, as for `jaka sim --trips`: `deviation 1.5`. `Display` writes it and `FromStr` reads it.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub enum Trip("a trip", unknown);
 
-    /// The event of it, if there is one.
+    /// Returns the event for the observation, if the threshold is exceeded.
     pub(crate) fn event(&self, observed: &Observed) -> Option<u32>;
 
-    /// A joint is so many degrees from its commanded position: event `0x1n8611`. `deviation 1.5` as a text.
+    /// Greatest distance of a joint from its commanded position, in degrees: event `0x1n8611`. `deviation 1.5` as a
+    /// text.
     Deviation(most: f64 as threshold = 1.0): "deviation" => event(DEVIATION, observed.deviation, *most);
 
-    /// A joint is faster, in deg/s: event `0x1n8482`. `speed 180` as a text.
+    /// Greatest speed of a joint, in deg/s: event `0x1n8482`. `speed 180` as a text.
     Speed(most: f64 as threshold = 1.0): "speed" => event(SPEED, observed.speed, *most);
 
-    /// A joint's speed is so far from its commanded one, in deg/s: event `0x1n8485`. `speed-deviation 30` as a text.
+    /// Greatest difference of a joint's speed from its commanded one, in deg/s: event `0x1n8485`. `speed-deviation 30`
+    /// as a text.
     SpeedDeviation(most: f64 as threshold = 1.0): "speed-deviation" => event(SPEED_DEVIATION, observed.speed_deviation, *most);
 
-    /// A set-point asks for a greater speed of a joint, in deg/s: event `0x1n8612`. `command-speed 180` as a text.
+    /// Greatest joint speed that a set-point may command, in deg/s: event `0x1n8612`. `command-speed 180` as a text.
     ///
-    /// Set-points of more than 180 deg/s (4.15) have no effect where they do not trip.
+    /// Set-points of more than 180 deg/s (4.15) without a trip have no effect.
     CommandSpeed(most: f64 as threshold = 1.0): "command-speed" => event(COMMAND_SPEED, observed.command_speed, *most);
 
-    /// A set-point asks for a greater acceleration of a joint, in deg/s²: event `0x1n8613`. `command-acceleration 2000`
-    /// as a text.
+    /// Greatest joint acceleration that a set-point may command, in deg/s²: event `0x1n8613`.
+    /// `command-acceleration 2000` as a text.
     CommandAcceleration(most: f64 as threshold = 1.0): "command-acceleration" => event(COMMAND_ACCELERATION, observed.command_acceleration, *most);
 }
 
@@ -56,8 +57,8 @@ fn unknown(_word: &str) -> String {
     format!("unknown trip; the trips, each with a threshold, are {}", quoted(&Trip::one_of_each()))
 }
 
-/// Observations of the drives in a cycle, of the arm's motion or of a set-point: values of each joint, in degrees,
-/// deg/s and deg/s².
+/// Values that the drives observe in a cycle, of the arm's motion or of a set-point: for each joint, in degrees, deg/s
+/// and deg/s².
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Observed {
     pub(crate) deviation: [f64; 6],
@@ -67,12 +68,12 @@ pub(crate) struct Observed {
     pub(crate) command_acceleration: [f64; 6],
 }
 
-/// The event of what is observed, if there is one.
+/// Returns the event for an observation, if there is one.
 pub(crate) fn error(trips: &[Trip], observed: &Observed) -> Option<u32> {
     trips.iter().find_map(|trip| trip.event(observed))
 }
 
-/// The event of set-points that have stopped at these speeds: that of the fastest joint.
+/// Returns the event for set-points that stopped at these speeds: that of the fastest joint.
 pub(crate) fn command_error(speed: [f64; 6]) -> u32 {
     let fastest = speed.iter().map(|speed| speed.abs()).fold(0.0, f64::max);
     let joints = speed.iter().zip(0..);
@@ -80,7 +81,7 @@ pub(crate) fn command_error(speed: [f64; 6]) -> u32 {
     COMMAND_ERROR + joint * NEXT_JOINT
 }
 
-/// The event of the first joint whose value is greater. What is greater by rounding is not.
+/// Returns the event of the first joint with a greater value. A difference by rounding does not count.
 fn event(code: u32, values: [f64; 6], most: f64) -> Option<u32> {
     let codes = (0..).map(|joint| code + joint * NEXT_JOINT);
     values.iter().zip(codes).find(|(value, _)| value.abs() > most * (1.0 + 1e-9) + 1e-9).map(|(_, code)| code)

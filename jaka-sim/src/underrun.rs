@@ -7,25 +7,25 @@ use std::time::Duration;
 use crate::ScriptError;
 use crate::fault::read_time;
 
-/// Reaction of the arm in servo mode when no set-point is there in its cycle, and the last one had speed.
+/// Reaction of the arm in servo mode if a cycle has no set-point, and the last set-point had speed.
 ///
-/// No source documents the reaction of real controllers: each of these is a guess, and a program has to be safe with
-/// each. A set-point that repeats the one before leaves no speed, and nothing happens after it.
+/// No source documents the reaction of real controllers: each of these is a guess, and a program must be safe with
+/// each. A set-point that repeats the previous one leaves no speed, and nothing happens after it.
 ///
-/// It has a text form, as `jaka sim --underrun` takes it: `hold`, `fault 40ms`, `run-out 300`.
+/// The text form, as for `jaka sim --underrun`, is `hold`, `fault 40ms` or `run-out 300`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Underrun {
-    /// The arm is held at the last set-point. `hold` as a text.
+    /// Holds the last set-point. `hold` as a text.
     #[default]
     Hold,
-    /// The arm is held at the last set-point, and if none comes for so long, an error event ends servo mode: `0x1n8614`
-    /// of the fastest joint. `fault 40ms` as a text, `fault` for at once.
+    /// Holds the last set-point. If none comes for this time, an error event ends servo mode: `0x1n8614` of the fastest
+    /// joint. `fault 40ms` as a text, `fault` for at once.
     Fault(Duration),
-    /// The arm goes on at the last speed, and the fastest joint brakes with this deceleration, in deg/s². `run-out 300`
-    /// as a text.
+    /// Continues at the last speed; the fastest joint brakes with this deceleration, in deg/s². `run-out 300` as a
+    /// text.
     ///
-    /// At the end of a joint's range it stops. A set-point that comes meanwhile is followed from where the arm is.
+    /// The arm stops at the end of a joint's range. It follows a new set-point from its present position.
     RunOut(f64),
 }
 
@@ -46,7 +46,7 @@ impl FromStr for Underrun {
     /// Reads the text form.
     ///
     /// # Errors
-    /// It is none of these, the time is not one, or the deceleration is not a number greater than 0.
+    /// The word is unknown, the time is invalid, or the deceleration is not a number greater than 0.
     fn from_str(text: &str) -> Result<Self, ScriptError> {
         let words: Vec<_> = text.split_whitespace().collect();
         let read = match *words {

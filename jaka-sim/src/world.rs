@@ -1,4 +1,4 @@
-//! The controller and its arm over time.
+//! Controller and arm over time.
 
 mod schedule;
 
@@ -25,7 +25,7 @@ use crate::trips::{self, Observed, Trip};
 use crate::underrun::Underrun;
 use crate::{Builder, Contact, Delays, Habits, State};
 
-/// The state, and what changes it as time goes on.
+/// State of the controller, and the processes that change it over time.
 #[derive(Debug)]
 pub(crate) struct World {
     pub(crate) state: State,
@@ -37,28 +37,28 @@ pub(crate) struct World {
     schedule: Schedule,
     links: Arc<Links>,
     touch: Touch,
-    /// For how long the arm has been moving without a rest.
+    /// Duration of the present motion, since the last rest.
     busy: Duration,
     pub(crate) programs: HashMap<String, Program>,
     pub(crate) runner: Option<Runner>,
-    /// The file for which a trajectory is recorded, and where the arm has been since.
+    /// File of the running trajectory recording, and the recorded positions.
     pub(crate) recorder: Option<(String, Vec<Joints>)>,
-    /// The trajectory files, by name; the document's own, which stand in the list from the start, are empty.
+    /// Trajectory files, by name; those of the document, in the list from the start, are empty.
     pub(crate) recordings: HashMap<String, Vec<Joints>>,
-    /// True while the arm moves to identify the payload.
+    /// Whether the arm moves to identify the payload.
     pub(crate) identifying: bool,
     pub(crate) delays: Delays,
     pub(crate) habits: Habits,
     pub(crate) writing: Writing,
-    /// The states of which events have been sent.
+    /// States at the last report of events.
     seen: Reported,
-    /// End of the information in the error code.
+    /// Time at which the information leaves the error code.
     event_ends: Option<Duration>,
     changes: Vec<(Duration, Change)>,
     now: Duration,
 }
 
-/// A change of state that takes its time.
+/// Change of state with a delay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Change {
     PoweredOn,
@@ -66,12 +66,12 @@ pub(crate) enum Change {
     ServoMode(bool),
 }
 
-/// Event for which a reply waits.
+/// Event on which a reply waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wait {
-    /// The arm is at rest, or the controller's time is this, if it is given.
+    /// The arm is at rest, or the controller's time has reached the given time.
     Rest(Option<Duration>),
-    /// The change is made or given up.
+    /// The change is made or cancelled.
     Change(Change),
 }
 
@@ -109,23 +109,23 @@ impl World {
         Ok(world)
     }
 
-    /// The controller's time.
+    /// Returns the controller's time.
     pub(crate) fn now(&self) -> Duration {
         self.now
     }
 
-    /// Lets time pass, cycle by cycle.
+    /// Advances the time, cycle by cycle.
     pub(crate) fn advance_to(&mut self, now: Duration) {
         while !self.advance_until_fired(now) {}
     }
 
-    /// Lets time pass, cycle by cycle, up to one in which a condition is settled; true if there is none before this
+    /// Advances the time, cycle by cycle, up to a cycle that settles a condition; returns true if none does before this
     /// time.
     pub(crate) fn advance_until_fired(&mut self, now: Duration) -> bool {
         let conditions = self.conditions();
         let mut left = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
         while left > 0 {
-            // Where nothing goes on, all cycles are passed at once.
+            // In an idle state, all cycles pass at once.
             let is_idle = self.is_idle();
             let cycles = if is_idle { self.idle_cycles(left) } else { 1 };
             self.now += CYCLE * cycles;
@@ -143,8 +143,7 @@ impl World {
         true
     }
 
-    /// Number of cycles that can be passed at once while nothing goes on, up to the next scheduled change; at most
-    /// `left`.
+    /// Returns the number of idle cycles up to the next scheduled change; at most `left`.
     fn idle_cycles(&self, left: u128) -> u32 {
         let until = |due: Duration| due.saturating_sub(self.now).as_nanos().div_ceil(CYCLE.as_nanos()).max(1);
         let next_due = self.next_due().into_iter().chain(self.event_ends).min();
@@ -156,17 +155,17 @@ impl World {
         self.changes.is_empty() && self.is_at_rest() && self.busy.is_zero()
     }
 
-    /// True while the arm moves or has motions to run.
+    /// Whether the arm moves or has motions to run.
     pub(crate) fn is_moving(&self) -> bool {
         self.engine.is_busy() || !self.drives.is_settled()
     }
 
-    /// True where the arm does not move, and nothing waits for it to do so.
+    /// Whether the arm does not move, and no program runs.
     pub(crate) fn is_at_rest(&self) -> bool {
         !self.is_moving() && self.runner.is_none()
     }
 
-    /// True if there is nothing left to wait for.
+    /// Whether the awaited event has occurred.
     pub(crate) fn is_over(&self, wait: Wait) -> bool {
         match wait {
             Wait::Rest(time) => self.is_at_rest() || time.is_some_and(|time| self.now >= time),
@@ -196,7 +195,7 @@ impl World {
         }
     }
 
-    /// Stands still at once, and gives up all that moves the arm.
+    /// Stops the arm at once, and discards all motions.
     fn halt(&mut self) {
         self.engine.halt();
         self.drives.place(self.state.joint_position.0);
@@ -207,7 +206,7 @@ impl World {
         }
     }
 
-    /// Makes a change after a delay, or at once if there is none.
+    /// Makes a change after a delay; at once if the delay is zero.
     pub(crate) fn later(&mut self, delay: Duration, change: Change) {
         if delay.is_zero() {
             self.make(change);
@@ -234,12 +233,12 @@ impl World {
         self.make_consistent();
     }
 
-    /// Gives up the changes that are under way.
+    /// Cancels pending changes.
     pub(crate) fn cancel_changes(&mut self, cancelled: impl Fn(Change) -> bool) {
         self.changes.retain(|(_, change)| !cancelled(*change));
     }
 
-    /// Ends what cannot be in this state. Follows each change.
+    /// Ends conditions that the state excludes. Called after each change.
     pub(crate) fn make_consistent(&mut self) {
         self.state.make_consistent();
         if self.state.joint_position != JointPosition(self.drives.actual) {
@@ -258,8 +257,7 @@ impl World {
         self.ask_conditions();
     }
 
-    /// Updates the values that follow from a change and from the motion: events, the pose, and whether the robot is in
-    /// position.
+    /// Updates the values derived from a change or a motion: events, the pose, and whether the robot is in position.
     fn update(&mut self) {
         self.report_events();
         self.state.tcp_pose = self.pose(self.state.joint_position.0);
@@ -274,8 +272,8 @@ impl World {
         }
     }
 
-    /// Updates the commanded positions. With the habit [`Lead`](crate::Habit::Lead), they are the positions that the
-    /// arm will have later.
+    /// Updates the commanded positions. With the habit [`Lead`](crate::Habit::Lead), they are later positions of the
+    /// arm.
     fn update_commanded(&mut self) {
         let joints = self.drives.commanded;
         let lead = self.habits.lead.filter(|_| self.engine.is_busy()).unwrap_or_default();
@@ -284,12 +282,12 @@ impl World {
         self.state.tcp_commanded_pose = self.pose(ahead);
     }
 
-    /// The rate by which motions are scaled; none goes on in a pause.
+    /// Returns the scale of motion speeds; 0 in a pause.
     fn rate(&self) -> f64 {
         if self.state.program_state == ProgramState::Paused { 0.0 } else { self.state.rapid_rate }
     }
 
-    /// Brakes, and forgets all motions that wait.
+    /// Brakes, and discards all waiting motions.
     pub(crate) fn stop(&mut self) {
         self.engine.stop(self.drives.commanded, &self.model);
     }
@@ -298,12 +296,12 @@ impl World {
         self.model.forward(joints) * self.tool()
     }
 
-    /// The tool frame in use, on the flange.
+    /// Returns the tool frame in use, relative to the flange.
     pub(crate) fn tool(&self) -> Transform {
         offset(&self.state.tool_frames, self.state.tool_frame_id)
     }
 
-    /// The user frame in use, on the base.
+    /// Returns the user frame in use, relative to the base.
     pub(crate) fn user(&self) -> Transform {
         offset(&self.state.user_frames, self.state.user_frame_id)
     }
@@ -312,12 +310,12 @@ impl World {
         Frames::new().with_tool(self.tool()).with_user_frame(self.user())
     }
 
-    /// The tool frame in use, seen from the user frame in use, for these joints.
+    /// Returns the pose of the tool frame in use, relative to the user frame in use, for these joints.
     pub(crate) fn pose(&self, joints: Joints) -> Pose {
         self.frames().pose(self.model.forward(joints))
     }
 
-    /// The flange for a pose as [`pose`](Self::pose) gives it.
+    /// Returns the flange for a pose as returned by [`pose`](Self::pose).
     pub(crate) fn flange(&self, pose: Pose) -> Transform {
         self.frames().flange(pose)
     }
@@ -338,7 +336,7 @@ impl World {
         }
     }
 
-    /// Starts the next command of the program when the one before has ended.
+    /// Starts the next command of the program after the end of the previous one.
     pub(super) fn run_program(&mut self) {
         if self.state.program_state != ProgramState::Running || self.engine.is_busy() {
             return;
@@ -361,7 +359,7 @@ impl World {
         self.state.program_state = ProgramState::Idle;
     }
 
-    /// Servo mode, with the filter that is set.
+    /// Creates the servo mode with the present filter settings.
     pub(super) fn servo(&self) -> Servo {
         let filter = &self.state.servo_filter;
         let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
@@ -389,19 +387,19 @@ impl World {
         self.make_consistent();
     }
 
-    /// Puts a plane into the way, or takes it away.
+    /// Sets or removes the contact plane.
     pub(crate) fn set_contact(&mut self, contact: Option<Contact>) {
         self.touch = Touch::new(contact);
         self.state.torque_sensor.contact_force = [0.0; 6];
         self.feel();
     }
 
-    /// Greatest depth of the tool below the plane, in mm.
+    /// Returns the greatest depth of the tool below the plane, in mm.
     pub(crate) fn deepest_penetration(&self) -> f64 {
         self.touch.deepest
     }
 
-    /// The force on the tool where it is.
+    /// Updates the depth and the contact force for the present position of the tool.
     pub(super) fn feel(&mut self) {
         let Some(contact) = self.touch.contact else { return };
         let tool = self.tool_at(self.state.joint_position.0);
@@ -409,7 +407,7 @@ impl World {
         self.state.torque_sensor.contact_force = contact.force(&tool);
     }
 
-    /// Puts what has happened into the error code, if that is a habit and the code is not that of an error.
+    /// Reports new events in the error code, if the controller has that habit and the code is not an error.
     pub(super) fn report_events(&mut self) {
         let now = Reported {
             enabled: self.state.enabled,
@@ -433,14 +431,14 @@ impl World {
         }
     }
 
-    /// Takes information out of the error code when its time is over.
+    /// Removes information from the error code after its time.
     pub(super) fn end_information(&mut self) {
         if self.event_ends.take_if(|ends| *ends <= self.now).is_some() && !has_error(&self.state) {
             self.state.clear_error();
         }
     }
 
-    /// Queues a motion; false if the arm cannot make it, or the request is not a motion.
+    /// Queues a motion; returns false if the arm cannot make it, or the request is not a motion.
     pub(crate) fn start_motion(&mut self, request: &Request) -> bool {
         let planned = match request {
             Request::JointMove(command) => joint_move(command, self),
@@ -452,22 +450,22 @@ impl World {
         self.enqueue(planned.filter(|_| self.engine.jog.is_none()))
     }
 
-    /// Queues a motion; false if there is none.
-    /// Number of motions that wait for the end of the one that runs.
+    /// Returns the number of motions that wait for the end of the running one.
     pub(crate) fn motions_waiting(&self) -> usize {
         self.engine.waiting()
     }
 
+    /// Queues a motion; returns false if there is none.
     pub(crate) fn enqueue(&mut self, planned: Option<Planned>) -> bool {
         planned.map(|planned| self.engine.enqueue(planned)).is_some()
     }
 
-    /// Joint position at which the next motion starts, in degrees.
+    /// Returns the joint position at which the next motion starts, in degrees.
     pub(crate) fn tail(&self) -> Joints {
         self.engine.tail(self.drives.commanded)
     }
 
-    /// The way of all joints to a target.
+    /// Plans a motion of all joints to a target.
     pub(crate) fn plan_joints(&self, to: Joints, speed: f64, acceleration: f64) -> Option<Planned> {
         let from = self.tail();
         self.model.is_within_range(to).then_some(())?;
@@ -483,14 +481,14 @@ impl World {
         Some(Planned { path, profile, deceleration: acceleration, end, zone: None })
     }
 
-    /// A motion that goes over into the next one within a tolerance, where that is a habit.
+    /// Adds a blend zone of this tolerance to a motion, if the controller has that habit.
     fn rounded(&self, planned: Planned, tolerance: Option<f64>) -> Planned {
         let radius = tolerance.filter(|_| self.habits.blend).unwrap_or_default();
         let end = self.model.forward(planned.end) * self.tool();
         Planned { zone: Zone::new(self.tool(), end, radius), ..planned }
     }
 
-    /// The flange displaced along the axes of the user frame.
+    /// Returns the flange displaced along the axes of the user frame.
     pub(crate) fn displaced(&self, flange: Transform, by: Pose) -> Transform {
         let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
         reference.moved(flange, by.into())
@@ -502,7 +500,7 @@ fn offset(frames: &[crate::Frame], id: i64) -> Transform {
     frame.map_or_else(Transform::identity, |frame| frame.offset.into())
 }
 
-/// The plane in the way of the tool centre point, and how deep the tool has been.
+/// Contact plane for the tool centre point, and the greatest depth of the tool.
 #[derive(Debug)]
 pub(super) struct Touch {
     contact: Option<Contact>,
@@ -536,13 +534,13 @@ pub(super) struct Reported {
     protective_stop: bool,
 }
 
-/// True where the error code has something else than information.
+/// Whether the error code is anything other than information.
 fn has_error(state: &State) -> bool {
     let event = ControllerEvent::from_text(&state.error_code);
     event.map_or(true, |event| event.is_some_and(|event| event.severity() != Severity::Information))
 }
 
-/// Acceleration where a command leaves it out, in deg/s² and mm/s². What controllers choose is not known.
+/// Acceleration for a command without one, in deg/s² and mm/s². The default of real controllers is unknown.
 const USUAL_ACCELERATION: f64 = 180.0;
 
 fn joint_move(command: &JointMove, world: &World) -> Option<Planned> {
@@ -560,7 +558,7 @@ fn end_move(command: &EndMove, world: &World) -> Option<Planned> {
     world.plan_joints(to.into(), command.speed, command.acceleration.unwrap_or(USUAL_ACCELERATION))
 }
 
-/// Pose of the tool at a pose that a command gives.
+/// Returns the pose of the tool for the pose of a command.
 fn tool_at(world: &World, mode: MoveMode, pose: Pose) -> Transform {
     let tool = world.tool();
     match mode {

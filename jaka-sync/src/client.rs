@@ -63,15 +63,15 @@ impl Client {
         Ok(Self { link, config: config.clone(), reply: String::new(), handle: Handle::FIRST, owns_link: true })
     }
 
-    /// Another handle of the same connection, for another thread or for use beside a [`Pipeline`](crate::Pipeline).
+    /// Returns another handle of the same connection, for another thread or for use beside a
+    /// [`Pipeline`](crate::Pipeline).
     ///
-    /// One request of a connection is on its way to the controller at a time: a handle that sends much keeps the others
-    /// waiting for as long as the network takes it. Replies reach the handle that has asked. The first client owns the
-    /// connection: its drop closes it for all handles, whose calls fail then; the drop of another handle closes
-    /// nothing.
+    /// A connection sends one request at a time: a handle that sends much delays the others until the network has taken
+    /// its data. Each reply reaches the handle that sent the request. The first client owns the connection: dropping it
+    /// closes the connection for all handles, whose calls then fail. Dropping another handle closes nothing.
     ///
-    /// While a servo session, a stream or a trajectory of jaka-robot leads the arm, only outputs, short queries and
-    /// `stop_program` (4.23) pass by other handles than its own: all else is [`ErrorKind::KeptBack`].
+    /// While a servo session, a stream or a trajectory of jaka-robot moves the arm, other handles can send only
+    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`].
     ///
     /// ```no_run
     /// use jaka_sync::Client;
@@ -91,7 +91,7 @@ impl Client {
         Ok(self.lent_as(self.link.new_handle()))
     }
 
-    /// Clones the client with its own handle, for a thread that takes the place of this one and ends before it.
+    /// Clones the client with the same handle, for a thread that sends in place of this one and ends before it.
     pub(crate) fn lent(&self) -> Self {
         self.lent_as(self.handle)
     }
@@ -110,8 +110,8 @@ impl Client {
     ///
     /// # Errors
     /// - [`InvalidArgument`](ErrorKind::InvalidArgument): the spec forbids a field; nothing was sent.
-    /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the controller does not have it, after
-    ///   [`check_firmware`](Self::check_firmware); nothing was sent.
+    /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the firmware does not have the command or a field, which is known
+    ///   after [`check_firmware`](Self::check_firmware); nothing was sent.
     /// - [`FirmwareUnknown`](ErrorKind::FirmwareUnknown): the form of the command depends on the firmware; nothing was
     ///   sent.
     /// - [`Refused`](ErrorKind::Refused): the controller refused; the command did not run.
@@ -137,14 +137,14 @@ impl Client {
         command: &C,
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>> {
-        // One look at the firmware for the check, the request and its reply: another handle may set it.
+        // The firmware is read once for the check, the request and its reply, since another handle may set it.
         let rules = self.rules();
         command.check(rules).map_err(Error::from)?;
         self.call_as((C::INFO, rules.firmware), gate, timeout, &mut |out| command.write_request(out))
     }
 
-    /// Sends a request of a type that is known to its caller alone, and returns once it is accepted, unless the gate
-    /// keeps it back.
+    /// Sends a request of a type that only its caller knows, unless the gate keeps it back, and returns once it is
+    /// accepted.
     pub(crate) fn call_written<R>(
         &mut self,
         gate: Gate<'_, R>,
@@ -156,9 +156,9 @@ impl Client {
         self.call_as((info, rules.firmware), gate, timeout, &mut |out| request.write(out))
     }
 
-    /// Sends a request and waits for its reply, of this type.
+    /// Sends a request and waits for its reply, of type `A`.
     ///
-    /// Generic over the reply alone, which many commands have in common.
+    /// Generic over the reply type only, which many commands share.
     fn call_as<A: Fields, R>(
         &mut self,
         (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
@@ -176,8 +176,8 @@ impl Client {
         }
     }
 
-    /// Generic over the reason of the gate alone: a copy for each type of reply would be most of what this crate takes
-    /// to compile.
+    /// Sends a request and waits until `reader` has read its reply. Generic over the reason of the gate only: a copy
+    /// for each type of reply would make up most of this crate's compile time.
     fn exchange<R>(
         &mut self,
         (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
@@ -204,7 +204,7 @@ impl Client {
         Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
     }
 
-    /// Sends commands without waiting for their replies, which are counted, and says how many are outstanding.
+    /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
     pub(crate) fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
         self.check(commands)?;
         let (mut rest, mut outstanding) = (commands, 0);
@@ -215,7 +215,7 @@ impl Client {
         Ok(outstanding)
     }
 
-    /// Sends the first of some commands that have been checked, at least one, in one write.
+    /// Sends the first of the checked commands in one write: at least one of them.
     pub(crate) fn post_some<C: Command, R>(
         &self,
         gate: Gate<'_, R>,
@@ -230,10 +230,10 @@ impl Client {
         Ok(commands.iter().try_for_each(|command| command.check(self.rules()))?)
     }
 
-    /// Reads the controller's version once (`get_version`, 4.51). From then on a command or field that this firmware
-    /// does not have, according to the spec, is refused before it is sent, and values have the forms of this firmware,
-    /// where firmware differs: a command whose form depends on it is refused before ([`ErrorKind::FirmwareUnknown`]).
-    /// All handles of the connection share what is known; for status packets, see
+    /// Reads the controller's version once (`get_version`, 4.51). From then on the client refuses commands and fields
+    /// that, according to the spec, this firmware does not have. Values whose form depends on the firmware have the
+    /// form of this firmware; before this call the client refuses a command with such a form
+    /// ([`ErrorKind::FirmwareUnknown`]). All handles of the connection share the firmware; for status packets, see
     /// [`Monitor::set_firmware`](crate::Monitor::set_firmware).
     ///
     /// By default, firmware is not checked. Raw calls and stop handles are never checked.
@@ -263,12 +263,12 @@ impl Client {
         self.link.set_firmware(firmware);
     }
 
-    /// The firmware that requests are checked against, if any.
+    /// Firmware that requests are checked against, if any.
     pub fn firmware(&self) -> Option<FirmwareVersion> {
         self.link.firmware()
     }
 
-    /// Sends a command that the spec does not know, and returns the whole reply as JSON.
+    /// Sends a command that is not in the spec, and returns the whole reply as JSON.
     ///
     /// `parameters` is a JSON object with the fields other than `cmdName`, or null for none. They are sent unchecked.
     ///
@@ -280,9 +280,9 @@ impl Client {
     /// ```
     ///
     /// # Errors
-    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `parameters` is something else, or
-    /// has a `cmdName` of its own; [`UnexpectedReply`](ErrorKind::UnexpectedReply) if the reply is accepted but not
-    /// JSON throughout, or a key comes twice in it.
+    /// As [`call`](Self::call); [`InvalidArgument`](ErrorKind::InvalidArgument) if `parameters` is another JSON value
+    /// or has a `cmdName`; [`UnexpectedReply`](ErrorKind::UnexpectedReply) if the reply is accepted but is not JSON
+    /// throughout, or has a key twice.
     pub fn call_raw(&mut self, command: &str, parameters: &Value) -> Result<Value, Error> {
         let request = raw_request(command, parameters)?;
         let outgoing = Outgoing::named(
@@ -320,7 +320,7 @@ impl Client {
         Ok(&self.reply)
     }
 
-    /// The text of the last reply, as it came, even if it was a refusal or does not fit the spec; with `\udcNN` for
+    /// Text of the last reply as it was received, even if it was a refusal or does not fit the spec; with `\udcNN` for
     /// each byte that is not UTF-8.
     pub fn last_reply(&self) -> Option<&str> {
         (!self.reply.is_empty()).then_some(&*self.reply)
@@ -332,18 +332,18 @@ impl Client {
         self.config.reply_timeout
     }
 
-    /// Returns the cause that broke the connection, if one did, even if the controller has ended it by now and no call
-    /// has noticed.
+    /// Returns the cause that broke the connection, if one did. Detects also an end by the controller that no call has
+    /// noticed yet.
     pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
         self.link.lost()
     }
 
-    /// A handle that stops the running motion or program from another thread, also while a call waits.
+    /// Returns a handle that stops the running motion or program from another thread, even while a call waits.
     pub fn stop_handle(&self) -> StopHandle {
         StopHandle::new(Arc::clone(&self.link), self.config.reply_timeout)
     }
 
-    /// The controller's address.
+    /// Address of the controller.
     ///
     /// # Errors
     /// The connection is closed.
@@ -352,7 +352,7 @@ impl Client {
     }
 }
 
-/// Closes the connection, so that another client can be served. Stop handles then fail, and say why.
+/// Closes the connection, so that the controller can serve another client. Stop handles then fail with this reason.
 impl Drop for Client {
     fn drop(&mut self) {
         if self.owns_link {
@@ -361,7 +361,7 @@ impl Drop for Client {
     }
 }
 
-/// True if a controller that carries out this command may close the connection instead of replying, and has done so.
+/// True if the controller closed the connection, and may do so instead of replying when it carries out this command.
 fn is_success_without_reply(info: &CommandInfo, error: &Error) -> bool {
     !info.reply_certain && closed(error)
 }

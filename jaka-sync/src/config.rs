@@ -12,13 +12,13 @@ use crate::{Recorder, StatusSampling};
 /// Configuration of connections: timeouts, keepalive, frame size and checks.
 ///
 /// Each setting has a getter whose name begins with `get_`. [`Client::connect_with`](crate::Client::connect_with) and
-/// its neighbours of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and `jaka_robot::Robot`
-/// connect by a configuration.
+/// the methods of the same name of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and
+/// `jaka_robot::Robot` connect by a configuration.
 ///
 /// Addresses are not settings: each connection takes its own. An address without a port, such as `10.5.5.100` or
-/// `robot.local`, means the protocol's port for what is connected; one with a port, such as `10.5.5.100:10001` or a
-/// socket address, means that port. Since a robot has two ports, `jaka_robot::Robot::connect_with`
-/// takes an address without a port, and `jaka_robot::Robot::connect_at` two addresses.
+/// `robot.local`, means the protocol's port for this kind of connection; one with a port, such as `10.5.5.100:10001` or
+/// a socket address, means that port. Since a robot has two ports, `jaka_robot::Robot::connect_with` takes an address
+/// without a port, and `jaka_robot::Robot::connect_at` two addresses.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -63,16 +63,16 @@ impl Default for Config {
     }
 }
 
-/// Durations shorter than this are taken as this: sockets take no timeout of zero.
+/// Shortest duration: shorter ones are raised to it, since sockets accept no timeout of zero.
 const SHORTEST: Duration = Duration::from_millis(1);
 
 impl Config {
-    /// The defaults, named at each setting.
+    /// Returns the defaults, which the setters name.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets the controller's firmware, where it is known before. Not known by default: see
+    /// Sets the controller's firmware, if it is known in advance. Not known by default: see
     /// [`Client::check_firmware`](crate::Client::check_firmware).
     pub fn firmware(mut self, firmware: Option<FirmwareVersion>) -> Self {
         self.firmware = firmware;
@@ -84,7 +84,7 @@ impl Config {
         self.firmware
     }
 
-    /// Sets how long connecting may take, over all addresses of a name, which share the time. 5 s by default.
+    /// Sets the longest time for connecting, over all addresses of a name, which share the time. 5 s by default.
     pub fn connect_timeout(mut self, timeout: Duration) -> Self {
         self.connect_timeout = timeout.max(SHORTEST);
         self
@@ -95,10 +95,10 @@ impl Config {
         self.connect_timeout
     }
 
-    /// Sets how long a reply, or a status packet, may take from the moment of the call. 5 s by default.
+    /// Sets the longest time for a reply, or a status packet, from the moment of the call. 5 s by default.
     ///
-    /// The time of a call includes the wait for other threads that send, and the sending itself.
-    /// Commands for which the spec names a longer time, such as `power_on` and the motions, get that longer time.
+    /// The time of a call includes the wait for other threads that send, and the sending itself. Commands with a longer
+    /// time in the spec, such as `power_on` and the motions, get that time.
     pub fn reply_timeout(mut self, timeout: Duration) -> Self {
         self.reply_timeout = timeout.max(SHORTEST);
         self
@@ -109,10 +109,10 @@ impl Config {
         self.reply_timeout
     }
 
-    /// Sets after how long a silence TCP probes the controller, so that a pulled cable is noticed; `None` for never.
-    /// 9 s by default, and a third of it between probes.
+    /// Sets the time of silence after which TCP probes the controller, so that a pulled cable is noticed; `None` for
+    /// never. 9 s by default, and a third of it between probes.
     ///
-    /// Systems take whole seconds from 1 to 32767: other times are rounded up to the next second, and limited to this
+    /// Systems accept whole seconds from 1 to 32767: other times are rounded up to the next second, and limited to this
     /// range. The time between probes is at least one second.
     pub fn keepalive(mut self, idle: Option<Duration>) -> Self {
         self.keepalive = idle;
@@ -135,7 +135,7 @@ impl Config {
         self.max_frame
     }
 
-    /// Sets whether advisory ranges are enforced: those that newer firmware has widened, and those that are only
+    /// Sets whether advisory ranges are enforced: ranges that newer firmware has widened, and ranges that are only
     /// advised. Enforced by default.
     pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
         self.advisory_ranges = ranges;
@@ -147,8 +147,8 @@ impl Config {
         self.advisory_ranges
     }
 
-    /// Sets after how long without a packet a [`Monitor`](crate::Monitor)'s status is stale. 0.5 s by default, which is
-    /// several periods of any firmware.
+    /// Sets the time without a packet after which a [`Monitor`](crate::Monitor)'s status is stale. 0.5 s by default,
+    /// which is several periods of any firmware.
     pub fn stale_after(mut self, age: Duration) -> Self {
         self.stale_after = age;
         self
@@ -159,7 +159,8 @@ impl Config {
         self.stale_after
     }
 
-    /// Sets when a [`Monitor`](crate::Monitor) connects again after its connection has ended. Never, by default.
+    /// Sets the policy by which a [`Monitor`](crate::Monitor) reconnects after its connection has ended. Never, by
+    /// default.
     pub fn reconnect(mut self, policy: Reconnect) -> Self {
         self.reconnect = policy;
         self
@@ -170,8 +171,7 @@ impl Config {
         self.reconnect
     }
 
-    /// Records all connections that are made with this configuration. Nothing is recorded by default, which costs
-    /// nothing.
+    /// Records all connections that are made with this configuration. Nothing is recorded by default, at no cost.
     pub fn recorder(mut self, recorder: Recorder) -> Self {
         self.recorder = Some(recorder);
         self
@@ -182,7 +182,7 @@ impl Config {
         self.recorder.as_ref()
     }
 
-    /// Sets which status packets are recorded. All by default, which can be about 0.5 MB each second.
+    /// Sets the status packets that are recorded. All by default, which can be about 0.5 MB each second.
     pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
         self.status_sampling = sampling;
         self
@@ -193,8 +193,8 @@ impl Config {
         self.status_sampling
     }
 
-    /// Has all that is connected take its time from a simulated clock, for tests: see
-    /// [`SimulatedClock`](crate::SimulatedClock). The system's clock by default. Needs the feature `simulated-clock`.
+    /// Sets a simulated clock for all connections, for tests: see [`SimulatedClock`](crate::SimulatedClock). The
+    /// system's clock by default. Needs the feature `simulated-clock`.
     ///
     /// Making connections takes real time, and no simulated time.
     #[cfg(feature = "simulated-clock")]
@@ -203,7 +203,7 @@ impl Config {
         self
     }
 
-    /// The value of [`clock`](Self::clock); none for the system's.
+    /// The value of [`clock`](Self::clock); `None` for the system's clock.
     #[cfg(feature = "simulated-clock")]
     pub fn get_clock(&self) -> Option<&crate::SimulatedClock> {
         self.clock.as_simulated()
@@ -212,7 +212,7 @@ impl Config {
 
 /// Policy by which a [`Monitor`](crate::Monitor) reconnects after its connection has ended.
 ///
-/// Only connections to the status port are made again: it is only read, and serves any number of readers. Connections
+/// Only connections to the status port are made again: it is read-only, and serves any number of readers. Connections
 /// to the command port never are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -220,8 +220,8 @@ pub enum Reconnect {
     /// Never: the monitor reports that the connection has ended.
     #[default]
     Never,
-    /// It tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long each
-    /// time, up to `longest`.
+    /// The monitor tries up to `limit` times in a row, and waits before each attempt: first `delay`, then twice as long
+    /// each time, up to `longest`.
     Attempts {
         /// Number of attempts in a row that may fail.
         limit: u32,

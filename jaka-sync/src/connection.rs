@@ -11,11 +11,11 @@ use socket2::{SockRef, TcpKeepalive};
 use crate::recorder::Tap;
 use crate::{COMMAND_PORT, Config, Error, ErrorKind, STATUS_PORT};
 
-/// Range of the times of a keepalive that systems take, in seconds.
+/// Range of keepalive times that systems accept, in seconds.
 const KEEPALIVE: std::ops::RangeInclusive<u64> = 1..=32767;
 
-/// Connects to a controller, and records it. `port` says which of the two ports it is, and is used where the address
-/// names none.
+/// Connects to a controller, and records it. `port` selects one of its two ports, which is used if the address names
+/// none.
 pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Socket, Tap), Error> {
     let (number, what) = match port {
         Port::Command => (COMMAND_PORT, "commands"),
@@ -39,15 +39,15 @@ fn connect_to(address: &str, port: u16, config: &Config) -> io::Result<Socket> {
     Socket::connected(stream, &config.clock)
 }
 
-/// Tries one after the other. They share the time: one that is silent leaves its share to each of the others.
+/// Connects to the first candidate that answers. The candidates share the time: a silent one uses only its own share.
 fn first_that_answers(candidates: &[SocketAddr], timeout: Duration) -> io::Result<TcpStream> {
-    // Systems connect by their own time.
+    // The system's connect timeout is in real time.
     let since = Clock::default().stopwatch();
     let mut failed = Vec::new();
     for (candidate, others) in candidates.iter().zip((1..=candidates.len()).rev()) {
         let left = since.left_of(timeout);
         let share = left / u32::try_from(others).unwrap_or(u32::MAX);
-        // The system takes no time of zero, and what is left may be that.
+        // The system rejects a timeout of zero, and the time left may be zero.
         match TcpStream::connect_timeout(candidate, share.max(Duration::from_millis(1))) {
             Ok(stream) => return Ok(stream),
             Err(error) => failed.push((*candidate, error)),
@@ -56,7 +56,7 @@ fn first_that_answers(candidates: &[SocketAddr], timeout: Duration) -> io::Resul
     Err(none_answers(failed))
 }
 
-/// Error for a name of which no address could be connected to.
+/// Error for a name without an address that accepts a connection.
 fn none_answers(mut failed: Vec<(SocketAddr, io::Error)>) -> io::Error {
     if failed.len() == 1 {
         return failed.remove(0).1;
@@ -78,7 +78,7 @@ fn set_options(stream: &TcpStream, config: &Config) -> io::Result<()> {
     Ok(())
 }
 
-/// Before the first probe and between probes, in seconds as systems take them.
+/// Times before the first probe and between probes, in seconds, in the range that systems accept.
 fn keepalive(idle: Duration) -> [u64; 2] {
     let up = idle.as_secs().saturating_add(u64::from(idle.subsec_nanos() > 0));
     let idle = up.clamp(*KEEPALIVE.start(), *KEEPALIVE.end());
@@ -90,7 +90,7 @@ pub fn names_a_port(address: &str) -> bool {
     ip(address).is_none() && address.contains(':')
 }
 
-/// The socket addresses of `address`; `port` is used where it names none.
+/// Socket addresses of `address`; `port` is used if it names none.
 pub(crate) fn resolve(address: &str, port: u16) -> io::Result<Vec<SocketAddr>> {
     if let Some(ip) = ip(address) {
         return Ok(vec![SocketAddr::new(ip, port)]);
@@ -99,7 +99,7 @@ pub(crate) fn resolve(address: &str, port: u16) -> io::Result<Vec<SocketAddr>> {
     found.map(Iterator::collect)
 }
 
-/// `address` with a port: its own, or this one.
+/// `address` with its own port, or with this port if it has none.
 pub(crate) fn with_port(address: &str, port: u16) -> String {
     match ip(address) {
         Some(ip) => SocketAddr::new(ip, port).to_string(),
@@ -121,7 +121,7 @@ mod tests {
 
     use super::*;
 
-    /// A port that nobody else gets as long as the socket lives. It refuses connections until the socket listens.
+    /// Port that no other process gets while the socket lives. It refuses connections until the socket listens.
     fn bound() -> (socket2::Socket, SocketAddr) {
         let socket = socket2::Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
         socket.bind(&SocketAddr::from(([127, 0, 0, 1], 0)).into()).expect("loopback has free ports");
@@ -129,7 +129,7 @@ mod tests {
         (socket, address)
     }
 
-    /// A port where connections wait without an answer: its backlog is full. It is silent as long as these live.
+    /// Port at which connections wait without an answer while these sockets live: its backlog is full.
     fn silent() -> (socket2::Socket, Vec<socket2::Socket>, SocketAddr) {
         let (socket, address) = bound();
         socket.listen(1).expect("it is bound");
@@ -137,7 +137,7 @@ mod tests {
         loop {
             let client = socket2::Socket::new(Domain::IPV4, Type::STREAM, None).expect("sockets are to be had");
             client.set_nonblocking(true).expect("it is open");
-            // An error says that it goes on.
+            // A nonblocking socket reports an error while it connects.
             client.connect(&address.into()).ok();
             // A sleep that is longer only gives the system more time.
             let is_connected = (0..50).any(|_| {
@@ -152,7 +152,7 @@ mod tests {
         }
     }
 
-    /// Times of an attempt: a thread that is held up for as long finds no time left, and attempts again with more.
+    /// Timeouts of an attempt: a thread that was held up for the whole time attempts again with more.
     fn times() -> impl Iterator<Item = Duration> {
         (0..7).map(|n| Duration::from_secs(1 << n))
     }
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);
         assert!(text.starts_with(&format!("{refusing}: ")), "{text}");
         assert!(text.contains(&format!("; {silent}: ")) && text.contains("timed out"), "{text}");
-        // The only one is named by the error around it.
+        // The error around it names the only address.
         let error = first_that_answers(&[refusing], Duration::MAX).expect_err("nobody listens");
         assert_eq!(error.kind(), io::ErrorKind::ConnectionRefused);
         assert_eq!(

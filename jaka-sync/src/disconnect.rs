@@ -25,7 +25,7 @@ jaka_proto::worded! {
         Frame(error: FrameError) => (not_a_frame(error)),
         /// A message came that is not a JSON object by its quotes and brackets.
         NotJson(error: DecodeError) => "a message is not JSON: {error}",
-        /// It is no longer certain to which requests the next replies belong.
+        /// The requests to which the next replies belong are uncertain.
         OutOfSync(out_of_sync: OutOfSync) => "{out_of_sync}",
         /// This side reset the connection, because set-points of a servo session and the command that ends servo mode
         /// had no reply. The system discards what it had queued.
@@ -39,9 +39,9 @@ jaka_proto::worded! {
         Panicked => "a panic in this program interrupted the reading of messages",
         /// The client was dropped, and its connection with it: stop handles can no longer stop the robot.
         ClientDropped => "the client was dropped, and its connection with it",
-        /// This is the status port, or something that sends what it sends; port 10001 takes commands.
+        /// This is the status port, or a server that sends status packets; port 10001 takes commands.
         StatusPort => "a status packet came instead of a reply: this is the status port, port 10001 takes commands",
-        /// This is the command port, or something that answers as it does; port 10000 sends the status.
+        /// This is the command port, or a server that answers like it; port 10000 sends the status.
         CommandPort =>
             "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
         /// A command that ends the session was carried out.

@@ -13,10 +13,10 @@ use jaka_proto::{NotInFirmware, Refusal};
 
 use crate::{Disconnect, Remedy, StatusProblem};
 
-/// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
+/// Error of a call: an [`ErrorKind`], and the last messages of the connection if they are recorded.
 ///
 /// Two questions matter after an error: may the command have run ([`may_have_run`](Self::may_have_run)), and can the
-/// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent twice on its own.
+/// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent again automatically.
 ///
 /// ```no_run
 /// use jaka_sync::{Client, ErrorKind};
@@ -37,44 +37,44 @@ pub struct Error(Box<Inner>);
 
 struct Inner {
     kind: ErrorKind,
-    /// Empty where nothing is recorded.
+    /// Empty if nothing is recorded.
     exchanges: Box<[Entry]>,
 }
 
 jaka_proto::worded! {
-    /// Kinds of errors, told apart by what the caller can do about them: see [`Error::kind`].
+    /// Kinds of errors, distinguished by the possible reactions of the caller: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
-        /// The spec forbids the request. Nothing was sent; correct the field that is named.
+        /// The spec forbids the request. Nothing was sent; correct the named field.
         InvalidArgument(invalid: InvalidArgument) => "{invalid}",
         /// The controller's firmware does not have the command, or a field that is given. Nothing was sent.
         ///
-        /// Only where the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
+        /// Only if the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
         NotInFirmware(missing: NotInFirmware) => "{missing}",
-        /// The firmware decides the form of the request or of its reply, and is not known. Nothing was sent.
+        /// The form of the request or of its reply depends on the firmware, which is unknown. Nothing was sent.
         FirmwareUnknown {
             /// `cmdName` of the request.
             command: &'static str,
         } => "`{command}` was not sent: its form depends on the firmware, which is not known",
-        /// No connection could be made. Check the address, the cable, and whether the controller is on.
+        /// No connection could be made. Check the address and the cable, and check that the controller is on.
         ///
         /// A controller may refuse a second client of its command port, which serves one.
         Connect {
             /// Address that was given, with the port.
             address: String,
-            /// Port that it was to be.
+            /// Expected port.
             port: Port,
             /// Error of the system.
             source: io::Error,
         } => "cannot connect to {address}",
         /// The controller refused the command, which did not run. The connection is fine.
         Refused {
-            /// The controller's own words.
+            /// Code and message of the controller.
             refusal: Refusal,
         } => "{refusal}",
         /// The command of another handle ([`Client::try_clone`](crate::Client::try_clone)) was kept back, because a
-        /// part of the program has the connection for itself. It did not run.
+        /// part of the program has reserved the connection. It did not run.
         KeptBack {
             /// `cmdName` of the command.
             command: String,
@@ -87,7 +87,7 @@ jaka_proto::worded! {
         Timeout {
             /// `cmdName` of the command.
             command: String,
-            /// Time that the call waited.
+            /// Time for which the call waited.
             after: Duration,
         } => "no reply to `{command}` within {after:?}; it may have run",
         /// The command could not be sent in time: the controller accepts no more data, or other threads were sending.
@@ -95,7 +95,7 @@ jaka_proto::worded! {
         NotSentInTime {
             /// `cmdName` of the command.
             command: String,
-            /// Time that the call waited.
+            /// Time for which the call waited.
             after: Duration,
         } => "`{command}` could not be sent within {after:?}; it did not run",
         /// A later command was answered, this one was not. The command may have run; the connection is fine.
@@ -113,25 +113,25 @@ jaka_proto::worded! {
             /// Field that does not fit.
             source: DecodeError,
         } => "`{command}` was not refused, but its reply does not fit the spec",
-        /// The connection is broken for good, and each later call says so again. Connect again when the robot's state
-        /// is known.
+        /// The connection is broken for good, and each later call reports it again. Connect again when the robot's
+        /// state is known.
         Disconnected {
             /// Address of the connection, with the port.
             address: String,
-            /// `cmdName` of the command of this call; none for a status connection.
+            /// `cmdName` of the command of this call; `None` for a status connection.
             command: Option<String>,
             /// True if the command had been sent, at least in part, and may have run.
             sent: bool,
             /// Cause of the break.
             cause: Arc<Disconnect>,
         } => (disconnected(address, command.as_deref(), *sent, cause)),
-        /// Status packets came, but none in time that shows the state that was waited for.
+        /// Status packets came, but none in time that shows the expected state.
         StateTimeout {
-            /// Time that the call waited.
+            /// Time for which the call waited.
             after: Duration,
             /// Number of packets that came meanwhile.
             packets: u64,
-            /// State of the arm by the last packet; none for a type of the user's own.
+            /// State of the arm by the last packet; `None` for a type of the program.
             says: Option<String>,
         } => (not_in_state(*after, *packets, says.as_deref())),
         /// The state of the robot is unknown: packets have just resumed after a silence, and may be old.
@@ -141,9 +141,9 @@ jaka_proto::worded! {
         } => "the state of the robot is unknown: {problem}",
         /// No status packet came in time. The stream can still be used.
         StatusTimeout {
-            /// Address from which the packets were to come, with the port.
+            /// Address from which packets were expected, with the port.
             address: String,
-            /// Time that the call waited.
+            /// Time for which the call waited.
             after: Duration,
         } => "no status packet from {address} within {after:?}",
         /// A status packet does not fit the spec. The stream can still be used, and the packet's text is kept.
@@ -165,7 +165,7 @@ impl Error {
         self.0.kind
     }
 
-    /// Remedy: what somebody can do about it; [`Remedy::None`] where nothing is known to help.
+    /// Remedy that a person can apply; [`Remedy::None`] if nothing is known to help.
     pub fn remedy(&self) -> Remedy {
         match self.kind() {
             ErrorKind::Connect { port: Port::Command, source, .. }
@@ -177,7 +177,7 @@ impl Error {
             ErrorKind::StatusTimeout { .. } => Remedy::CheckStatusPort,
             ErrorKind::StatusUnknown { problem } => problem.remedy(),
             ErrorKind::Disconnected { command: None, cause, .. } if cause.is_by_controller() => Remedy::CheckNetwork,
-            // The fact says all that is known.
+            // The error's fact is all that is known.
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
             | ErrorKind::Connect { .. }
@@ -256,7 +256,7 @@ impl Error {
     /// Last eight messages of the connection on which the call failed, oldest first: sent and received, with their
     /// times.
     ///
-    /// Empty where nothing is recorded ([`Config::recorder`](crate::Config::recorder)), and for errors that concern no
+    /// Empty if nothing is recorded ([`Config::recorder`](crate::Config::recorder)), and for errors that concern no
     /// connection. The alternate form of the error, `{:#}`, shows them below its text.
     pub fn exchanges(&self) -> &[Entry] {
         &self.0.exchanges
@@ -269,15 +269,15 @@ impl Error {
     }
 }
 
-/// The kind, and how many messages there are: they are long.
+/// Shows the kind and the number of messages, which are long.
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Error").field("kind", self.kind()).field("exchanges", &self.exchanges().len()).finish()
     }
 }
 
-/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`]. With `{:#}` the last
-/// messages stand below it, where they were recorded.
+/// Writes one line: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`]. With `{:#}`, recorded
+/// last messages follow below it.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
@@ -351,10 +351,10 @@ fn not_in_state(after: Duration, packets: u64, says: Option<&str>) -> String {
     format!("the robot was not in the expected state within {after:?} ({packets} status packets came){says}")
 }
 
-/// Number of characters of a message that are shown.
+/// Number of shown characters of a message.
 const SHOWN: usize = 300;
 
-/// Writes the last messages of a connection, a line each; nothing if there are none.
+/// Writes the last messages of a connection, one per line; nothing if there are none.
 pub fn show_exchanges(entries: &[Entry], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if !entries.is_empty() {
         f.write_str("\nthe last messages of the connection, by seconds since the recording began:")?;

@@ -1,9 +1,10 @@
 //! Parts of this crate for a layer above it, such as one that waits for motions. **Not covered by semantic
 //! versioning.**
 //!
-//! A layer sends through a [`Gate`], which keeps commands back at the last moment, posts commands whose replies nobody
-//! waits for in particular, polls for the reply to a question, listens to the news of a [`Monitor`], and attaches the
-//! last messages of a connection to its own errors. The traits give access to these parts of the types of this crate.
+//! A layer sends through a [`Gate`], which keeps commands back at the last moment. It posts commands whose replies
+//! nobody waits for individually, polls for the reply to a question, listens to the news of a [`Monitor`], and attaches
+//! the last messages of a connection to its own errors. The traits give access to these parts of the types of this
+//! crate.
 //!
 //! A thread that holds a lock of its layer must not use a connection, unless the lock is taken before that of the
 //! connection (`Link`). A gate runs under the lock of the connection.
@@ -28,7 +29,7 @@ pub use crate::stop::WrittenStop;
 pub use crate::sync::{Wakeup, Watched};
 use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};
 
-/// Failure that an [`Error`] tells of, as a closed choice: each kind is one of these.
+/// Failure behind an [`Error`], as a closed choice: each kind of error belongs to one of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Failure {
     /// The request is wrong, the firmware does not have it or is not known, or it was kept back. Nothing was sent.
@@ -47,12 +48,12 @@ pub enum Failure {
     CommandsLost,
     /// The status connection is broken, or no packets come that can be read.
     StatusLost,
-    /// Packets came, but none that shows the state that was waited for.
+    /// Packets came, but none shows the expected state.
     NotInState,
 }
 
 impl Failure {
-    /// Failure that an error tells of.
+    /// Failure behind an error.
     pub fn of(error: &Error) -> Self {
         match error.kind() {
             ErrorKind::InvalidArgument(_)
@@ -76,7 +77,7 @@ impl Failure {
     }
 }
 
-/// Loss of the status that a [`StatusProblem`] tells of, as a closed choice: each problem is one of these.
+/// Loss of the status behind a [`StatusProblem`], as a closed choice: each problem belongs to one of these.
 #[derive(Debug, Clone, Copy)]
 pub enum StatusLoss<'p> {
     /// No packet comes, or none that counts.
@@ -88,7 +89,7 @@ pub enum StatusLoss<'p> {
 }
 
 impl<'p> StatusLoss<'p> {
-    /// Loss that a problem tells of.
+    /// Loss behind a problem.
     pub fn of(problem: &'p StatusProblem) -> Self {
         match problem {
             StatusProblem::Ended { cause } => Self::Ended(cause),
@@ -127,8 +128,8 @@ pub trait ClientParts: Sized {
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>>;
 
-    /// Sends a request, of whatever type, unless the gate keeps it back, and returns once it is accepted. Fields of the
-    /// reply are not read.
+    /// Sends a request of any type unless the gate keeps it back, and returns once it is accepted. Fields of the reply
+    /// are not read.
     ///
     /// # Errors
     /// The reason of the gate, or as [`Client::call`].
@@ -197,10 +198,10 @@ pub trait MonitorParts<S> {
     /// Address of the connection, with the port.
     fn address(&self) -> String;
 
-    /// Tells the news of the port from now on, before all observers of the program's own, on the monitor's thread.
+    /// Passes the news of the port to `listener` from now on, on the monitor's thread, before the program's observers.
     fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static);
 
-    /// Tells what is known now, in this thread: the newest packet, and what has come after it.
+    /// Passes the current state to `tell`, in this thread: the newest packet, and then the news that followed it.
     fn tell_known(&self, tell: impl FnMut(StatusNews<'_, S>));
 }
 
@@ -234,7 +235,7 @@ pub trait StopParts {
     /// As [`StopHandle::stop`].
     fn write(&self) -> Result<WrittenStop, Error>;
 
-    /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
+    /// Writes the stop if that is possible at once; `None` otherwise. Blocks the thread for a moment at most.
     fn write_now(&self) -> Option<WrittenStop>;
 
     /// Waits until the controller has accepted a stop that was written.
@@ -258,7 +259,7 @@ impl StopParts for StopHandle {
     }
 }
 
-/// Phrase about what may be behind the end of a command connection, for the text of an error.
+/// Phrase about a possible reason for the end of a command connection, for the text of an error.
 pub fn seat_hint(cause: &Disconnect) -> &'static str {
     cause.seat_hint()
 }

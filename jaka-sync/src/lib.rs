@@ -1,5 +1,5 @@
 #![doc = include_str!("../docs/overview.md")]
-// On the host of the documentation each item says which feature it needs.
+// In the hosted documentation each item shows the feature that it needs.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod client;
@@ -59,17 +59,17 @@ pub use status_problem::StatusProblem;
 pub use status_stream::StatusStream;
 pub use stop::StopHandle;
 
-/// The port on which a controller takes commands.
+/// Port on which a controller takes commands.
 pub const COMMAND_PORT: u16 = 10001;
 
-/// The port on which a controller sends status packets.
+/// Port on which a controller sends status packets.
 pub const STATUS_PORT: u16 = 10000;
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/newer-firmware.md")]
 pub mod newer_firmware {}
 
-/// Items that macros of this crate name; no part of the interface.
+/// Items that macros of this crate name; not part of the interface.
 #[doc(hidden)]
 pub mod __private {
     pub use jaka_proto_derive::{pack, status_subset};

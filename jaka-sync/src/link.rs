@@ -1,8 +1,8 @@
 //! The command connection, shared between a client and its stop handles.
 //!
-//! One thread at a time has the turn to send, and enters what it sends into the exchange before: so the exchange has
-//! the order of the wire. The first thread that waits for a reply reads the socket for all; others sleep meanwhile. No
-//! thread holds the state's lock while the socket may keep it waiting.
+//! One thread at a time has the turn to send, and enters its requests into the exchange before it sends them: so the
+//! exchange has the order of the wire. The first thread that waits for a reply reads the socket for all; the others
+//! sleep meanwhile. No thread holds the state's lock while the socket may block it.
 
 mod halves;
 mod inbound;
@@ -40,13 +40,13 @@ use crate::{Config, Disconnect, Error, ErrorKind};
 /// One command connection.
 ///
 /// # Order of locks
-/// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may keep a thread
-///    waiting. The [`Gate`] runs under it: it may take 2, and must not use the connection.
+/// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may block a
+///    thread. The [`Gate`] runs under it: it may take 2, and must not use the connection.
 /// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's
 ///    state of an arm, never two at once. A thread that holds one of these must not take 1.
-/// 3. What takes no lock before this: the queue of a subscription (`monitor/subscription.rs`), and the recorder's,
-///    which are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the queue
-///    (`recorder/queue.rs`); and `firmware`.
+/// 3. Locks under which no lock above is taken: the queue of a subscription (`monitor/subscription.rs`); the
+///    recorder's, which are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the
+///    queue (`recorder/queue.rs`); and `firmware`.
 ///
 /// The turn to send and the reader's place are not locks: they are the boxes `outbound` and `inbound`, which
 /// a thread takes out of the state and puts back.
@@ -60,7 +60,8 @@ pub struct Link {
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection
     /// broke.
     state: Watched<LinkState>,
-    /// Number of stops that are being sent or wait for it. While there are any, no other command begins to go out.
+    /// Number of stops that are being sent or wait for it. While there are any, no thread starts to send another
+    /// command.
     stops: AtomicUsize,
     /// Firmware of the controller, if it is known.
     firmware: Mutex<Option<FirmwareVersion>>,
@@ -72,7 +73,7 @@ const WIRE: &str = "jaka_sync::wire";
 /// Time in which a thread that was woken leaves the socket: far longer than it needs.
 const LEAVING: Duration = Duration::from_secs(1);
 
-/// A command on its way: what is needed to wait for its reply.
+/// Command that was sent, with the data for the wait for its reply.
 #[derive(Debug, Clone, Copy)]
 pub struct Sent<'c> {
     request: RequestId,
@@ -82,7 +83,7 @@ pub struct Sent<'c> {
 }
 
 impl Sent<'_> {
-    /// Sets another timeout for the reply, which counts from the time at which the command was to go out.
+    /// Sets another timeout for the reply, counted from the call that sent the command.
     pub(crate) fn within(self, timeout: Duration) -> Self {
         Self { timeout, ..self }
     }
@@ -128,8 +129,8 @@ impl Link {
         self.state.lock().broken.clone()
     }
 
-    /// Returns the cause that broke the connection, even if the controller has ended it and no thread has read that
-    /// yet. Takes one system call; for a thread that waits for packets while no request is outstanding.
+    /// Returns the cause that broke the connection, even if the controller has ended it and no thread has read the end
+    /// yet. Makes one system call; for a thread that waits for packets while no request is outstanding.
     pub fn lost(&self) -> Option<Arc<Disconnect>> {
         let mut state = self.state.lock();
         if let Err(cause) = self.notice_end(&mut state) {
@@ -138,7 +139,8 @@ impl Link {
         state.broken.clone()
     }
 
-    /// Waits for the loss of the connection for at most `time`, reads meanwhile what has come, and returns the cause.
+    /// Waits for the loss of the connection for at most `time`, reads incoming messages meanwhile, and returns the
+    /// cause.
     pub fn lost_within(&self, time: Duration) -> Option<Arc<Disconnect>> {
         let since = self.clock.stopwatch();
         let mut state = self.state.lock();
@@ -154,12 +156,12 @@ impl Link {
         }
     }
 
-    /// Fails where the connection is broken, for a command that is not sent.
+    /// Fails if the connection is broken, for a command that is not sent.
     pub fn check_open(&self, command: &str) -> Result<(), Error> {
         self.check(&self.state.lock(), command, Transmission::NotSent)
     }
 
-    /// Fails where the connection is broken.
+    /// Fails if the connection is broken.
     fn check(&self, state: &LinkState, command: &str, progress: Transmission) -> Result<(), Error> {
         let broken = state.broken.clone();
         broken.map_or(Ok(()), |cause| Err(self.attach(self.disconnected(command, progress, cause))))
@@ -175,23 +177,23 @@ impl Link {
         self.state.lock().stops
     }
 
-    /// Records what happened to a motion.
+    /// Records an event of a motion.
     pub fn record_motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
         self.tap.motion(step, text);
     }
 
-    /// Records an error of this connection where no other entry shows it, and returns the last messages, oldest first;
-    /// none where nothing is recorded.
+    /// Records an error of this connection if no other entry shows it, and returns the last messages, oldest first;
+    /// none if nothing is recorded.
     pub fn note(&self, error: &(dyn StdError + 'static), is_shown: bool) -> Box<[Entry]> {
         self.tap.note(error, is_shown)
     }
 
-    /// Adds the last messages to an error, where they are recorded.
+    /// Adds the last messages to an error, if they are recorded.
     pub(crate) fn attach(&self, error: Error) -> Error {
         self.tap.attach(error)
     }
 
-    /// Sends a command and waits for its reply, puts the reply's text into `text`, and has `reader` read it. A refusal
+    /// Sends a command and waits for its reply, puts the reply's text into `text`, and lets `reader` read it. A refusal
     /// is an error.
     pub(crate) fn call<R>(
         &self,
@@ -225,8 +227,8 @@ impl Link {
         Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
     }
 
-    /// Sends some of this many commands of one name in one write, at least one, and says how many, and how many posted
-    /// commands are outstanding. `write` writes the request with an index.
+    /// Sends at least one of this many commands of one name, in one write. Returns the number of sent commands and of
+    /// outstanding posted ones. `write` writes the request with an index.
     pub(crate) fn post<R>(
         &self,
         (info, by): (&'static CommandInfo, Handle),
@@ -239,7 +241,7 @@ impl Link {
         self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
     }
 
-    /// Has the socket block or not. It must block where somebody reads it.
+    /// Makes the socket blocking or nonblocking. It must block while a thread reads it.
     fn switch(state: &mut LinkState, mode: Mode) -> io::Result<()> {
         if let Some(stream) = state.stream.as_ref().filter(|_| state.mode != mode) {
             stream.set_nonblocking(mode == Mode::Nonblocking)?;
@@ -260,11 +262,11 @@ impl Link {
         cause
     }
 
-    /// Closes the connection in good order, since its client is dropped: what is queued is still delivered.
+    /// Closes the connection in good order, since its client is dropped: queued data is still delivered.
     pub(crate) fn close(&self) {
         let mut state = self.state.lock();
         if state.broken.is_none() {
-            // Unread bytes would turn the close into a reset. A logger's panic must not meet another one here.
+            // Unread bytes would turn the close into a reset. During a panic a logger, which may panic, must not run.
             if !std::thread::panicking() {
                 let _ = self.attribute_arrived(&mut state);
             }
@@ -285,12 +287,12 @@ impl Link {
         ErrorKind::Disconnected { address: self.address(), command, sent, cause }.into()
     }
 
-    /// Breaks the connection for good, and has the system discard what it has not sent yet. The first cause stays.
+    /// Breaks the connection for good, and makes the system discard unsent data. The first cause stays.
     ///
     /// Only the close of the last handle with a linger time of zero discards it, and only while no thread reads: a
     /// `shutdown` delivers it, and so does a close while another thread blocks in a read. So each thread that reads or
-    /// writes is woken, the last to leave closes the socket, and this waits for that. Bytes that the network or the
-    /// controller holds cannot be recalled.
+    /// writes is woken, the last to leave closes the socket, and this method waits for that. Bytes in the network or
+    /// the controller cannot be recalled.
     pub fn reset(&self, cause: Disconnect) -> Arc<Disconnect> {
         let mut state = self.state.lock();
         let broken = state.broken.get_or_insert_with(|| {
@@ -302,8 +304,8 @@ impl Link {
         let Some(stream) = state.stream.take() else { return broken };
         // An error here means that the socket is closed already.
         let _ = SockRef::from(stream.system()).set_linger(Some(Duration::ZERO));
-        // Wakes a thread that reads, and sends nothing. One that waits to send is woken by an end of sending alone;
-        // what that delivers until this thread has left is what would be delivered without a reset.
+        // Wakes a thread that reads, and sends nothing. A thread that waits to send is woken only by an end of sending;
+        // the data that this delivers until the thread has left would be delivered without a reset, too.
         let _ = stream.shutdown(if state.outbound.is_some() { Shutdown::Read } else { Shutdown::Both });
         let others = Arc::downgrade(&stream);
         drop(stream);
@@ -328,7 +330,7 @@ enum Transmission {
     NotSent,
 }
 
-/// Error for a command that failed on a connection that can be used on.
+/// Error for a command that failed on a connection that stays usable.
 fn failed(command: &str, failure: Failure) -> Error {
     let name = command.to_owned();
     match failure {

@@ -32,11 +32,11 @@ use crate::recorder::Tap;
 use crate::sync::{MutexGuard, Watched};
 use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
-/// Keeps the newest status packet of a controller: a thread reads port 10000 all the time, and wakes the threads that
+/// Keeps the newest status packet of a controller. A thread reads port 10000 all the time, and wakes the threads that
 /// wait for a state.
 ///
-/// `S` is what is kept of each packet: the whole [`RobotStatus`], or a smaller type, made by
-/// [`status_subset!`](crate::status_subset) or with a [`Decode`] of your own, so that no more is decoded than is used.
+/// `S` is the type that each packet is decoded to: the whole [`RobotStatus`], or a smaller type, made by
+/// [`status_subset!`](crate::status_subset) or with your own [`Decode`], so that unused fields are not decoded.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -50,7 +50,7 @@ use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 ///
 /// The reader never falls behind: packets that come faster than they are used are dropped, and the newest is kept.
 /// Several monitors can be connected to one controller. Dropping the monitor ends its connection and waits for its
-/// thread, which takes up to [`Config::connect_timeout`] if it is just reconnecting.
+/// thread, which takes up to [`Config::connect_timeout`] while the thread reconnects.
 #[derive(Debug)]
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
@@ -63,7 +63,7 @@ pub struct Monitor<S = RobotStatus> {
 
 /// State that the thread and the monitor share.
 ///
-/// The order of locks stands at [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
+/// For the order of locks see [`Link`](crate::link::Link): a thread that holds `state` must not take the link's.
 type Board<S> = Watched<BoardState<S>>;
 
 #[derive(Debug)]
@@ -72,7 +72,7 @@ struct BoardState<S> {
     counters: Counters,
     queues: Vec<Arc<Queue<S>>>,
     observers: Observers<S>,
-    /// Cause for which no packet will come any more.
+    /// Cause of the end of the connection. No packet comes after it.
     ended: Option<Arc<Disconnect>>,
     /// Error of the newest packet, until a packet can be decoded.
     unfit: Option<DecodeError>,
@@ -80,7 +80,7 @@ struct BoardState<S> {
     stream: Option<Arc<Socket>>,
     tap: Tap,
     closing: bool,
-    /// True while the connection is lost and is being made again.
+    /// True while the connection is lost and the thread reconnects.
     reconnecting: bool,
     /// Number of times that waiting threads were told to check again.
     wakes: u64,
@@ -108,7 +108,7 @@ impl<S> BoardState<S> {
 }
 
 impl<S> Board<S> {
-    /// Has the threads that wait check again.
+    /// Wakes the threads that wait, to check again.
     fn tell(&self, mut state: MutexGuard<'_, BoardState<S>>) {
         state.wakes += 1;
         drop(state);
@@ -150,7 +150,8 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
 }
 
 impl<S: 'static> Monitor<S> {
-    /// The newest packet, if one has come; it may be old: see [`Snapshot::age`] and [`is_stale`](Self::is_stale).
+    /// Returns the newest packet, if one has come. It may be old: see [`Snapshot::age`] and
+    /// [`is_stale`](Self::is_stale).
     ///
     /// # Errors
     /// [`ErrorKind::Disconnected`] if the connection has ended: no newer packet will come.
@@ -168,9 +169,9 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().latest.clone()
     }
 
-    /// Sets the firmware by which packets are read from now on, where a value has one form or another by firmware and
-    /// the packet does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value
-    /// does not fit.
+    /// Sets the firmware by which packets are read from now on; [`Config::firmware`] at first. It decides the form of a
+    /// value that depends on the firmware, if the packet does not show the form. While the firmware is unknown, such a
+    /// value does not fit.
     pub fn set_firmware(&self, firmware: Option<FirmwareVersion>) {
         self.board.lock().firmware = firmware;
     }
@@ -191,11 +192,11 @@ impl<S: 'static> Monitor<S> {
         self.wait_for(self.timeout, |snapshot| snapshot.number > now)
     }
 
-    /// Waits until `wanted` is true of a packet. The newest one that has come counts, unless it is stale or
+    /// Waits until `wanted` is true of a packet. The newest packet so far counts too, unless it is stale or
     /// [may be old](Snapshot::follows_silence).
     ///
-    /// The packet tells of a time before it came, and nothing bounds how long before: see [`Snapshot`]. Where a person
-    /// or a part depends on the state, ask the controller for it on the command port afterwards.
+    /// The packet describes the arm at a time before its arrival, and nothing bounds the time between: see
+    /// [`Snapshot`]. If a person or a part depends on the state, query it on the command port afterwards.
     ///
     /// # Errors
     /// After `timeout` [`ErrorKind::StateTimeout`] if packets came but `wanted` was true of none,
@@ -207,8 +208,8 @@ impl<S: 'static> Monitor<S> {
         self.wait_for(timeout, |snapshot| snapshot.age() <= fresh && wanted(&snapshot.status))
     }
 
-    /// Calls `find` with each newest packet as it comes, until it has found something; `None` after
-    /// `timeout`, and the error once the connection has ended.
+    /// Calls `find` with each newest packet as it comes, until it has found something. Returns `None` after `timeout`,
+    /// and the error once the connection has ended.
     pub(crate) fn watch<T>(
         &self,
         timeout: Duration,
@@ -247,7 +248,7 @@ impl<S: 'static> Monitor<S> {
         found.ok_or_else(|| self.not_in_time(timeout, before))
     }
 
-    /// The error for a state, or for packets, that did not come in time.
+    /// Error for a state, or for packets, that did not come in time.
     fn not_in_time(&self, after: Duration, before: u64) -> Error {
         let packets = self.statistics().packets.saturating_sub(before);
         let state = self.board.lock();
@@ -265,7 +266,7 @@ impl<S: 'static> Monitor<S> {
     /// Queues every packet from now on, at most `capacity` of them: if the queue is full, the oldest is dropped and
     /// counted.
     ///
-    /// Packets that [may be old](Snapshot::follows_silence) come, too, and say so.
+    /// Packets that [may be old](Snapshot::follows_silence) are queued too, and are marked as such.
     pub fn subscribe(&self, capacity: usize) -> Subscription<S> {
         let queue = Arc::new(Queue::new(&self.clock, Items::new(capacity)));
         let mut state = self.board.lock();
@@ -277,20 +278,20 @@ impl<S: 'static> Monitor<S> {
         Subscription { queue }
     }
 
-    /// Calls `call` with every packet from now on, on the monitor's own thread, until it returns `Break`.
+    /// Calls `call` with every packet from now on, on the monitor's thread, until it returns `Break`.
     ///
-    /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor goes
-    /// on.
+    /// Packets wait while it runs, so it should be short. If it panics, it is not called again, and the monitor
+    /// continues.
     pub fn observe(&self, call: impl FnMut(&Arc<Snapshot<S>>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.users.push(Box::new(call));
     }
 
-    /// Tells the news of the port from now on, before all of the user's observers.
+    /// Passes the news of the port to `listener` from now on, before the user's observers.
     pub(crate) fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.listeners.push(Box::new(listener));
     }
 
-    /// Tells what is known now: the newest packet, and what has come after it.
+    /// Passes the current state to `tell`: the newest packet, and then the news that followed it.
     pub(crate) fn tell_known(&self, mut tell: impl FnMut(StatusNews<'_, S>)) {
         let state = self.board.lock();
         let (latest, unfit) = (state.latest.clone(), state.unfit.clone());
@@ -326,7 +327,7 @@ impl<S: 'static> Monitor<S> {
     }
 }
 
-/// Describes the arm by a status packet; `None` for a choice of fields of the user's own.
+/// Describes the arm by a status packet; `None` for a type other than [`RobotStatus`].
 pub fn describe<S: 'static>(snapshot: &Snapshot<S>) -> Option<String> {
     let status = (&snapshot.status as &dyn Any).downcast_ref::<RobotStatus>()?;
     let named = |error: &DecodeError| match error.field() {

@@ -1,4 +1,4 @@
-//! Fields that a robot reads from status packets, whatever type its monitor keeps.
+//! Fields that a robot reads from status packets of any type.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -8,13 +8,13 @@ use jaka_proto::wire::{Decode, DecodeError};
 
 use crate::Snapshot;
 
-/// Status packets by which a robot can tell how a motion goes: the built-in type, and the one of a
+/// Status packet from which a robot can read the progress of a motion: the built-in type, or the type of a
 /// [pack](crate::pack!) that changes the packet.
 ///
-/// The `RobotStatus` of a pack's module implements it by the pack's table `[robot_status]`, which says where packets
-/// have the [fields that a robot needs](crate::newer_firmware#what-a-robot-needs). If the table leaves a field to the
-/// program (`"program"`), the program implements it: the module's type then has a method `as_built_in`, which gives all
-/// but these fields.
+/// The `RobotStatus` of a pack's module implements it by the pack's table `[robot_status]`, which locates the
+/// [fields that a robot needs](crate::newer_firmware#what-a-robot-needs) in the packets. If the table leaves a field to
+/// the program (`"program"`), the program implements the trait: the module's type then has a method `as_built_in`,
+/// which returns all but these fields.
 ///
 /// ```
 /// use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
@@ -51,27 +51,27 @@ use crate::Snapshot;
     note = "a pack's `RobotStatus` does not implement it if the pack's `[robot_status]` leaves a field to the program"
 )]
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
-    /// The packet in terms of the built-in type.
+    /// Returns the packet in terms of the built-in type.
     ///
     /// A field that is left out counts as a key that did not come. While packets leave out a required field, or an
-    /// `error_code` that is not declared [absent](Self::absent), no motion is sent. What does not fit
-    /// ([`Snapshot::is_unfit`]) is known by the fields' names. Where this panics, the packet counts as one that cannot
-    /// be read, and motions are kept back until `jaka_robot::Robot::acknowledge`.
+    /// `error_code` that is not declared [absent](Self::absent), no motion is sent. Unfit fields
+    /// ([`Snapshot::is_unfit`]) are known by their names. If this method panics, the packet counts as unreadable, and
+    /// motions are kept back until `jaka_robot::Robot::acknowledge`.
     ///
-    /// Called for each packet and robot on the monitor's thread, and by `Robot::power_up`: a slow implementation holds
-    /// packets up.
+    /// The monitor's thread calls it for each packet and robot, and `Robot::power_up` calls it, too: a slow
+    /// implementation delays packets.
     fn robot_status(&self) -> RobotStatus;
 
     /// Fields of the built-in type, by their Rust names, that packets of this controller never have.
     ///
-    /// `jaka_robot` says so where that matters: without `error_code`, an end of a motion says that an error of the
-    /// controller is not seen, and so does a preflight.
+    /// `jaka_robot` reports the consequence: without `error_code`, the end of a motion and a preflight state that an
+    /// error of the controller is not seen.
     fn absent() -> &'static [&'static str] {
         &[]
     }
 
-    /// Fields without which a packet keeps motions back, each by its Rust name in the built-in type and by that in
-    /// this type, where the reader's errors name it. Those that are declared absent do not count.
+    /// Fields without which a packet keeps motions back. Each has its Rust name in the built-in type and its name in
+    /// this type, which the reader's errors use. Fields that are declared absent do not count.
     #[doc(hidden)]
     fn expected() -> &'static [[&'static str; 2]] {
         &REQUIRED
@@ -84,8 +84,8 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
         Vec::new()
     }
 
-    /// The packet in terms of the built-in type, with when it came and what did not fit. After a panic no key has come,
-    /// and the packet as a whole does not fit.
+    /// Returns the packet in terms of the built-in type, with its arrival time and its unfit fields. After a panic it
+    /// has no key, and the packet as a whole does not fit.
     #[doc(hidden)]
     fn snapshot(snapshot: &Arc<Snapshot<Self>>) -> Arc<Snapshot> {
         let Snapshot { status: packet, received, number, unfit, follows_silence, clock, .. } = &**snapshot;
@@ -108,7 +108,7 @@ pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {
     }
 }
 
-/// Fields that a program's own type must tell: those that are required, and the controller's errors.
+/// Fields that a program's own type must provide: the required ones, and the controller's errors.
 const REQUIRED: [[&str; 2]; 7] = [
     ["emergency_stop"; 2],
     ["protective_stop"; 2],
@@ -119,8 +119,8 @@ const REQUIRED: [[&str; 2]; 7] = [
     ["error_code"; 2],
 ];
 
-/// Errors of fields by their names in the built-in type. Those of fields that a robot has from elsewhere, or not at
-/// all, do not concern it.
+/// Errors of fields by their names in the built-in type. Leaves out errors of fields that a robot reads elsewhere or
+/// does not have.
 fn in_built_in_names<S: MotionStatus>(unfit: Vec<DecodeError>) -> Vec<DecodeError> {
     let is_unused = |error: &DecodeError| {
         let is_moved = |[field, own]: &[&str; 2]| field != own && error.is_in(field);
@@ -138,7 +138,7 @@ fn within(error: DecodeError, field: &str, own: &str) -> DecodeError {
     if field == own { error } else { error.in_field(field) }
 }
 
-/// Error of the first expected field that a packet does not tell. Each is among those that do not fit.
+/// Error of the first expected field that a packet does not have. Adds each such field to the unfit ones.
 fn untold<S: MotionStatus>(status: &RobotStatus, unfit: &mut Vec<DecodeError>) -> Option<DecodeError> {
     let is_told = |field: &str| needed(status).iter().any(|(name, is_told)| *name == field && *is_told);
     let untold = S::expected().iter().filter(|[field, _]| !S::absent().contains(field) && !is_told(field));
@@ -153,7 +153,7 @@ fn untold<S: MotionStatus>(status: &RobotStatus, unfit: &mut Vec<DecodeError>) -
     first
 }
 
-/// Fields of status packets that a robot needs, each with whether the packet tells it.
+/// Fields of status packets that a robot needs, each with true if the packet has it.
 pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 12] {
     [
         ("emergency_stop", status.emergency_stop.is_some()),
@@ -171,14 +171,14 @@ pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 12] {
     ]
 }
 
-/// Status that a packet tells, unless its own type panics.
+/// Status that a packet shows, unless the packet's own type panics.
 pub fn told<S: MotionStatus>(status: &S) -> Result<RobotStatus, DecodeError> {
     caught(|| status.robot_status())
 }
 
-/// Calls a packet's own type, which may panic. Nothing else calls the methods of [`MotionStatus`].
+/// Calls a method of a packet's own type, which may panic. Nothing else calls the methods of [`MotionStatus`].
 fn caught<T>(tell: impl FnOnce() -> T) -> Result<T, DecodeError> {
-    // Only the type's own state can be left half done by a panic.
+    // A panic can leave only the type's own state incomplete.
     catch_unwind(AssertUnwindSafe(tell))
         .map_err(|_| DecodeError::unfit("a packet that the program's own type accepts", "a panic"))
 }

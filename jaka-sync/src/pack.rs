@@ -2,14 +2,14 @@
 
 use crate::{Client, Command, Error};
 
-/// Makes a module of a command pack: a TOML file of yours that adds commands to the built-in spec, or changes what is
-/// there.
+/// Generates a module from a command pack: a TOML file of your crate that adds commands to the built-in spec or changes
+/// its entries.
 ///
-/// The path counts from the folder of your crate's `Cargo.toml`, and the module has the name of the file. Of
-/// `newer.toml` comes `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait
-/// `NewerCommands`, whose methods work on a [`Client`](crate::Client), a `jaka_robot::Robot` and everything else that
-/// implements [`Call`](crate::Call). An edit of the file rebuilds your crate, and what is wrong in it is a compiler
-/// error at the macro's path that names file, line and column.
+/// The path is relative to the folder of your crate's `Cargo.toml`; the module has the name of the file. `newer.toml`
+/// gives `pub mod newer` with the requests, replies and types that the pack adds or changes, and a trait
+/// `NewerCommands`. The methods of the trait work on a [`Client`](crate::Client), a `jaka_robot::Robot` and every other
+/// type that implements [`Call`](crate::Call). An edit of the file rebuilds your crate. An error in the file is a
+/// compiler error at the macro's path, with file, line and column.
 ///
 /// ```toml
 /// # newer.toml
@@ -34,16 +34,17 @@ use crate::{Client, Command, Error};
 /// let queue = robot.demo_motion_state()?.queue;
 /// ```
 ///
-/// A pack can also change what the built-in spec has: `[[extend]]` adds fields to a command or a type, such as keys to
-/// the status packet, and `[[override]]` changes a field: its type, meaning, unit or range, or decides what sources
-/// dispute. The module then has messages of its own for each command that is changed by it. Their methods bear the
-/// module's name, such as `joint_move_newer`, since the client has a `joint_move` already; a changed status packet is
-/// read by a `Monitor<newer::RobotStatus>`, and a robot takes it: `jaka_robot::Robot::with_monitor`. Where the pack
-/// changes the type, unit or name of what [a robot needs](crate::newer_firmware#what-a-robot-needs), its table
-/// `[robot_status]` says where packets have that, that they never have it, or that the program implements
+/// A pack can also change the built-in spec: `[[extend]]` adds fields to a command or a type, such as keys to the
+/// status packet; `[[override]]` changes a field (its type, meaning, unit or range) or settles a dispute between
+/// sources. The module then has its own messages for each command that the pack changes. Their methods carry the
+/// module's name, such as `joint_move_newer`, since the client has a `joint_move` already. A
+/// `Monitor<newer::RobotStatus>` reads a changed status packet, and a robot takes this monitor:
+/// `jaka_robot::Robot::with_monitor`. If the pack changes the type, unit or name of a field that
+/// [a robot needs](crate::newer_firmware#what-a-robot-needs), its table `[robot_status]` names the field in the
+/// packets, states that they never have it, or states that the program implements
 /// [`MotionStatus`](crate::MotionStatus). The format is described with [jaka-spec](https://docs.rs/jaka-spec).
 ///
-/// A pack can stand on others, which are named in their order, and whose modules stand next to its own:
+/// A pack can build on other packs, which are named in their order. Their modules are siblings of its own module:
 ///
 /// ```ignore
 /// jaka_sync::pack!("newer.toml");
@@ -52,15 +53,15 @@ use crate::{Client, Command, Error};
 ///
 /// A command with a table `[command.motion]`, which names the fields of its target and path, is a
 /// [`Motion`](jaka_proto::Motion): `jaka_robot::Robot::run` waits for its end, and a robot with limits compares it with
-/// them. A command with `role = "stop"` is the pack's claim: stop handles, guards and sessions send the built-in
+/// them. `role = "stop"` is only a claim of the pack: stop handles, guards and sessions send the built-in
 /// `stop_program` alone. Nothing can recognise a command that its pack describes wrongly.
 ///
-/// From the first look at a controller with newer firmware to a finished pack: the guide in
-/// [`newer_firmware`](crate::newer_firmware).
+/// The guide in [`newer_firmware`](crate::newer_firmware) leads from a controller with newer firmware to a finished
+/// pack.
 ///
-/// Where a later version of this crate has an entry of your pack in its own spec, the module keeps the entry's names,
-/// and they stand for this crate's items. `jaka spec check` tells which entries these are. If this crate has something
-/// else under the name, so that your program would notice, that is a compiler error.
+/// If the spec of a later version of this crate has an entry of your pack, the module keeps the entry's names as names
+/// of this crate's items. `jaka spec check` lists these entries. If this crate has a different item under such a name,
+/// and your program would notice the difference, the result is a compiler error.
 #[macro_export]
 macro_rules! pack {
     ($($input:tt)+) => {
@@ -68,7 +69,7 @@ macro_rules! pack {
     };
 }
 
-/// Sender of commands: a [`Client`], a `jaka_robot::Robot`, or a type of your own that forwards them.
+/// Sender of commands: a [`Client`], a `jaka_robot::Robot`, or a type that forwards to one of them.
 ///
 /// All types that implement this have the methods of [packs](crate::pack), and code can be generic over it:
 ///

@@ -12,21 +12,21 @@ use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 use crate::{Config, Disconnect, Error, connection};
 
-/// The packets of a connection to the status port, over bytes that belong to none.
+/// Packets of a connection to the status port. Skips bytes that belong to no packet.
 #[derive(Debug)]
 pub(crate) struct Packets {
     pub(crate) stream: Arc<Socket>,
     pub(crate) tap: Tap,
     framer: Framer,
     timeout: receive::ReadTimeout,
-    /// The text of the newest one.
+    /// Text of the newest packet.
     pub(crate) text: String,
-    /// Whether one has come. The first message shows whether this is the status port.
+    /// Whether a packet has come. The first message shows whether this is the status port.
     has_come: bool,
     pub(crate) between: Between,
 }
 
-/// Counts of what came between packets, since they were last taken.
+/// Counts of the bytes and searches between packets, since they were last taken.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Between {
     /// Bytes that did not belong to a packet, or belonged to an incomplete one.
@@ -48,7 +48,7 @@ pub(crate) struct Silence {
 }
 
 impl Silence {
-    /// Takes the next packet, and says whether it may have been held back in a silence longer than this.
+    /// Takes the next packet. Returns true if the packet may have been held back in a silence longer than this.
     pub(crate) fn is_followed_by(&mut self, received: Instant, silence: Duration) -> bool {
         let gap = self.last.replace(received).map(|last| received.saturating_duration_since(last));
         if gap.is_some_and(|gap| gap > silence) {
@@ -77,8 +77,8 @@ impl Packets {
         receive::chunk(&self.stream, &self.tap, &mut self.framer, &mut self.timeout, left)
     }
 
-    /// Keeps the text of the next packet that has arrived in full; false if there is none. Firmware that sends text has
-    /// no packets.
+    /// Keeps the text of the next packet that has arrived in full; false if there is none. A text line of firmware
+    /// without JSON packets is an error.
     pub(crate) fn next(&mut self) -> Result<bool, Disconnect> {
         self.tap.stray(self.framer.lost());
         self.between.bytes += self.framer.lost().len();
@@ -109,7 +109,7 @@ impl Packets {
         }
     }
 
-    /// Records what belongs to no packet yet, where no more is read.
+    /// Records the bytes of an incomplete packet, when no more is read.
     pub(crate) fn record_rest(&self) {
         self.tap.stray(self.framer.partial());
     }

@@ -1,4 +1,4 @@
-//! Commands that go out without waiting for each reply.
+//! Commands that are sent without a wait for each reply.
 
 use std::collections::VecDeque;
 
@@ -11,15 +11,15 @@ use crate::{Client, Error};
 
 /// Sends commands without waiting for the reply to each, from [`Client::pipeline`].
 ///
-/// For many settings at once, such as outputs and variables, and for set-points at a cycle of your own. The controller
-/// processes the commands in order and replies to each; the replies are counted, and up to a window of commands is
-/// outstanding at once.
+/// A pipeline serves many settings at once, such as outputs and variables, and set-points at the cycle of the program.
+/// The controller processes the commands in order and replies to each. The replies are counted; up to a window of
+/// commands is outstanding at once.
 ///
 /// A refusal is noticed late: up to a window of later commands have been sent by then, and may have run. If a command
-/// must not go out unless the one before was accepted, call them one by one.
+/// must not be sent unless the previous one was accepted, call them one by one.
 ///
-/// A stop goes out between the commands, and after those that are outstanding, which the controller processes first. So
-/// at most 256 commands are outstanding, including those of dropped pipelines.
+/// A stop is sent between the commands. The controller first processes the outstanding ones, so at most 256 commands
+/// are outstanding, including those of dropped pipelines.
 ///
 /// Dropping the pipeline gives up the outstanding replies; [`finish`](Self::finish) waits for them.
 ///
@@ -51,8 +51,8 @@ pub struct Pipeline<'c> {
 }
 
 impl Client {
-    /// Sends commands without waiting for the reply to each: up to `window` of them are outstanding at once, which is
-    /// limited to the range from 1 to 256.
+    /// Sends commands without waiting for the reply to each. Up to `window` of them are outstanding at once; `window`
+    /// is limited to the range from 1 to 256.
     pub fn pipeline(&mut self, window: usize) -> Pipeline<'_> {
         Pipeline::new(self, window)
     }
@@ -78,7 +78,7 @@ impl<'c> Pipeline<'c> {
     /// - [`Refused`](ErrorKind::Refused), [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost),
     ///   [`UnexpectedReply`](ErrorKind::UnexpectedReply): the outcome of an earlier command, which the error names.
     ///   Each is reported once.
-    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; what was outstanding may have
+    /// - [`Disconnected`](ErrorKind::Disconnected): the connection is broken for good; outstanding commands may have
     ///   run.
     /// - [`NotSentInTime`](ErrorKind::NotSentInTime): the controller accepted or answered too little in time for this
     ///   command to be sent.
@@ -92,8 +92,8 @@ impl<'c> Pipeline<'c> {
     /// [`send`](Self::send) does.
     ///
     /// # Errors
-    /// As [`send`](Self::send); [`sent`](Self::sent) says how many have gone out. If one of the commands is an
-    /// [`InvalidArgument`](ErrorKind::InvalidArgument), none of them was sent.
+    /// As [`send`](Self::send); [`sent`](Self::sent) is the number of commands that were sent. If one of the commands
+    /// is an [`InvalidArgument`](ErrorKind::InvalidArgument), none of them was sent.
     pub fn send_all<C: Command<Reply = ()>>(&mut self, commands: &[C]) -> Result<(), Error> {
         self.client.check(commands)?;
         let mut rest = commands;
@@ -106,7 +106,7 @@ impl<'c> Pipeline<'c> {
         Ok(())
     }
 
-    /// Waits until there is room for at least one command, and returns for how many.
+    /// Waits until there is room for at least one command, and returns the number of commands that fit.
     fn wait_for_room(&mut self, command: &str) -> Result<usize, Error> {
         if self.outstanding >= self.window {
             self.wait(self.window / 2)?;
@@ -147,8 +147,8 @@ impl<'c> Pipeline<'c> {
         self.accepted
     }
 
-    /// Waits for the outstanding replies, each for the reply timeout since its command was sent, and returns how many
-    /// commands were accepted in all.
+    /// Waits for the outstanding replies, each for the reply timeout since its command was sent, and returns the total
+    /// number of accepted commands.
     ///
     /// # Errors
     /// As [`send`](Self::send), for the first failure that has not been reported.

@@ -15,31 +15,31 @@ use crate::recorder::Tap;
 /// Result of a read.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Chunk {
-    /// All that had come by then.
+    /// All bytes that had come by then.
     All,
-    /// As much as there was room for. There may be more.
+    /// As many bytes as there was room for. There may be more.
     Part,
-    /// Nothing, within the time of one read, which may be shorter than what was asked for; or at all, where the socket
-    /// does not block.
+    /// Nothing within the time of one read, which may be shorter than requested; or, from a nonblocking socket, nothing
+    /// at all.
     TimeUp,
 }
 
-/// The read timeout that the socket has, so that it is set only where it must change.
+/// Current read timeout of the socket, so that it is set only if it must change.
 #[derive(Debug, Default)]
 pub(crate) struct ReadTimeout(Duration);
 
 /// The shortest timeout: a read ends late by no more than this.
 const SHORTEST: Duration = Duration::from_millis(1);
 
-/// The longest: systems do not take all that a `Duration` can hold. A thread that waits longer reads again.
+/// The longest timeout: systems do not accept every `Duration`. A thread that waits longer reads again.
 const LONGEST: Duration = Duration::from_secs(3600);
 
 impl ReadTimeout {
     /// Sets a timeout that is no longer than the time left, and at least half of it.
     ///
-    /// It is a little shorter, so that it fits the next call too, however much of that one's time is gone before it
-    /// reads: a call that is answered takes no system call for its deadline. A thread that waits to the end reads a few
-    /// times more.
+    /// The timeout is a little shorter, so that it also fits the next call, part of whose time is gone before it reads:
+    /// a call that is answered makes no system call for its deadline. A thread that waits to the end reads a few times
+    /// more.
     fn set(&mut self, stream: &Socket, left: Duration) -> std::io::Result<()> {
         let left = left.clamp(SHORTEST, LONGEST);
         if (left / 2..=left).contains(&self.0) {
@@ -67,7 +67,7 @@ pub(crate) fn chunk(
     arrived(stream, tap, framer, left)
 }
 
-/// Fails if the other end of a socket that does not block has ended the connection, and nothing is left to read.
+/// Fails if the other end of a nonblocking socket has ended the connection, and nothing is left to read.
 pub(crate) fn check_end(stream: &Socket, framer: &Framer) -> Result<(), Disconnect> {
     match stream.peek() {
         Ok(0) => Err(Disconnect::Closed { partial: framer.partial().len() }),
@@ -79,8 +79,8 @@ pub(crate) fn check_end(stream: &Socket, framer: &Framer) -> Result<(), Disconne
     }
 }
 
-/// Reads once. From a socket that does not block, what has come; from another one as long as its timeout, or, by a
-/// simulated clock, for `left`.
+/// Reads once. A nonblocking socket returns the bytes that have come; another one waits for at most its timeout or,
+/// with a simulated clock, for `left`.
 pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Duration) -> Result<Chunk, Disconnect> {
     let room = framer.spare().len();
     match stream.read(framer.spare(), Some(left)) {
@@ -92,7 +92,7 @@ pub(crate) fn arrived(stream: &Socket, tap: &Tap, framer: &mut Framer, left: Dur
         }
         Err(error) => match error.kind() {
             ErrorKind::WouldBlock | ErrorKind::TimedOut => Ok(Chunk::TimeUp),
-            // A signal came first.
+            // A signal interrupted the read.
             ErrorKind::Interrupted => Ok(Chunk::Part),
             _ => Err(Disconnect::Read(error)),
         },
@@ -104,7 +104,7 @@ pub(crate) fn is_reply(text: &str) -> bool {
     Envelope::read(text).is_ok_and(|envelope| envelope.command.is_some() && envelope.code.is_ok())
 }
 
-/// True for a status packet, which has no key that it must have.
+/// True for a status packet, of which no key is mandatory.
 pub(crate) fn is_status(text: &str) -> bool {
     let names_a_command = Envelope::read(text).is_ok_and(|envelope| envelope.command.is_some());
     let status = RobotStatus::decode(&mut Reader::new(text));
@@ -133,7 +133,7 @@ mod tests {
             timeout.0
         };
         let first = set(5000);
-        // However much of the time is gone when it comes to the reading, up to an eighth.
+        // Up to an eighth of the time may be gone before the read.
         assert!([4999, 5000, 4990, 4500, 4376].into_iter().all(|left| set(left) == first));
         assert!(set(4000) < first);
         assert!(set(1) < set(30_000));

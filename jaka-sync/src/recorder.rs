@@ -28,16 +28,16 @@ const LIMIT: usize = 8 << 20;
 /// Number of bytes of entries that are written at once.
 const BLOCK: usize = 64 << 10;
 
-/// Records all that goes over connections: requests, replies, status packets, and how connections began and ended.
+/// Records the traffic of connections: requests, replies, status packets, and the beginning and end of each connection.
 ///
 /// Given to a [`Config`](crate::Config), it records each client, status stream and monitor that the config connects.
 /// The clones of a recorder write the same recording, in the format of [`recording`](crate::recording).
 ///
-/// A thread of its own writes the file, some milliseconds later. Calls never wait for it: where it falls behind by 8
-/// MiB, entries are dropped, and a `dropped` entry in their place says how many. While recording is on, errors carry
-/// the last messages of their connection: see [`Error::exchanges`](crate::Error::exchanges).
+/// A separate thread writes the file, some milliseconds later. Calls never wait for it: if it falls behind by 8 MiB,
+/// entries are dropped, and a `dropped` entry in their place has their number. While recording is on, errors carry the
+/// last messages of their connection: see [`Error::exchanges`](crate::Error::exchanges).
 ///
-/// A session that failed can be replayed by the simulator, and so becomes a unit test:
+/// The simulator can replay a session that failed, which makes the session a unit test:
 ///
 /// ```
 /// use jaka_sim::{Controller, Replay};
@@ -89,9 +89,9 @@ struct Shared {
 pub struct RecorderReport {
     /// Entries that were written.
     pub entries: u64,
-    /// Connections among them that were made. Without one, all that is recorded is why none could be made.
+    /// Number of connections that were made. If it is 0, the recording has only the reasons why none could be made.
     pub connections: u64,
-    /// Entries that were dropped, since the file could not be written as fast.
+    /// Entries that were dropped, because the file could not be written as fast.
     pub dropped: u64,
 }
 
@@ -104,7 +104,7 @@ impl Recorder {
         Self::new(File::create(path)?)
     }
 
-    /// Records to any writer, which is flushed whenever all that has been recorded is written.
+    /// Records to any writer, which is flushed whenever all recorded entries are written.
     ///
     /// # Errors
     /// A thread cannot be started.
@@ -116,10 +116,9 @@ impl Recorder {
         Ok(Self(Arc::new(Shared { queue, started, connections: AtomicU32::new(0), thread })))
     }
 
-    /// Ends the recording, also of the clones, and waits until all is written. Later events are not recorded.
+    /// Ends the recording, for the clones too, and waits until all entries are written. Later events are not recorded.
     ///
-    /// Without this call, the recording ends when the last clone is dropped, and with it the connections that it
-    /// records.
+    /// Without this call, the recording ends when the last clone and the connections that it records are dropped.
     ///
     /// # Errors
     /// The first error of the file or writer; nothing was written after it.
@@ -145,7 +144,7 @@ impl Drop for Shared {
     fn drop(&mut self) {
         self.queue.close();
         if let Some(thread) = self.thread.take() {
-            // A panic there is the writer's own, and has been reported.
+            // A panic of the thread has been reported already.
             drop(thread.join());
         }
     }
@@ -158,12 +157,12 @@ impl fmt::Debug for Shared {
 }
 
 fn header() -> Header {
-    // A clock before 1970 is as wrong as it can be.
+    // A clock before 1970 is wrong in any case; the header then has 1970.
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     Header::new(now, concat!("jaka-sync ", env!("CARGO_PKG_VERSION")))
 }
 
-/// Writes what comes through the queue, to its end.
+/// Writes the entries of the queue until the queue ends.
 fn write(queue: &EntryQueue, header: &Header, mut writer: impl Write) -> io::Result<()> {
     let mut out = Writer::new();
     header.write(&mut out);
@@ -183,7 +182,7 @@ fn write(queue: &EntryQueue, header: &Header, mut writer: impl Write) -> io::Res
     writer.flush()
 }
 
-/// One connection in a recording, for programs that make connections of their own, such as a proxy.
+/// One connection in a recording, for programs that make their own connections, such as a proxy.
 ///
 /// ```
 /// use jaka_sync::recording::{Event, Message, Port};
@@ -207,17 +206,17 @@ pub struct Track {
 }
 
 impl Track {
-    /// Records what happens now.
+    /// Records an event with the current time.
     pub fn record(&self, event: Event) {
         self.push(&self.entry(self.now(), event));
     }
 
-    /// Records a status packet that comes now, if the sampling takes it.
+    /// Records a status packet with the current time, if the sampling selects it.
     pub fn record_packet(&self, packet: Message) {
         self.push_packet(&self.entry(self.now(), Event::Received(packet)));
     }
 
-    /// Time since the start of the recording; by a simulated clock, since the clock was made.
+    /// Time since the start of the recording or, with a simulated clock, since the creation of the clock.
     pub(super) fn now(&self) -> Duration {
         self.clock.elapsed_since_start(self.recorder.0.started)
     }

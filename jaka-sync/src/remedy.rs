@@ -4,7 +4,7 @@ use std::fmt;
 
 jaka_proto::worded! {
     /// Remedy for an [`Error`](crate::Error) of a connection or a [`StatusProblem`](crate::StatusProblem). A program
-    /// that shows other words matches on it.
+    /// with its own wording matches on it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Remedy {
         /// Nothing is known to help.
@@ -13,10 +13,10 @@ jaka_proto::worded! {
         CheckFirmware => "call `check_firmware` first",
         /// Check the network, and that the controller is on.
         CheckNetwork => "check the network, and that the controller is on",
-        /// Check that the controller is on, and that no other client holds the seat of its command port.
+        /// Check that the controller is on, and that no other client occupies its command port, which serves one.
         FreeSeat =>
             "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat",
-        /// Check that the address is that of the status port, and that the controller has started.
+        /// Check that the address belongs to the status port, and that the controller has started.
         CheckStatusPort => "check that this is the status port, 10000, and that the controller has started",
         /// Connect to the status port again.
         ConnectStatusAgain => "connect again, or set `Config::reconnect`",
@@ -28,7 +28,7 @@ jaka_proto::worded! {
 }
 
 impl Remedy {
-    /// Appends it to a fact.
+    /// Appends the remedy to a fact.
     pub(crate) fn append(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self == Self::None { Ok(()) } else { write!(f, "; {self}") }
     }

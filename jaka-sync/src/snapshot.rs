@@ -6,46 +6,47 @@ use jaka_clock::Clock;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::DecodeError;
 
-/// Status packet, and when it came.
+/// Status packet with the time of its arrival.
 ///
-/// Packets carry no time of their own, so nothing here tells when the controller wrote one: at least [`age`](Self::age)
-/// ago. A link that delays all packets alike cannot be told from one that does not. Only a reply on the command port is
+/// Packets have no timestamp, so the time at which the controller wrote one is unknown: at least [`age`](Self::age)
+/// ago. A link that delays all packets equally looks like a link without delay. Only a reply on the command port is
 /// certain to be later than the command before it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Snapshot<S = RobotStatus> {
     /// Content of the packet.
     pub status: S,
-    /// Time at which it came.
+    /// Time of arrival.
     pub received: Instant,
-    /// Its number, counted from 1 since the monitor began; numbers without a packet were dropped, or could not be read.
+    /// Number of the packet, counted from 1 since the monitor began. Missing numbers belong to packets that were
+    /// dropped or unreadable.
     pub number: u64,
-    /// The fields of the packet that do not fit the spec, each once, with what was expected and what was found: they
-    /// are absent in [`status`](Self::status). Usually none.
+    /// Fields of the packet that do not fit the spec, each once, with the expected and the found value. They are absent
+    /// in [`status`](Self::status). Usually empty.
     pub unfit: Vec<DecodeError>,
     /// True if the packet came within 100 ms after a silence longer than
-    /// [`Config::stale_after`](crate::Config::stale_after): a network that stalled delivers what it had held back, so
-    /// the controller may have written the packet at any time of the silence.
+    /// [`Config::stale_after`](crate::Config::stale_after). A network that stalled delivers the packets it had held
+    /// back, so the controller may have written this one at any time of the silence.
     ///
     /// [`Monitor::wait_until`](crate::Monitor::wait_until) and [`Monitor::next_packet`](crate::Monitor::next_packet)
-    /// pass over such packets, and no motion goes out by them.
+    /// ignore such packets, and no motion is sent on the basis of one.
     pub follows_silence: bool,
-    /// Field that its type says each packet tells, and that this one does not.
+    /// Error of a field that this type of packet must have, and that this packet does not have.
     pub(crate) untold: Option<DecodeError>,
     pub(crate) clock: Clock,
 }
 
-/// Fields without which it is not known whether the arm is stopped.
+/// Fields that show whether the arm is stopped.
 const NEEDED: [&str; 6] = ["emergency_stop", "protective_stop", "powered_on", "enabled", "in_position", "error_code"];
 
 impl Snapshot {
-    /// Error of a packet that shows nothing at all, because its own type has panicked.
+    /// Error of a packet that shows nothing, because the packet's own type has panicked.
     pub fn panicked(&self) -> Option<&DecodeError> {
         self.unfit.iter().find(|error| error.field().is_empty())
     }
 
-    /// Reason for which the packet does not show whether the arm is stopped: that cannot be read, or is not there at
-    /// all; or a field is not there that a pack maps, or that a program's own [type](crate::MotionStatus) must tell.
+    /// Reason why the packet does not show whether the arm is stopped: the fields for it cannot be read or are all
+    /// absent, or a field is absent that a pack maps or that the program's [type](crate::MotionStatus) must provide.
     pub fn unreadable(&self) -> Option<DecodeError> {
         let unfit = || self.unfit.iter().find(|error| NEEDED.iter().any(|field| error.is_in(field)));
         self.panicked().or_else(unfit).or(self.untold.as_ref()).cloned().or_else(|| {
@@ -61,7 +62,7 @@ impl Snapshot {
 
 #[cfg(shuttle)]
 impl<S> Snapshot<S> {
-    /// Packet that comes now, without a connection: for tests of interleavings.
+    /// Packet that arrives now, without a connection: for tests of interleavings.
     #[doc(hidden)]
     pub fn arriving(status: S, number: u64) -> std::sync::Arc<Self> {
         let clock = Clock::default();
@@ -84,7 +85,7 @@ impl<S> Snapshot<S> {
         self.unfit.iter().any(|error| error.is_in(field))
     }
 
-    /// Time since the packet came. The controller wrote it at least so long ago; after a silence it may be far older
+    /// Time since the packet came. The controller wrote it at least that long ago; after a silence it may be far older
     /// ([`follows_silence`](Self::follows_silence)).
     pub fn age(&self) -> Duration {
         self.clock.elapsed(self.received)

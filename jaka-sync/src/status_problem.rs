@@ -9,7 +9,7 @@ use jaka_proto::wire::DecodeError;
 use crate::{Disconnect, Remedy};
 
 jaka_proto::worded! {
-    /// Reason for which the state of a robot is not known.
+    /// Reason why the state of a robot is unknown.
     #[derive(Debug, Clone)]
     #[non_exhaustive]
     pub enum StatusProblem {
@@ -56,7 +56,7 @@ impl StatusProblem {
     }
 }
 
-/// The cause of [`Ended`](Self::Ended) is part of this one's text: its source is the source of that.
+/// The text includes the cause of [`Ended`](Self::Ended), so the source is the source of that cause.
 impl StdError for StatusProblem {
     fn source(&self) -> Option<&(dyn StdError + 'static)> {
         if let Self::Ended { cause } = self { cause.source() } else { None }

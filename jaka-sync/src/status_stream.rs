@@ -13,11 +13,11 @@ use crate::packets::{Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, Error, ErrorKind};
 
-/// A reader of the status packets that a controller sends on port 10000.
+/// Reader of the status packets that a controller sends on port 10000.
 ///
-/// Packets come every 30 to 100 ms, depending on firmware, and wait in the system's buffer until they are read: use
-/// [`newest_packet`](Self::newest_packet) where the present matters, [`next_packet`](Self::next_packet) where every
-/// packet does. Several readers can be connected at once.
+/// Packets come every 30 to 100 ms, depending on firmware, and wait in the system's buffer until they are read. Use
+/// [`newest_packet`](Self::newest_packet) if only the present state matters, and [`next_packet`](Self::next_packet) if
+/// every packet does. Several readers can be connected at once.
 ///
 /// A field that does not fit the spec is absent, and [`unfit`](Self::unfit) lists it. Bytes that do not belong to a
 /// complete packet are skipped up to the next packet.
@@ -71,11 +71,11 @@ impl StatusStream {
         })
     }
 
-    /// The next packet that has not been read yet, which may be old.
+    /// Returns the next packet that has not been read yet, which may be old.
     ///
     /// # Errors
     /// - [`StatusTimeout`](ErrorKind::StatusTimeout): no packet within the reply timeout.
-    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is not a JSON object, or a [`Decode`] of your own
+    /// - [`UnexpectedStatus`](ErrorKind::UnexpectedStatus): a packet is not a JSON object, or your own [`Decode`]
     ///   refuses it; its text is kept.
     /// - [`Disconnected`](ErrorKind::Disconnected): the stream is broken for good.
     pub fn next_packet(&mut self) -> Result<RobotStatus, Error> {
@@ -83,7 +83,7 @@ impl StatusStream {
     }
 
     /// Reads the packet of [`next_packet`](Self::next_packet) as another type: a [pack](crate::pack!)'s status packet
-    /// with keys of newer firmware, or a choice of keys of your own.
+    /// with keys of newer firmware, or your own subset of keys.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -104,7 +104,7 @@ impl StatusStream {
         self.read_packet(|reader| status.decode_into(reader))
     }
 
-    /// The newest packet that has arrived; older ones are dropped. Waits for one if none has arrived.
+    /// Returns the newest packet that has arrived, and drops older ones. Waits for one if none has arrived.
     ///
     /// # Errors
     /// As [`next_packet`](Self::next_packet).
@@ -132,21 +132,22 @@ impl StatusStream {
         self.read_packet(|reader| status.decode_into(reader))
     }
 
-    /// Sets the firmware by which packets are read, where a value has one form or another by firmware and the packet
-    /// does not show which; [`Config::firmware`] to begin with. As long as it is not known, such a value does not fit.
+    /// Sets the firmware by which packets are read; [`Config::firmware`] at first. It decides the form of a value that
+    /// depends on the firmware, if the packet does not show the form. While the firmware is unknown, such a value does
+    /// not fit.
     pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
         self.firmware = firmware;
     }
 
-    /// The text of the packet that was read last, as it came; with `\udcNN` for each byte that is not UTF-8.
+    /// Text of the packet that was read last, as it was received; with `\udcNN` for each byte that is not UTF-8.
     pub fn packet_text(&self) -> Option<&str> {
         (!self.packets.text.is_empty()).then_some(&*self.packets.text)
     }
 
-    /// The fields of the packet read last that do not fit the spec, each once, with what was expected and what was
-    /// found: they are absent in what was read of it. Usually none.
+    /// Fields of the packet read last that do not fit the spec, each once, with the expected and the found value. They
+    /// are absent in the value that was read. Usually empty.
     ///
-    /// [`DecodeError::is_in`] asks for a field by its name.
+    /// [`DecodeError::is_in`] compares an error with a field's name.
     pub fn unfit(&self) -> &[DecodeError] {
         &self.unfit
     }
@@ -194,7 +195,7 @@ impl StatusStream {
         self.check()?;
         let mut found = self.take_newest()?;
         self.nonblocking(true)?;
-        // A controller that sends faster than this reads would hold it here for ever.
+        // Without the limit, a controller that sends faster than this reads would hold the thread here for ever.
         let since = self.clock.stopwatch();
         while since.passed() < self.timeout {
             match self.packets.read(self.timeout) {

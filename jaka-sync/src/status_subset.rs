@@ -1,10 +1,10 @@
-//! A choice of fields of the status packet.
+//! Subset of the fields of the status packet.
 
 /// Makes a struct with some fields of the status packet, for programs that need no more.
 ///
-/// The fields are named as in [`RobotStatus`](crate::status::RobotStatus), and have the types and docs that they have
-/// there. Use the struct with [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and its neighbours,
-/// or as that which a [`Monitor`](crate::Monitor) keeps.
+/// The fields have the names, types and docs of [`RobotStatus`](crate::status::RobotStatus). Use the struct with
+/// [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and the other `_as` and `_into` methods, or as
+/// the type of a [`Monitor`](crate::Monitor).
 ///
 /// ```no_run
 /// use jaka_sync::{Config, Monitor, StatusStream};
@@ -20,10 +20,11 @@
 /// # Ok::<(), jaka_sync::Error>(())
 /// ```
 ///
-/// Reading it takes a fraction of the time that the whole packet takes: the values of other keys are skipped by their
-/// quotes and brackets, so that an error in one of them goes unnoticed. A field that is named is read and checked as in
-/// a full packet: a key that does not come is `None`, and so is one that does not fit or that comes twice, which
-/// [`StatusStream::unfit`](crate::StatusStream::unfit) and [`Snapshot::unfit`](crate::Snapshot::unfit) tell.
+/// Reading it takes a fraction of the time of the whole packet: the values of other keys are skipped by their quotes
+/// and brackets, so that an error in one of them goes unnoticed. A named field is read and checked as in a full packet:
+/// it is `None` if its key does not come, does not fit or comes twice.
+/// [`StatusStream::unfit`](crate::StatusStream::unfit) and [`Snapshot::unfit`](crate::Snapshot::unfit) list the keys
+/// that do not fit or come twice.
 ///
 /// A field that the packet does not have is a compiler error at its name:
 ///

@@ -10,15 +10,15 @@ use jaka_proto::messages::program::StopProgram;
 use crate::Error;
 use crate::link::{Link, Outgoing, Right, Sent};
 
-/// Stops the running motion or program of a [`Client`](crate::Client) from any thread, also while a call waits.
+/// Stops the running motion or program of a [`Client`](crate::Client) from any thread, even while a call waits.
 ///
-/// The command goes out on the client's own connection: the command port serves one client. So the handle works as long
-/// as the client lives: dropping the client closes the connection, and [`stop`](Self::stop) then fails. Keep the client
-/// for as long as the arm may move.
+/// The stop is sent on the client's connection, since the command port serves one client. So the handle works while the
+/// client lives: dropping the client closes the connection, and [`stop`](Self::stop) then fails. Keep the client as
+/// long as the arm may move.
 ///
-/// A stop that waits to be sent goes before all other commands that wait, also between the writes of a
-/// [`Pipeline`](crate::Pipeline). The controller processes what was sent before it first. This is not an emergency
-/// stop: only the robot's own safety functions protect people.
+/// A stop is sent before all other commands that wait, also between the writes of a [`Pipeline`](crate::Pipeline). The
+/// controller first processes the commands that were sent before it. This is not an emergency stop: only the robot's
+/// own safety functions protect people.
 ///
 /// ```no_run
 /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
@@ -38,15 +38,15 @@ pub struct StopHandle {
     timeout: Duration,
 }
 
-/// A stop that was written, whose reply is to come.
+/// Stop that was written and whose reply is pending.
 #[derive(Debug)]
 pub struct WrittenStop {
     sent: Sent<'static>,
-    /// Time at which it had been written.
+    /// Time at which the write had ended.
     pub at: Instant,
 }
 
-/// Longest time for which a stop keeps a thread that must not wait.
+/// Longest time for which a stop blocks a thread that must not wait.
 const AT_ONCE: Duration = Duration::from_millis(1);
 
 impl StopHandle {
@@ -68,9 +68,9 @@ impl StopHandle {
         self.write_within(self.timeout)
     }
 
-    /// Writes the stop if that can be done at once; none otherwise. The thread is kept for a moment at most.
+    /// Writes the stop if that is possible at once; `None` otherwise. Blocks the thread for a moment at most.
     pub(crate) fn write_now(&self) -> Option<WrittenStop> {
-        // Outstanding requests may fill the system's buffer: the write would wait, or end in the middle.
+        // Outstanding requests may fill the system's buffer: the write would wait, or end midway.
         if self.link.is_idle() { self.write_within(AT_ONCE).ok() } else { None }
     }
 

@@ -21,7 +21,7 @@ use jaka_clock::Signal;
 #[cfg(all(test, shuttle))]
 use self::shuttled::Signal;
 
-/// State that threads share, and for whose changes they wait in the time of a clock.
+/// State that threads share. They wait for its changes in the time of a clock.
 #[derive(Debug)]
 pub struct Watched<T> {
     state: Mutex<T>,
@@ -42,8 +42,8 @@ impl Wakeup {
         Self { signal: Signal::new(clock), sleepers: AtomicUsize::new(0) }
     }
 
-    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system
-    /// call.
+    /// Wakes the threads that wait, after a change under the lock. Usually no thread waits, and the call makes no
+    /// system call.
     pub fn wake(&self) {
         if self.sleepers() > 0 {
             self.signal.notify_all();
@@ -62,7 +62,7 @@ impl<T> Watched<T> {
         Self { state: Mutex::new(state), changed: Wakeup::new(clock) }
     }
 
-    /// Locks the state. A thread that panicked while it held the lock left it as it was: every change is made whole.
+    /// Locks the state. A panic of a thread that held the lock leaves the state valid: every change is complete.
     pub fn lock(&self) -> MutexGuard<'_, T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -81,12 +81,12 @@ impl<T> Watched<T> {
         self.changed.signal.clock()
     }
 
-    /// Waits for a change, or for so long, or less.
+    /// Waits for a change for at most `time`; may return earlier.
     pub fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
         self.wait_on(&self.changed, state, time)
     }
 
-    /// Waits for a wake-up of its own, for which others do not wait.
+    /// Waits for a separate wake-up, for which other threads do not wait, as [`wait`](Self::wait) does.
     pub fn wait_on<'w>(&'w self, wakeup: &Wakeup, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
         wakeup.sleepers.fetch_add(1, Ordering::Relaxed);
         let state = wakeup.signal.wait(&self.state, state, time);
@@ -100,7 +100,7 @@ impl<T> Watched<T> {
         self.changed.sleepers()
     }
 
-    /// Waits until this finds something in the state; none after so long.
+    /// Waits until `find` finds something in the state; `None` after `time`.
     pub fn wait_for<R>(&self, time: Duration, mut find: impl FnMut(&mut T) -> Option<R>) -> Option<R> {
         let since = self.clock().stopwatch();
         let mut state = self.lock();
@@ -116,8 +116,8 @@ impl<T> Watched<T> {
         }
     }
 
-    /// Wakes the threads that wait, after a change under the lock. If none does, which is usual, it takes no system
-    /// call.
+    /// Wakes the threads that wait, after a change under the lock. Usually no thread waits, and the call makes no
+    /// system call.
     pub fn wake(&self) {
         self.changed.wake();
     }
@@ -132,7 +132,7 @@ mod shuttled {
 
     use jaka_clock::Clock;
 
-    /// A signal whose interleavings a test goes through.
+    /// Signal whose interleavings a test explores.
     #[derive(Debug)]
     pub(crate) struct Signal {
         condvar: Condvar,

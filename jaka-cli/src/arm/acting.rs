@@ -1,4 +1,4 @@
-//! The commands that do one thing to a robot, each with a question before.
+//! Commands with one action on a robot, each after a question.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -25,7 +25,7 @@ use crate::packets::packed_status::{PackedRobot, PackedStatus};
 use crate::target::packs::{Protocol, SpecArgs};
 use crate::target::{RobotArgs, Target};
 
-/// The options of a command that does one thing to a robot.
+/// Options of a command with one action on a robot.
 #[derive(Debug, Args)]
 pub(crate) struct ActArgs {
     /// Send without asking
@@ -37,7 +37,7 @@ pub(crate) struct ActArgs {
     robot: RobotArgs,
 }
 
-/// A robot to which something is done. Ctrl-C is handled from when there is one.
+/// Robot of an action. From its creation on, Ctrl-C is handled.
 #[derive(Debug)]
 pub(crate) struct Act {
     target: Target,
@@ -45,14 +45,14 @@ pub(crate) struct Act {
 }
 
 impl ActArgs {
-    /// Makes sure that the user wants the arm to do this, such as "lose its power", for which these requests are sent
-    /// where they are needed. Connects to nothing yet.
+    /// Asks whether the user wants this of the arm, such as "lose its power", for which these requests are sent as
+    /// needed. Does not connect yet.
     pub(crate) fn begin(&self, what: &str, intents: &[Intent<'_>]) -> Result<Act, Failure> {
         self.begin_told(intents, |_| Ok(what.to_owned()))
     }
 
-    /// Makes sure that the user wants the arm to do this, like [`Self::begin`]. `what` may read the status port first,
-    /// which disturbs nobody.
+    /// Asks whether the user wants this of the arm, like [`Self::begin`]. `what` may read the status port first, which
+    /// disturbs no other program.
     pub(crate) fn begin_told(
         &self,
         intents: &[Intent<'_>],
@@ -68,12 +68,12 @@ impl ActArgs {
         Ok(act)
     }
 
-    /// The robot, if the line names one.
+    /// Returns the robot, if the line names one.
     pub(crate) fn named_target(&self) -> Result<Option<Target>, Failure> {
         if self.robot.is_given() { self.robot.target(&self.protocol()?.packs).map(Some) } else { Ok(None) }
     }
 
-    /// The protocol with the packs of the line, by which status packets are read from now on.
+    /// Loads the protocol with the packs of the line, and makes it the protocol of status packets.
     fn protocol(&self) -> Result<Protocol, Failure> {
         let protocol = self.spec.load(self.robot.lookup())?;
         protocol.read_status();
@@ -81,8 +81,8 @@ impl ActArgs {
     }
 }
 
-/// Fails where packs change a command that is sent here, or one that a robot sends meanwhile: it goes out as it is
-/// built in.
+/// Returns an error if packs change a command that is sent here, or one that a robot sends meanwhile: these go out in
+/// their built-in form.
 fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failure> {
     let translation = Translation::new(builtin::spec(), spec);
     let is_needed = |command: &&jaka_spec::Command| {
@@ -105,17 +105,17 @@ fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failur
     }
 }
 
-/// Queries by which a robot sees the end of a motion, and the states that keep the arm from one.
+/// Queries that a robot uses to detect the end of a motion, and the states that prevent a motion.
 const QUERIES: [&str; 4] =
     [GetJointPos::INFO.name, GetTcpPos::INFO.name, GetRobotState::INFO.name, IsInServomove::INFO.name];
 
-/// The intent to send this.
+/// Returns the intent to send this request.
 pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure> {
     Intent::of(builtin::spec(), request)
 }
 
 impl Act {
-    /// Begins an action whose request is sent without a question.
+    /// Begins an action that sends its request without a question.
     pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
         Self::begin(robot, &[])
     }
@@ -125,12 +125,12 @@ impl Act {
         Ok(Self { target: robot.target(packs)?, under_way })
     }
 
-    /// Timeout for the action: `--timeout` of the command line, or else this one.
+    /// Returns the timeout for the action: `--timeout` of the command line, or else this one.
     pub(crate) fn patience(&self, usual: Duration) -> Duration {
         self.target.patience(usual)
     }
 
-    /// Does something over this connection, which sends this.
+    /// Runs an action over this connection; `sends` names its requests.
     pub(crate) fn with<C, T, E: Into<Error>>(
         &self,
         connect: fn(&Target) -> Result<C, Failure>,
@@ -144,7 +144,7 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Does something with both ports, one step after the other. After Ctrl-C no further step is sent.
+    /// Runs an action with both ports, step by step. After Ctrl-C no further step is sent.
     pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut PackedRobot) -> Result<T, Error>) -> Result<T, Failure> {
         let mut robot: PackedRobot = self.target.robot()?;
         self.under_way.set(Stage::Steps(robot.stop_handle()));
@@ -153,12 +153,12 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Joints of the arm, by the status port alone; none where the packet does not show them.
+    /// Returns the joints of the arm, from the status port alone; `None` if the packet does not have them.
     pub(crate) fn joints(&self) -> Result<Option<JointPosition>, Failure> {
         joints(&self.target)
     }
 
-    /// Follows a trajectory to its end, or wherever it ends. It is planned with the frames that the controller has.
+    /// Follows a trajectory to its end. Plans it with the frames of the controller.
     pub(crate) fn follow(
         &self,
         plan: &dyn Fn(&Checker) -> Result<Trajectory, Failure>,
@@ -179,7 +179,7 @@ impl Act {
         ended.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Runs a motion, and prints how it ended.
+    /// Runs a motion, and prints its end.
     pub(crate) fn run<M: Motion>(
         &self,
         motion: &M,
@@ -197,7 +197,7 @@ impl Act {
     }
 }
 
-/// Joint positions, read from the status port alone; none where the packet does not have them.
+/// Returns the joint positions, from the status port alone; `None` if the packet does not have them.
 pub(super) fn joints(target: &Target) -> Result<Option<JointPosition>, Failure> {
     Ok(target.status::<PackedStatus>()?.joint_actual_position)
 }
@@ -208,13 +208,13 @@ const QUEUE_PATIENCE: Duration = Duration::from_secs(5);
 /// Option to queue a motion behind another one.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct QueueArgs {
-    /// Send it also while the arm moves: the controller queues it behind that motion
+    /// Send the motion even while the arm moves: the controller queues it behind that motion
     #[arg(long)]
     queue: bool,
 }
 
 impl QueueArgs {
-    /// Fails where packets show that the arm moves, or do not show whether it does.
+    /// Returns an error if packets show that the arm moves, or do not show whether it moves.
     fn check(self, robot: &PackedRobot, command: &str, patience: Duration) -> Result<(), Failure> {
         if self.queue {
             return Ok(());
@@ -257,7 +257,7 @@ mod tests {
             let refused = must_be_as_built_in(&spec(pack), &intents).expect_err("it would be sent in another form");
             assert!(refused.to_string().contains(command), "{refused}");
         }
-        // A field more that may be left out, and commands that are not sent here.
+        // An additional optional field, and commands that are not sent here.
         let more = "[[extend]]\ntarget = 'joint_move'\n[[extend.request]]\nwire = 'zone'\ntype = 'float'\noptional = true\n\
                     doc = 'D.'\n[[override]]\ntarget = 'get_payload'\nreply = 'mass'\nwire = 'weight'\n";
         assert!(must_be_as_built_in(&spec(more), &intents).is_ok());

@@ -1,4 +1,4 @@
-//! Asking before something happens to a robot.
+//! Confirmation before an action on a robot.
 
 use std::io::{IsTerminal, stdin};
 use std::slice::from_ref;
@@ -16,25 +16,25 @@ use crate::failure::Failure;
 use crate::target::seat::ONE_CLIENT;
 use crate::terminal::question;
 
-/// A request that is about to be sent.
+/// Request that is about to be sent.
 #[derive(Debug)]
 pub(crate) struct Intent<'s> {
-    /// The command in the spec, if it is there.
+    /// Command in the spec, if the spec has it.
     pub(crate) command: Option<&'s Command>,
     /// `cmdName`.
     pub(crate) name: String,
-    /// Text that is sent, byte for byte.
+    /// Text to send, byte for byte.
     pub(crate) text: String,
 }
 
 impl<'s> Intent<'s> {
-    /// The intent to send this.
+    /// Returns the intent to send this request.
     ///
     /// # Errors
-    /// The spec forbids it.
+    /// The spec forbids the request.
     pub(crate) fn of<C: proto::Command>(spec: &'s Spec, request: &C) -> Result<Self, Failure> {
         match request.check(AdvisoryRanges::Enforced) {
-            // The firmware is asked for when there is a connection.
+            // The firmware is checked after connecting.
             Ok(()) | Err(NotSent::FirmwareUnknown { .. }) => {}
             Err(NotSent::InvalidArgument(invalid)) => return Err(not_allowed(&invalid)),
             Err(forbidden @ NotSent::NotInFirmware(_)) => return Err(jaka_sync::Error::from(forbidden).into()),
@@ -45,18 +45,18 @@ impl<'s> Intent<'s> {
         Ok(Self { command: spec.command(name), name: name.to_owned(), text: out.into_string() })
     }
 
-    /// Text that is sent, as a line of a question.
+    /// Returns the text to send, as a line of a question.
     fn line(&self) -> String {
         format!("  {}\n", visible_json_line(&self.text))
     }
 
-    /// Effect on the robot, in words.
+    /// Returns the effect on the robot, in words.
     pub(crate) fn effect(&self) -> &'static str {
         self.command.map_or("is not known", |command| effect(command.effect))
     }
 }
 
-/// Makes sure that somebody can be asked about these requests.
+/// Checks that there is a terminal for a question about these requests.
 ///
 /// # Errors
 /// There is no terminal.
@@ -72,28 +72,28 @@ pub(crate) fn must_be_askable(intents: &[Intent<'_>]) -> Result<(), Failure> {
     Err(not_done(intents, &format!(": {what}there is no terminal to ask on; use --yes to {do_it} anyway")))
 }
 
-/// Makes sure that the user wants this to be sent to the robot of this title, of which only the spec says what it does;
-/// with its fields as a table.
+/// Asks whether the user wants to send this request, whose effect only the spec describes, to the robot of this title.
+/// The question has the fields as a table.
 ///
 /// # Errors
-/// The user does not, or cannot be asked.
+/// The user declines, or there is no terminal.
 pub(crate) fn obtain(intent: &Intent<'_>, fields: &str, title: &str) -> Result<(), Failure> {
     let intents = from_ref(intent);
     must_be_askable(intents)?;
     if question::is_confirmed(&question(intent, fields, title))? { Ok(()) } else { Err(not_done(intents, "")) }
 }
 
-/// Makes sure that the user wants the arm of the robot of this title to do this, such as "turn joint 6 by 5 deg", for
-/// which these are sent, or set-points.
+/// Asks whether the user wants this of the arm of the robot of this title, such as "turn joint 6 by 5 deg", for which
+/// these requests, or set-points, are sent.
 ///
 /// # Errors
-/// The user does not, or cannot be asked.
+/// The user declines, or there is no terminal.
 pub(crate) fn obtain_act(what: &str, intents: &[Intent<'_>], title: &str) -> Result<(), Failure> {
     must_be_askable(intents)?;
     if question::is_confirmed(&act_question(what, intents, title))? { Ok(()) } else { Err(not_done(intents, "")) }
 }
 
-/// Without the way round advisory ranges, which `jaka call` alone has.
+/// Creates the failure without a hint at the option for advisory ranges, which only `jaka call` has.
 fn not_allowed(invalid: &InvalidArgument) -> Failure {
     let InvalidArgument { command, field, value, allowed, .. } = invalid;
     let hint = value.parse().ok().and_then(|value| other_unit(value, allowed)).unwrap_or_default();
@@ -121,7 +121,7 @@ fn question(intent: &Intent<'_>, fields: &str, title: &str) -> String {
     format!("To {title}:\n{sent}`{name}` {effect}. {}\n{fields}{ONE_CLIENT}\nSend it? [y/N] ", visible(about))
 }
 
-/// Effect of a command on the robot, in words.
+/// Returns the effect of a command on the robot, in words.
 pub(crate) fn effect(effect: Effect) -> &'static str {
     match effect {
         Effect::Query => "reads, changes nothing",

@@ -12,19 +12,20 @@ use crate::arm::planned::{MoveTarget, Planned, only_at};
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// The options of a motion that is waited for.
+/// Options of a motion with a wait for its end.
 #[derive(Debug, Args)]
 pub(crate) struct GoArgs {
-    /// Speed: in deg/s of the joint, or of that with the longest way; or in mm/s along the line
+    /// Speed: in deg/s of the joint that turns furthest, or in mm/s along the line
     #[arg(long, value_name = "SPEED")]
     speed: f64,
-    /// Acceleration: in deg/s² or mm/s² [default: the controller's; of joints with --model or --limits, their lowest]
+    /// Acceleration: in deg/s² or mm/s² [default: the controller's; for joints with --model or --limits, the lowest
+    /// limit]
     #[arg(long, value_name = "ACCELERATION")]
     acceleration: Option<f64>,
-    /// Print the request that would be sent, and send nothing
+    /// Print the request without sending it
     ///
-    /// With --model or --limits, what can be compared with them without the command port is. If --robot or --sim is
-    /// given, too, one status packet says where the arm is: that disturbs no other program.
+    /// With --model or --limits, compare it with the limits as far as possible without the command port. With --robot
+    /// or --sim as well, read the position of the arm from one status packet, which disturbs no other program.
     #[arg(long)]
     dry_run: bool,
     /// Print one JSON object: `command` and `end`
@@ -39,7 +40,7 @@ pub(crate) struct GoArgs {
 }
 
 impl GoArgs {
-    /// Checks the motion, asks, sends it and waits for its end; or prints what would be sent.
+    /// Checks the motion, asks, sends it and waits for its end; or prints the request.
     pub(crate) fn go(&self, goal: MoveTarget) -> Result<(), Failure> {
         let limits = self.limits.read()?;
         let mut acceleration = self.acceleration;
@@ -72,14 +73,14 @@ impl GoArgs {
             if let Some(limits) = &limits {
                 self.compare(planned, limits)?;
             }
-            // The bytes that would be sent, as `jaka call --dry-run` prints them.
+            // Prints the bytes of the request, as `jaka call --dry-run` does.
             return output::write(format!("{}\n", intent.text).as_bytes());
         }
         let act = self.act.begin_told(&[intent], |target| {
             let from = match &limits {
                 _ if !planned.goal.is_of_joints() => None,
                 Some(_) => joints(target)?,
-                // It is told only.
+                // The position is only shown in the question.
                 None => joints(target).ok().flatten(),
             };
             limits.as_ref().map_or(Ok(()), |limits| planned.check(limits, from))?;
@@ -88,7 +89,8 @@ impl GoArgs {
         act.run(motion, limits, (self.queue, Form::of(self.json)))
     }
 
-    /// Compares the motion with limits from where the arm is, if the line names it, and says what was not compared.
+    /// Compares the motion with limits from the position of the arm, if the line names it, and notes the limits not
+    /// compared.
     fn compare(&self, planned: &Planned, limits: &Limits) -> Result<(), Failure> {
         let target = if planned.goal.is_of_joints() { self.act.named_target()? } else { None };
         let from = target.map_or(Ok(None), |target| joints(&target))?;

@@ -1,4 +1,4 @@
-//! Ctrl-C, and the signals by which a system ends programs.
+//! Ctrl-C, and the signals with which a system ends programs.
 
 use std::io;
 use std::io::stdout;
@@ -13,17 +13,17 @@ use crate::failure::{Failure, fact, not_taken};
 use crate::recordings::record;
 use crate::terminal::{exit, logging, output, raw};
 
-/// Patience with a program that is about to end, where it ends with the same code.
+/// Time for a program to end by itself, if it ends with the same code.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Patience with a program that writes what it has before it ends.
+/// Time for a program to write its results before it ends.
 const LONG_PATIENCE: Duration = Duration::from_secs(60);
 
 /// Time within which a controller usually answers a stop.
 const SOON: Duration = Duration::from_millis(500);
 
-/// Calls `call` on the first Ctrl-C, and on the signals by which a system ends programs. It makes the program end with
-/// all that is left to write. A further one, or a minute, ends the program with success.
+/// Calls `call` on the first Ctrl-C, and on the signals with which a system ends programs. The call makes the program
+/// write its results and end. A further signal, or a minute, ends the program with success.
 pub(crate) fn on_interrupt(call: impl FnOnce() + Send + 'static) {
     let mut call = Some(call);
     handle(move || match call.take() {
@@ -47,17 +47,17 @@ pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) {
     });
 }
 
-/// Ends the program with this code on Ctrl-C, but not in the middle of what it writes.
+/// Ends the program with this code on Ctrl-C, but not in the middle of its output.
 pub(crate) fn end_on_interrupt(code: u8) {
     handle(move || {
-        // Not here, since the reader of the output may never continue.
+        // Uses another thread, since the reader of the output may never continue.
         thread::spawn(move || end_whole(code));
         thread::sleep(PATIENCE);
         end(code);
     });
 }
 
-/// Ends the program with this code, but not in the middle of what it writes.
+/// Ends the program with this code, but not in the middle of its output.
 pub(crate) fn end_whole(code: u8) -> ! {
     let _whole = stdout().lock();
     end(code)
@@ -73,17 +73,17 @@ pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
 pub(crate) enum Stage {
     #[default]
     NothingSent,
-    /// This may have been sent, such as "`power_on` or `enable_robot`", and nothing is known of it.
+    /// These requests may have been sent, such as "`power_on` or `enable_robot`", with unknown results.
     Sent(String),
-    /// One step goes out after the other, until this is called.
+    /// Steps go out one after the other, until this handle stops them.
     Steps(RobotStop),
-    /// A motion goes out, or is waited for, which this stops.
+    /// A motion goes out, or the program waits for its end; this handle stops it.
     Moving(RobotStop),
-    /// A trajectory is followed: first it is stopped along it, then as a motion.
+    /// A trajectory is followed: Ctrl-C first stops it along its path, then as a motion.
     Following(FollowHandle, RobotStop),
-    /// All that was sent has been answered, and the program ends.
+    /// All requests have been answered, and the program ends.
     Answered,
-    /// All that was sent has been answered, and the next request is awaited.
+    /// All requests have been answered, and the program waits for the next one.
     Idle,
 }
 
@@ -96,13 +96,13 @@ impl UnderWay {
         under_way
     }
 
-    /// Sets the stage. If a stop is on its way, waits until its outcome has been printed.
+    /// Sets the stage. During a stop, waits until its outcome has been printed.
     pub(crate) fn set(&self, stage: Stage) {
         *self.lock() = stage;
     }
 
     fn interrupt(&self) {
-        // Kept until all is said.
+        // Keeps the lock until the text is printed.
         let mut stage = self.lock();
         match &*stage {
             Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; nothing was sent that changes anything"),
@@ -117,7 +117,7 @@ impl UnderWay {
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
             Stage::Following(handle, stop) => {
-                // Where it has ended by itself, that is told.
+                // If the trajectory has ended by itself, the command reports that.
                 if handle.stop().is_ok() {
                     output::urgent_note(
                         "interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too",
@@ -135,21 +135,21 @@ impl UnderWay {
         }
     }
 
-    /// Every change is made whole before the lock is left.
+    /// Locks the stage, also after a panic: each change completes before the lock is released.
     fn lock(&self) -> MutexGuard<'_, Stage> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// Keeps further steps back. The call that sends them says which were accepted, once those that went out have been
+/// Prevents further steps. The call that sends them reports the accepted steps, once those already sent have been
 /// answered.
 fn stop_steps(stop: &RobotStop) {
     output::urgent_note("interrupted: no further step is sent");
-    // A controller may answer it only after the step before. Without an answer, too, no step follows.
+    // A controller may answer the stop only after the previous step. Without an answer, too, no step follows.
     stop.stop().ok();
 }
 
-/// Stops the arm, and says whether the controller has taken the stop. If it has, the wait for the motion ends.
+/// Stops the arm, and prints whether the controller has accepted the stop. If it has, the wait for the motion ends.
 fn stop_arm(stop: &RobotStop) {
     let (answered, waiting) = mpsc::channel::<()>();
     thread::spawn(move || {
@@ -168,7 +168,7 @@ fn stop_arm(stop: &RobotStop) {
     }
 }
 
-/// The handler of a command that runs in a test is called by the test.
+/// In a test, the test calls the handler of the command.
 #[cfg(test)]
 fn handle(call: impl FnMut() + Send + 'static) {
     crate::tests::handle(call);
@@ -186,7 +186,7 @@ fn handler() -> MutexGuard<'static, Option<Box<dyn FnMut() + Send>>> {
     HANDLER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Catches signals from now on. Until a command says what they mean to it, they end the program.
+/// Catches signals from now on. They end the program until a command sets its handler.
 pub(crate) fn begin() -> Result<(), Failure> {
     let signalled = || match &mut *handler() {
         Some(call) => call(),
@@ -200,7 +200,7 @@ fn end_with(code: u8, text: &str) -> ! {
     end(code)
 }
 
-/// Ends the program, with another code if what it recorded cannot be written.
+/// Ends the program, with another code if its recording cannot be written.
 fn end(code: u8) -> ! {
     raw::end();
     logging::finish();

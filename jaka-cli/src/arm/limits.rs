@@ -1,4 +1,4 @@
-//! The limits of the arm, as the command line has them.
+//! Limits of the arm from the command line.
 
 use std::path::{Path, PathBuf};
 
@@ -9,19 +9,19 @@ use crate::failure::Failure;
 use crate::target::model;
 use crate::target::packs;
 
-/// The options that give limits.
+/// Options for limits.
 #[derive(Debug, Args)]
 pub(crate) struct LimitsArgs {
-    /// The arm's model, such as zu5: what is beyond its published limits is not sent
+    /// Model of the arm, such as zu5: nothing beyond its published limits is sent
     #[arg(long, value_name = "NAME", value_parser = model)]
     model: Option<&'static Model>,
-    /// The arm's limits, with its model: a TOML file; what is beyond them is not sent
+    /// TOML file with the limits of the arm and its model: nothing beyond them is sent
     #[arg(long, value_name = "FILE", conflicts_with = "model")]
     limits: Option<PathBuf>,
 }
 
 impl LimitsArgs {
-    /// The limits, if any are given.
+    /// Returns the limits, if any are given.
     pub(crate) fn read(&self) -> Result<Option<Limits>, Failure> {
         match &self.limits {
             Some(path) => read(path).map(Some),
@@ -30,13 +30,13 @@ impl LimitsArgs {
     }
 }
 
-/// The acceleration of a motion of the joints: as given, or else, with limits, the lowest of them, since a motion whose
-/// acceleration is not known cannot be compared with limits.
+/// Returns the acceleration of a joint motion: the given one, or else the lowest of the limits, since a motion with
+/// unknown acceleration cannot be compared with limits.
 pub(crate) fn acceleration_deg_s2(given: Option<f64>, limits: Option<&Limits>) -> Option<f64> {
     given.or_else(|| limits?.joint_accelerations().iter().copied().reduce(f64::min))
 }
 
-/// The limits of a file.
+/// Reads the limits of a file.
 pub(crate) fn read(path: &Path) -> Result<Limits, Failure> {
     let name = path.display().to_string();
     Limits::from_toml(&packs::read(path)?, &name).map_err(|errors| Failure::Usage(errors.to_string()))

@@ -1,4 +1,4 @@
-//! Motions that are waited for: their stop by Ctrl-C, and their ends, for people and for programs.
+//! Motions with a wait: their stop by Ctrl-C, and their ends, for people and for programs.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::terminal::output;
 /// Default timeout for the end of a motion.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Form in which the end of a motion is printed.
+/// Output form of the end of a motion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Form {
     Text,
@@ -22,7 +22,7 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// As an option says.
+    /// Returns the form selected by an option.
     pub(crate) fn of(as_json: bool) -> Self {
         if as_json { Self::Json } else { Self::Text }
     }
@@ -38,7 +38,7 @@ struct Ended<'e> {
 /// Runs a motion.
 ///
 /// # Errors
-/// It was not accepted.
+/// The controller did not accept it.
 pub(crate) fn end(
     robot: &mut PackedRobot,
     motion: impl FnOnce(&mut PackedRobot) -> Result<End, Error>,
@@ -51,10 +51,10 @@ pub(crate) fn end(
     ended.map_err(|error| Failure::explained(spec, error))
 }
 
-/// Prints how a motion ended, as text or JSON; the latter whatever the end is.
+/// Prints the end of a motion, as text or JSON; JSON for any end.
 ///
 /// # Errors
-/// It did not end at its target.
+/// The motion did not end at its target.
 pub(crate) fn print(command: &str, end: End, form: Form) -> Result<(), Failure> {
     match form {
         Form::Json => output::json_line(&Ended { command, end: &end })?,

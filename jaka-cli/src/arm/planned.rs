@@ -1,5 +1,5 @@
-//! A motion of `jaka move` and `jaka jog` before it is sent: its description in words, and its comparison with limits
-//! as far as that needs no command port.
+//! Motion of `jaka move` and `jaka jog` before it is sent: its description in words, and its comparison with limits as
+//! far as possible without the command port.
 
 use itertools::Itertools as _;
 use jaka_motion::{Beyond, Checker, Exceeded, Frames, JointSpeed, Limits};
@@ -8,30 +8,30 @@ use jaka_robot::types::JointPosition;
 use crate::arm::units::other_unit;
 use crate::failure::Failure;
 
-/// Target of a motion; joints and axes by their index.
+/// Target of a motion, with joints and axes by their index.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum MoveTarget {
-    /// To these joint positions, in deg.
+    /// Joint positions, in deg.
     Joints([f64; 6]),
-    /// One joint by this, in deg.
+    /// One joint, and its angle, in deg.
     Joint(usize, f64),
-    /// On a straight line to this pose, in mm and deg.
+    /// Pose at the end of a straight line, in mm and deg.
     Pose([f64; 6]),
-    /// The tool centre point along one axis by this, in mm.
+    /// One axis, and the distance of the tool centre point along it, in mm.
     Line(usize, f64),
 }
 
-/// A motion that is to be sent.
+/// Motion to send.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Planned {
     pub(crate) goal: MoveTarget,
-    /// In deg/s or mm/s.
+    /// Speed, in deg/s or mm/s.
     pub(crate) speed: f64,
-    /// In deg/s² or mm/s²; none for the controller's own.
+    /// Acceleration, in deg/s² or mm/s²; `None` for the controller's default.
     pub(crate) acceleration: Option<f64>,
 }
 
-/// This at one index, and 0 elsewhere.
+/// Returns this value at one index, and 0 elsewhere.
 pub(crate) fn only_at(index: usize, by: f64) -> [f64; 6] {
     std::array::from_fn(|other| if other == index { by } else { 0.0 })
 }
@@ -43,7 +43,7 @@ impl MoveTarget {
 }
 
 impl Planned {
-    /// Description of the motion, from these joint positions if they are known.
+    /// Describes the motion, from these joint positions if known.
     pub(crate) fn told(&self, from: Option<JointPosition>) -> String {
         let Self { goal, speed, acceleration } = self;
         let unit = if goal.is_of_joints() { "deg/s" } else { "mm/s" };
@@ -77,9 +77,9 @@ impl Planned {
         }
     }
 
-    /// Compares the motion with the limits of joints and of the requested speed, from these joint positions if they are
-    /// known. Without them, a target is not compared with ranges, since an arm that is beyond one may be moved back.
-    /// The check that asks the controller for the tool and the frames compares all that depends on these.
+    /// Compares the motion with the limits of joints and of the requested speed, from these joint positions if known.
+    /// Without them, it does not compare a target with ranges, since an arm beyond a range may be moved back. The check
+    /// with the controller's tool and frames covers the limits that depend on these.
     pub(crate) fn check(&self, limits: &Limits, from: Option<JointPosition>) -> Result<(), Failure> {
         match (self.goal, from) {
             (MoveTarget::Joints(to), Some(from)) => self.check_way(limits, from.0, to),
@@ -89,7 +89,7 @@ impl Planned {
                 self.check_way(limits, from.0, std::array::from_fn(|joint| from.0[joint] + turned[joint]))
             }
             (MoveTarget::Joint(at, by), None) => {
-                // A way within the range, on which the speed alone can be beyond a limit.
+                // Path within the range, on which only the speed can exceed a limit.
                 let (least, most) = (*limits.joint_min(), *limits.joint_max());
                 let mut to = least;
                 to[at] += by.abs().min(most[at] - least[at]);
@@ -116,11 +116,11 @@ impl Planned {
     }
 }
 
-/// The limits that need neither the tool nor frames: ranges, speeds and accelerations of joints.
+/// Returns the limits without a dependency on the tool or frames: ranges, speeds and accelerations of joints.
 fn of_joints(limits: &Limits) -> Checker {
     let mut own = Limits::of(limits.model());
     for (joint, (least, most)) in (1..).zip(limits.joint_min().iter().zip(limits.joint_max())) {
-        // What comes from limits is within them.
+        // Values from limits are within them.
         own = own.clone().with_joint_range(joint, *least, *most).unwrap_or(own);
     }
     own = own.clone().with_joint_speeds(*limits.joint_speeds()).unwrap_or(own);
@@ -136,14 +136,14 @@ fn hint(beyond: &Beyond) -> Option<String> {
     }
 }
 
-/// Joint that turns the farthest, and its angle in deg, in words.
+/// Returns the joint that turns furthest, and its angle in deg, in words.
 fn longest(from: [f64; 6], to: [f64; 6]) -> String {
     let ways: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
     let at = (0..6).fold(0, |longest, at| if ways[at].abs() > ways[longest].abs() { at } else { longest });
     format!("joint {}, which has the longest way ({} deg),", at + 1, in_tenths(ways[at]))
 }
 
-/// Without a negative zero.
+/// Rounds to tenths, without a negative zero.
 fn in_tenths(degrees: f64) -> f64 {
     (degrees * 10.0).round() / 10.0 + 0.0
 }

@@ -1,10 +1,10 @@
-//! Numbers that look like another unit's.
+//! Numbers that seem to be in another unit.
 
-/// Unit of joints, the unit of the tool's lines in its place, and the largest number that is usual in the latter.
+/// Unit of joints, corresponding unit of tool lines, and the largest usual number in the latter.
 const OF_LINES: [(&str, &str, f64); 2] = [("deg/s", "mm/s", 10_000.0), ("deg/s²", "mm/s²", 8000.0)];
 
-/// A line with a hint, where a number that is not within what is allowed, such as `at most 265 deg/s`, would be usual
-/// in another unit.
+/// Returns a line with a hint, if a number beyond the allowed range, such as `at most 265 deg/s`, would be usual in
+/// another unit.
 pub(crate) fn other_unit(number: f64, allowed: &str) -> Option<String> {
     let (of_joints, of_lines, most) = *OF_LINES.iter().find(|(unit, ..)| allowed.ends_with(&format!(" {unit}")))?;
     (number > 0.0 && number <= most).then(|| {

@@ -1,7 +1,7 @@
-//! `jaka call`: any command of the protocol, with arguments that come from the spec.
+//! `jaka call`: any command of the protocol, with arguments from the spec.
 //!
-//! Which arguments there are depends on the command and on the packs, so the line is read in two steps: [`outline`]
-//! finds the command and the packs, [`parser`] makes clap's description of that command and parses the rest.
+//! The arguments depend on the command and on the packs, so the line is read in two steps: [`outline`] finds the
+//! command and the packs, and [`parser`] makes clap's description of that command and parses the rest.
 
 mod consent;
 mod exchange;
@@ -37,7 +37,7 @@ pub(crate) use self::reply::json as reply_json;
 #[derive(Debug, Args)]
 #[command(disable_help_flag = true, override_usage = parser::USAGE)]
 pub(crate) struct Call {
-    /// A command by its `cmdName` or its name in Rust, its fields, and options
+    /// Command by its `cmdName` or its name in Rust, its fields, and options
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "WORDS")]
     words: Vec<OsString>,
 }
@@ -73,7 +73,7 @@ impl Call {
             };
         }
         let request = request::of_line(spec, command, name, &line).map_err(|failure| explained(failure, of_fields))?;
-        // The line can be read, and an option may have been meant for a field that can be left out.
+        // The line is valid, but an option may have been meant for an optional field.
         of_line.lines().filter_map(|line| line.strip_prefix("hint: ")).for_each(output::note);
         match request {
             Some(request) => exchange::carry_out(&protocol, &line.options, &request),
@@ -82,7 +82,7 @@ impl Call {
     }
 }
 
-/// The failure of a line, with a hint to what is wrong with it, if there is one.
+/// Adds a hint to the failure of a line, if there is one.
 fn explained(failure: Failure, hint: &str) -> Failure {
     match failure {
         Failure::CommandLine(error) if command_line::is_help(&error) || hint.is_empty() => Failure::CommandLine(error),
@@ -91,7 +91,7 @@ fn explained(failure: Failure, hint: &str) -> Failure {
     }
 }
 
-/// The protocol with the packs that a line names, or else the environment or the config file.
+/// Loads the protocol with the packs of a line, or else of the environment or the config file.
 pub(crate) fn protocol_of(words: &[OsString]) -> Result<Protocol, Failure> {
     Outline::of(words.to_vec()).protocol()
 }
@@ -106,8 +106,8 @@ fn find<'s>(spec: &'s Spec, name: &str) -> Result<&'s Command, Failure> {
     })
 }
 
-/// The command that is meant, it seems. One that moves the arm or switches power is only suggested where nothing but
-/// signs and case differ: what is suggested gets typed, and another motion is not what was meant.
+/// Returns the command probably meant. Suggests one that moves the arm or switches power only if nothing but signs and
+/// case differ: people type suggestions, and must not start another motion.
 fn near<'s>(spec: &'s Spec, name: &str) -> Option<&'s Command> {
     let plain = |name: &str| name.replace(['-', '_'], "").to_lowercase();
     let is_same = |command: &&Command| [&command.wire, &command.name].iter().any(|known| plain(known) == plain(name));

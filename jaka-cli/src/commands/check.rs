@@ -1,4 +1,4 @@
-//! `jaka check`: checks of a robot before it is used.
+//! `jaka check`: checks of a robot before its use.
 
 use std::path::PathBuf;
 
@@ -26,21 +26,21 @@ Examples:
 The exit code is 0 if nothing was found, 8 if there is something to look at, and 9 if something is wrong. \"Nothing found\" \
 is not \"safe\".";
 
-/// Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
+/// Check a robot before its use: ports, power, stops, payload, rates, model; changes nothing
 ///
-/// Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do. Only reads: it
-/// sends queries, and reads status packets for a second. The command port serves one client: another program that is
-/// connected there may be disconnected, so this asks first.
+/// Each item is `nothing found`, `look`, `wrong` or `not checked`, with the observation and a remedy. This command only
+/// reads: it sends queries, and reads status packets for a second. The command port serves one client: another program
+/// that is connected there may be disconnected, so this command asks first.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Check {
     /// Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
     #[arg(long)]
     json: bool,
-    /// The arm's model, such as zu5 [default: whichever published one agrees with the controller]
+    /// Model of the arm, such as zu5 [default: the published one that agrees with the controller]
     #[arg(long, value_name = "NAME", value_parser = model)]
     model: Option<&'static Model>,
-    /// The arm's limits, with its model: a TOML file
+    /// TOML file with the limits of the arm and its model
     #[arg(long, value_name = "FILE", conflicts_with = "model")]
     limits: Option<PathBuf>,
     /// Connect to the command port without asking

@@ -14,10 +14,10 @@ use crate::terminal::output;
 /// Default timeout of `jaka clear`.
 const PATIENCE: Duration = Duration::from_secs(15);
 
-/// Leave the protective stop that a collision has caused
+/// Leave the protective stop after a collision
 ///
-/// Make sure first that nobody and nothing is in contact with the arm. Waits until no status packet shows a protective
-/// stop. An emergency stop is released by hand.
+/// Make sure first that nobody and nothing is in contact with the arm. This command waits until a status packet shows
+/// no protective stop. An emergency stop must be released by hand.
 #[derive(Debug, Args)]
 pub(crate) struct Clear {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `jaka completions`: scripts for shells, which ask this program.
+//! `jaka completions`: scripts for shells, which call this program.
 
 mod completion;
 
@@ -18,11 +18,11 @@ use crate::terminal::output;
 /// the fields of a recording.
 #[derive(Debug, Args)]
 pub(crate) struct Completions {
-    /// The shell
+    /// Shell
     shell: Shell,
 }
 
-/// A shell that has completions.
+/// Shell with completions.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum Shell {
     Bash,
@@ -42,13 +42,13 @@ impl Completions {
     }
 }
 
-/// Print what a word can become, for the scripts of shells: `file`, or `words` and a line for each
+/// Print the completions of a word, for shell scripts: `file`, or `words` and one line each
 #[derive(Debug, Args)]
 pub(crate) struct CompleteWords {
-    /// The word at the cursor
+    /// Word at the cursor
     #[arg(long, allow_hyphen_values = true)]
     current: String,
-    /// The words before it
+    /// Words before it
     #[arg(last = true)]
     before: Vec<OsString>,
 }
@@ -59,7 +59,7 @@ impl CompleteWords {
             Completion::File => output::line("file"),
             Completion::Words(words) => {
                 output::line("words")?;
-                // A tabulator in a word would begin its help, and a line end another word.
+                // A tab in a word would start its help, and a line end another word.
                 let words = words
                     .iter()
                     .map(|candidate| format!("{}\t{}\n", visible(&candidate.word), visible(&candidate.help)));

@@ -8,10 +8,10 @@ use crate::arm::acting::{ActArgs, intent};
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// Disable the arm and switch its power off, each step when the one before is done
+/// Disable the arm and switch its power off, each step after the previous one is done
 ///
-/// What is done already is not sent. The controller does not disable an arm that moves or runs a program: `jaka stop`
-/// first.
+/// Steps already done are not sent. The controller does not disable an arm that moves or runs a program: use
+/// `jaka stop` first.
 #[derive(Debug, Args)]
 pub(crate) struct Down {
     #[command(flatten)]

@@ -18,9 +18,9 @@ use crate::terminal::output;
 
 /// Explain a code or a refusal of the controller
 ///
-/// Talks to no robot. A code is one of `errcode` on the status port, such as `0x0F0034`, or 983092 in decimal digits,
-/// or an `errorCode` of a reply, such as -1. A refusal is its message, such as `call joint_move failed`, or the whole
-/// reply.
+/// Does not connect to a robot. A code is one of `errcode` on the status port, such as `0x0F0034`, or 983092 in decimal
+/// digits, or an `errorCode` of a reply, such as -1. A refusal is its message, such as `call joint_move failed`, or the
+/// whole reply.
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
     /// Code, message or reply
@@ -45,7 +45,7 @@ impl Explain {
     }
 }
 
-/// Message for a text that no source has.
+/// Returns the message for an unknown text.
 fn unknown(text: &str) -> String {
     match number(text).as_slice() {
         [] => format!(
@@ -58,7 +58,7 @@ fn unknown(text: &str) -> String {
     }
 }
 
-/// Explanation of a text; none where the spec has nothing about it.
+/// Returns the explanation of a text; `None` if the spec has none.
 fn explain(spec: &'static Spec, text: &str, language: Language) -> Option<String> {
     if let Some(refusal) = of_reply(spec, text) {
         return Some(refusal);
@@ -75,7 +75,7 @@ fn explain(spec: &'static Spec, text: &str, language: Language) -> Option<String
     refusal(spec, None, text, None)
 }
 
-/// Readings of a text as a code: hexadecimal with `0x` or with a letter; else decimal, and hexadecimal too.
+/// Returns the readings of a text as a code: hexadecimal with `0x` or with a letter; else decimal, and hexadecimal too.
 fn number(text: &str) -> Vec<u32> {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
     let is_number = |digits: &str| !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
@@ -117,7 +117,7 @@ fn error_code(known: &ErrorCode) -> String {
     out
 }
 
-/// Explanation of a whole reply.
+/// Returns the explanation of a whole reply.
 fn of_reply(spec: &Spec, text: &str) -> Option<String> {
     let reply: Value = serde_json::from_str(text).ok().filter(Value::is_object)?;
     let word = |key: &str| match &reply[key] {
@@ -130,7 +130,7 @@ fn of_reply(spec: &Spec, text: &str) -> Option<String> {
     refusal(spec, code, &word("errorMsg").unwrap_or_default(), command.as_ref())
 }
 
-/// Explanation of a refusal by its message, its code and its command, as far as each is there.
+/// Returns the explanation of a refusal by its message, its code and its command, as far as available.
 fn refusal(spec: &Spec, code: Option<i64>, message: &str, command: Option<&Command>) -> Option<String> {
     let failed = message.strip_prefix("call ").and_then(|rest| rest.strip_suffix(" failed"));
     let refused = |command: &&Command| command.refusal.as_ref().is_some_and(|known| known.message == message);

@@ -25,11 +25,11 @@ Examples:
   jaka export session.jsonl -o session.csv
   jaka export session.jsonl --fields joint_actual_position,tcp_speed --format jsonl | head -1";
 
-/// Write the status packets of a recording as a table, a line for each packet
+/// Write the status packets of a recording as a table, with a line for each packet
 ///
-/// Talks to no robot, and does not wait: the times are those of the recording. The columns are named as the fields,
-/// with their units. They are `time (s)`, since the recording began; `unix_time (s)`; `connection`; then each field,
-/// divided into its parts. What a packet does not have is an empty cell, or null.
+/// Does not connect to a robot or wait: the times are those of the recording. The columns have the names of the fields,
+/// with their units: `time (s)` since the start of the recording, `unix_time (s)`, `connection`, and then each part of
+/// each field. A missing value is an empty cell, or null.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Export {
@@ -67,8 +67,7 @@ impl Export {
         if let ExportFormat::Csv = self.format {
             out.write(&columns.header())?;
         }
-        // What is not in the table though it is in the recording: messages that are not packets, and fields, each told
-        // once.
+        // Counts of the data missing in the table: messages that are not packets, and fields, each reported once.
         let (mut messages, mut unfit) = (0, BTreeSet::new());
         for packet in packets(&recording) {
             let Ok(status) = packet.status else {
@@ -94,7 +93,7 @@ impl Export {
     }
 }
 
-/// All parts that any packet has, in one.
+/// Returns a packet with all parts of all packets.
 fn widest(recording: &Recording) -> Result<Node<'static>, Failure> {
     let mut statuses = packets(recording).filter_map(|packet| packet.status.ok());
     let widest: Result<_, Failure> = statuses

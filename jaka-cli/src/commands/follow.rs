@@ -26,33 +26,33 @@ Examples:
   jaka follow weld.csv -r cell1 --limits cell1.toml --approach 5 --scale 0.3
   jaka follow seam.csv -r cell1 --model zu5 --within-mm 0.2 --tool-speed 15 --approach 10";
 
-/// Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the trajectory
+/// Follow a trajectory from a file, starting where the arm is; Ctrl-C stops it on the trajectory
 ///
-/// The file has times in seconds and joint positions, as CSV or JSON, with their units: the README shows it. A CSV file
-/// without times has joint positions, or poses of the tool: --within-mm and --within-deg lead along a smooth curve near
-/// them, --corner-mm and --corner-deg through them. All of it is compared with the arm's limits before anything is
-/// sent. Then a set-point goes out each 8 ms. Ctrl-C brakes the arm along the trajectory, and a second one also sends
-/// `stop_program`. It stops likewise where it takes longer than --timeout, if that is given. The exit code tells how it
-/// ended: `jaka --help` has them.
+/// The file has times in seconds and joint positions with their units, as CSV or JSON: see the README. A CSV file
+/// without times has joint positions, or poses of the tool: --within-mm and --within-deg select a smooth curve near
+/// them, --corner-mm and --corner-deg a path through them. The trajectory is compared with the limits of the arm before
+/// any request is sent. Then a set-point is sent every 8 ms. Ctrl-C brakes the arm along the trajectory, and a second
+/// Ctrl-C also sends `stop_program`. The arm stops in the same way after --timeout, if that is given. The exit code
+/// tells the outcome: see `jaka --help`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Follow {
-    /// The trajectory: a .csv or .json file
+    /// Trajectory: a .csv or .json file
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Print what was checked, how long it takes and its peaks; connect to nothing
+    /// Print the checks, the duration and the peaks without connecting
     ///
-    /// The tool and the frames of the controller are not known then: what is said of the tool centre point is said of
-    /// the flange.
+    /// The tool and the frames of the controller are not known then: figures for the tool centre point are those of the
+    /// flange.
     #[arg(long)]
     dry_run: bool,
-    /// Write a picture, too: position, speed and acceleration of the joints, and the tool's way, as SVG
+    /// Also write a picture as SVG: position, speed and acceleration of the joints, and the path of the tool
     #[arg(long, short, value_name = "FILE", requires = "dry_run")]
     output: Option<PathBuf>,
-    /// Go to where it starts first, straight in joint space, with at most this speed of each joint, in deg/s
+    /// Move to the start first, straight in joint space, at no more than this speed of each joint, in deg/s
     #[arg(long, value_name = "SPEED")]
     approach: Option<f64>,
-    /// Follow it at this share of its own speed, up to 1
+    /// Follow the trajectory at this share of its own speed, up to 1
     #[arg(long, value_name = "SHARE", default_value_t = 1.0, value_parser = share)]
     scale: f64,
     /// Print one JSON object: its `end`; with --dry-run, the trajectory and its peaks
@@ -76,7 +76,7 @@ impl Follow {
         if self.dry_run {
             return self.show(&plan.made(&checker, self.plan.near())?, &checker);
         }
-        // What depends on no frame is refused before anything is asked.
+        // A failure that depends on no frame comes before any request.
         let known = if plan.is_in_poses() { None } else { Some(plan.made(&checker, None)?) };
         self.follow(&plan, known.as_ref(), (&checker, limits))
     }
@@ -127,7 +127,7 @@ impl Follow {
     }
 }
 
-/// More than 0, up to 1.
+/// Reads a number above 0, up to 1.
 fn share(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
     number.ok_or_else(|| "not a number above 0, up to 1".to_owned())

@@ -17,21 +17,21 @@ Examples:
 
 /// Move one joint, or the tool centre point along one axis, by an increment, and wait; Ctrl-C stops it
 ///
-/// It is a motion with an end (`joint_move` or `moveL` with an offset), so that it can be stopped, and that its end is
-/// known. A jog that goes on until it is stopped is `jaka call jog` alone.
+/// This is a motion with an end (`joint_move` or `moveL` with an offset): it can be stopped, and its end is known. Only
+/// `jaka call jog` starts a jog that continues until it is stopped.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Jog {
-    /// A joint, 1 to 6, or an axis of the selected user frame: x, y or z
+    /// Joint, 1 to 6, or axis of the selected user frame: x, y or z
     axis: Axis,
-    /// By how much, in deg or mm
+    /// Increment, in deg or mm
     #[arg(allow_negative_numbers = true)]
     distance: f64,
     #[command(flatten)]
     go: GoArgs,
 }
 
-/// Axis that is jogged, by its index.
+/// Axis of a jog, by its index.
 #[derive(Debug, Clone, Copy)]
 enum Axis {
     Joint(usize),

@@ -12,16 +12,16 @@ use crate::terminal::output;
 
 /// Write the pages of the manual, one for each command
 ///
-/// `jaka man ~/.local/share/man/man1` writes `jaka.1`, `jaka-status.1` and so on, which `man jaka-status` shows then.
+/// `jaka man ~/.local/share/man/man1` writes `jaka.1`, `jaka-status.1` and so on, for `man jaka-status`.
 #[derive(Debug, Args)]
 pub(crate) struct Man {
-    /// The folder for the pages, in which older ones are replaced [default: `jaka.1` alone, on standard output]
+    /// Folder for the pages; older pages are replaced [default: only `jaka.1`, on standard output]
     folder: Option<PathBuf>,
 }
 
 impl Man {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        // The commands of the protocol are in the reference, and in `jaka call COMMAND --help`.
+        // The reference, and `jaka call COMMAND --help`, have the commands of the protocol.
         let command = crate::Cli::command().mut_subcommand("call", |_| call::page());
         let mut command = command.disable_help_subcommand(true);
         command.build();
@@ -33,14 +33,14 @@ impl Man {
     }
 }
 
-/// Writes the page of a command, and those of its commands.
+/// Writes the page of a command, and those of its subcommands.
 fn write(command: &Command, folder: &Path) -> io::Result<()> {
     let page = Page::new(command.clone());
     fs::write(folder.join(page.get_filename()), text(&page)?)?;
     command.get_subcommands().filter(|command| !command.is_hide_set()).try_for_each(|command| write(command, folder))
 }
 
-/// A page. What follows the options has lines of its own, which need the whole width.
+/// Returns the text of a page. The part after the options has its own lines, which need the whole width.
 fn text(page: &Page) -> io::Result<String> {
     let mut text = Vec::new();
     page.render(&mut text)?;

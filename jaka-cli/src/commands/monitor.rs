@@ -19,16 +19,16 @@ use crate::target::RobotArgs;
 use crate::target::packs::SpecArgs;
 use crate::terminal::logging;
 
-/// The interval at which the screen is drawn; each key draws it, too.
+/// Interval of screen updates; each key updates it, too.
 const TICK: Duration = Duration::from_millis(100);
 
-/// The pause before the first attempt to reconnect; later pauses are longer.
+/// Policy for reconnecting: a short pause first, then longer ones.
 const RECONNECT: Reconnect =
     Reconnect::Attempts { limit: u32::MAX, delay: Duration::from_millis(250), longest: Duration::from_secs(2) };
 
 /// Show the robot's state live in the terminal.
 ///
-/// Only reads, from the status port, so that it disturbs no other program. Reconnects when the connection is lost.
+/// Reads only the status port, so that it disturbs no other program. Reconnects after a lost connection.
 #[derive(Debug, Args)]
 pub(crate) struct Monitor {
     #[command(flatten)]
@@ -52,7 +52,7 @@ impl Monitor {
         let mut view = View::new(target.title());
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);
-        // If the terminal is gone, the wait for keys never ends, and `on_interrupt` ends the program.
+        // Without the terminal, the wait for keys never ends, and `on_interrupt` ends the program.
         on_interrupt(move || end.store(true, Ordering::Relaxed));
         // This also makes a panic restore the terminal.
         let mut terminal = ratatui::try_init().map_err(no_terminal)?;
@@ -71,7 +71,7 @@ fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended
         if !event::poll(TICK)? {
             continue;
         }
-        // All other events, such as a new size, only need a new drawing.
+        // All other events, such as a new size, only need an update of the screen.
         if let Event::Key(key) = event::read()?
             && view.key(key) == AfterKey::Quit
         {

@@ -15,17 +15,17 @@ Examples:
 
 /// Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C stops it
 ///
-/// The end of the motion is waited for, for 300 s or --timeout, and the exit code tells how it ended: `jaka --help` has
-/// them. Without --model or --limits nothing but the controller knows what the arm can reach.
+/// The command waits for the end of the motion for 300 s or --timeout, and its exit code tells the outcome: see
+/// `jaka --help`. Without --model or --limits, only the controller knows the reach of the arm.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, group = ArgGroup::new("target").required(true).args(["joints", "pose"]))]
 pub(crate) struct Move {
-    /// The positions of the six joints, in deg (`joint_move`)
+    /// Positions of the six joints, in deg (`joint_move`)
     #[arg(long, value_name = "DEG,...", value_parser = six, allow_hyphen_values = true)]
     joints: Option<[f64; 6]>,
-    /// x, y, z, rx, ry, rz of the tool centre point, in mm and deg, which it reaches on a straight line (`moveL`)
+    /// Pose of the tool centre point, reached on a straight line: x, y, z, rx, ry, rz in mm and deg (`moveL`)
     ///
-    /// In the tool and user frames that the controller has selected.
+    /// The pose is in the tool and user frames selected on the controller.
     #[arg(long, value_name = "X,Y,Z,RX,RY,RZ", value_parser = six, allow_hyphen_values = true)]
     pose: Option<[f64; 6]>,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `jaka probe`: where a controller departs from the spec.
+//! `jaka probe`: departures of a controller from the spec.
 
 mod draft;
 mod finding;
@@ -23,11 +23,11 @@ use crate::target::packs::SpecArgs;
 use crate::target::seat;
 use crate::terminal::output;
 
-/// Send a controller every query of the protocol, and report where its answers depart from the spec.
+/// Send a controller every query of the protocol, and report the departures of its answers from the spec.
 ///
-/// Only reads: it sends the queries that need no argument, and reads a status packet. The command port serves one
-/// client: another program that is connected there may be disconnected, so this asks first. The report can be pasted
-/// into a bug report. On Ctrl-C it has what was found by then.
+/// This command only reads: it sends the queries that need no argument, and reads a status packet. The command port
+/// serves one client: another program that is connected there may be disconnected, so this command asks first. The
+/// report can be pasted into a bug report. On Ctrl-C it has the findings so far.
 #[derive(Debug, Args)]
 pub(crate) struct Probe {
     /// Read this many status packets
@@ -36,11 +36,11 @@ pub(crate) struct Probe {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// Write a draft of a command pack with the keys that the spec does not know, and the types of what cannot be read
+    /// Write a draft of a command pack with the unknown keys, and with types for unreadable values
     ///
     /// Each key is optional, with a type guessed from its values, and without documentation. A field that cannot be
-    /// read gets the type that its value looks like. A key that seems to be the new name of a missing one is proposed
-    /// as such. An existing file is not overwritten.
+    /// read gets the apparent type of its value. A key that seems to be the new name of a missing one is proposed as
+    /// such. An existing file is not overwritten.
     #[arg(long, value_name = "FILE")]
     draft: Option<PathBuf>,
     /// Connect to the command port without asking

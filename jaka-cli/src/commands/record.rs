@@ -1,4 +1,4 @@
-//! `jaka record`: a robot's session in a file.
+//! `jaka record`: recording of a session with a robot.
 
 pub(crate) mod proxy;
 
@@ -23,15 +23,15 @@ use crate::text::seconds::some_seconds;
 
 /// Record a session to a new file, until it is interrupted.
 ///
-/// Records either what any program and the robot send each other, as a proxy between them (--listen): the program
-/// connects to this one instead of the robot. Or the robot's status packets only (--status-only), which disturbs no
+/// Records the traffic between any program and the robot, as a proxy between them (--listen), to which the program
+/// connects instead of the robot. Or it records only the robot's status packets (--status-only), which disturbs no
 /// other program.
 ///
 /// `jaka replay` shows the file, and answers from it in place of the robot.
 #[derive(Debug, Args)]
 #[command(group = ArgGroup::new("source").required(true).args(["listen", "status_only"]))]
 pub(crate) struct Record {
-    /// The file, which must not exist
+    /// New file, which must not exist
     file: PathBuf,
     /// Act as a proxy between programs and the robot, and listen at this address, such as 127.0.0.1
     ///
@@ -83,7 +83,7 @@ impl Record {
         result
     }
 
-    /// Starts to serve programs, for as long as this one runs.
+    /// Starts serving programs, for as long as this one runs.
     fn start_proxy(
         &self,
         address: IpAddr,
@@ -101,7 +101,7 @@ impl Record {
         listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)
     }
 
-    /// Reads status packets in a thread, and signals when there have been enough, or no more come.
+    /// Reads status packets in a thread, and signals when there are enough, or no more come.
     fn read_packets(
         &self,
         target: Target,
@@ -114,7 +114,7 @@ impl Record {
         let count = self.count.unwrap_or(u64::MAX);
         thread::spawn(move || {
             let result = read(&mut stream, count);
-            // The end of the connection is recorded as well.
+            // The recording includes the end of the connection.
             drop(stream);
             ended.send(result)
         });
@@ -132,7 +132,7 @@ impl Record {
         }
     }
 
-    /// Prints what was recorded, and how many pieces could not be recorded.
+    /// Prints the number of recorded entries, and of pieces that could not be recorded.
     fn tell(&self, report: RecorderReport, missing: u64) -> Result<(), Failure> {
         let (file, entries) = (self.file.display(), report.entries);
         output::line(&match report.dropped + missing {

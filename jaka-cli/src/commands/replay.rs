@@ -20,25 +20,25 @@ use crate::recordings::recorded;
 use crate::terminal::output;
 use crate::text::number::count;
 
-/// The interval at which Ctrl-C is checked.
+/// Interval of the checks for Ctrl-C.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Serve a recording in place of a robot until it is interrupted, or show it.
 ///
-/// Prints where clients deviate from the recording, and then ends with exit code 7.
+/// Prints the deviations of clients from the recording; after any, the exit code is 7.
 #[derive(Debug, Args)]
 pub(crate) struct Replay {
-    /// The recording
+    /// Recording
     file: PathBuf,
-    /// Rule by which requests get replies
+    /// Rule for the replies to requests
     #[arg(long, default_value = "strict", value_parser = one_of(&MODES))]
     mode: Mode,
-    /// Times at which replies and status packets are sent
+    /// Send times of replies and status packets
     #[arg(long, default_value = "recorded", value_parser = one_of(&TIMINGS))]
     timing: ReplayTiming,
     #[command(flatten)]
     listen: ListenArgs,
-    /// Print the recording, with a summary, and serve nothing
+    /// Print the recording with a summary, without serving it
     #[arg(long, conflicts_with_all = ["mode", "timing", "address", "commands", "status"])]
     show: bool,
     #[command(flatten)]
@@ -71,11 +71,11 @@ impl Replay {
     }
 }
 
-/// Prints deviations as they come, and returns how many there were.
+/// Prints deviations as they come, and returns their number.
 fn report(controller: &Controller, ended: &AtomicBool) -> Result<usize, Failure> {
     let mut told = 0;
     loop {
-        // Checked once more at the end, for the last ones.
+        // Checks once more at the end, for the last ones.
         let is_last = ended.load(Ordering::Relaxed);
         if !is_last {
             controller.wait_for_deviations(told + 1, TICK);

@@ -20,12 +20,11 @@ const EXAMPLES: &str = "\
 Examples:
   jaka report session.jsonl -o report.html";
 
-/// Make a page with pictures of a recording: an HTML file, for browsers and for print
+/// Write a page with pictures of a recording: an HTML file, for browsers and for print
 ///
-/// Talks to no robot. The page has the joints, speeds, the path of the tool centre point from two sides, inputs and
-/// outputs, calls with the times of their replies, refusals and events on one time axis, how regularly set-points were
-/// sent, and what went wrong, with the messages before it. It is one file without scripts, which refers to nothing
-/// outside of itself.
+/// Does not connect to a robot. On one time axis, the page has the joints, speeds, inputs and outputs, calls with their
+/// reply times, refusals and events. It also has the path of the tool centre point from two sides, the regularity of
+/// set-points, and problems with the messages before them. It is one file without scripts or external references.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Report {
@@ -47,7 +46,7 @@ impl Report {
     }
 }
 
-/// Page of a recording of this name: HTML without scripts, which refers to nothing outside of itself.
+/// Returns the page of a recording of this name: HTML without scripts or external references.
 fn page_of(name: &str, recording: &Recording) -> Result<String, Failure> {
     let session = Session::read(recording);
     let mut page = HtmlPage::new(name);
@@ -61,7 +60,7 @@ fn page_of(name: &str, recording: &Recording) -> Result<String, Failure> {
     Ok(page.end())
 }
 
-/// So many, and how many more there are than are shown.
+/// Returns the number of shown items and of all, if some are not shown.
 fn more(all: usize, shown: usize, noun: &str) -> Option<String> {
     (all > shown).then(|| format!("{} of {} are shown.", shown, count(all, noun)))
 }

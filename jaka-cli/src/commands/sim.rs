@@ -33,14 +33,14 @@ use crate::terminal::{logging, output};
 pub(crate) struct Sim {
     #[command(flatten)]
     listen: ListenArgs,
-    /// The arm, such as zu5; `list` for all [default: zu5]
+    /// Model of the arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// The controller's firmware, which decides what packets and replies look like, and habits: 1.5.14, newer,
+    /// Firmware of the controller, which determines the form of packets and replies, and habits: 1.5.14, newer,
     /// document, or odd
     #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
-    /// Milliseconds between two status packets [default: that of the firmware]
+    /// Period of status packets in milliseconds [default: that of the firmware]
     #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(1..))]
     period: Option<u64>,
     /// Folder of programs to load: files with one request per line; repeat it for more
@@ -48,22 +48,20 @@ pub(crate) struct Sim {
     programs: Vec<PathBuf>,
     #[command(flatten)]
     spec: SpecArgs,
-    /// Faults of replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads it from a
-    /// file
+    /// Faults of replies and packets, such as `drop, delay 200ms` or `status slow 2s`; @FILE reads them from a file
     #[arg(long, value_name = "TEXT", value_parser = faults)]
     faults: Option<FaultPlan>,
-    /// Habits of the controller that no document describes, such as `pause 100ms, events`; `all`, or `none` [default:
-    /// the firmware's]
+    /// Undocumented habits of the controller, such as `pause 100ms, events`; `all`, or `none` [default: the firmware's]
     #[arg(long, value_name = "LIST")]
     habits: Option<Habits>,
-    /// Milliseconds by which the arm lags behind its commanded positions
+    /// Lag of the arm behind its commanded positions, in milliseconds
     #[arg(long, value_name = "MS", default_value_t)]
     lag: u64,
     /// Thresholds at which the drives stop the arm with an error, such as `deviation 1.5, command-acceleration 2000`,
     /// in deg, deg/s and deg/s²
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     trips: Vec<Trip>,
-    /// Behaviour of the arm when set-points stop while it has speed: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
+    /// Reaction of the arm if set-points stop while it moves: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
     #[arg(long, value_name = "TEXT", default_value_t)]
     underrun: Underrun,
     /// Treatment of a client that connects to the command port while another one is connected there
@@ -75,18 +73,18 @@ pub(crate) struct Sim {
     /// Switch power and enable at once, instead of after some seconds
     #[arg(long)]
     fast: bool,
-    /// The arm has power and is enabled from the start
+    /// Give the arm power and enable it from the start
     #[arg(long)]
     powered: bool,
-    /// Events at the arm, at inputs and on links, with their times, such as `collide at 2s, link both to-client hold at
-    /// 5s`, in the controller's time since its start
+    /// Events of the arm, of inputs and of links, with their times since the start, such as
+    /// `collide at 2s, link both to-client hold at 5s`, by the controller's clock
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     schedule: Vec<Scheduled>,
-    /// Read from standard input what happens, a line each: as in --schedule, and without a time at once
+    /// Read events from standard input, one a line, as in --schedule; an event without a time occurs at once
     #[arg(long)]
     stdin: bool,
-    /// Have keys of the terminal say what happens, without Enter: a line lists them at the beginning, and when `?` is
-    /// pressed
+    /// Take events from single keys of the terminal, without Enter; a list of the keys is printed at the start, and on
+    /// `?`
     #[arg(long, conflicts_with = "stdin")]
     keys: bool,
     /// Print each message received and sent
@@ -94,14 +92,14 @@ pub(crate) struct Sim {
     log: bool,
 }
 
-/// Input of a person: a line, or a key.
+/// Input by a person: a line, or a key.
 #[derive(Debug)]
 enum Typed {
     Event(Scheduled),
     Key(KeyEvent),
 }
 
-/// Both were seen.
+/// Rules for a second client; both were observed.
 const SECOND_CLIENTS: [Choice<Takeover>; 2] = [
     ("replaces", "It replaces the first one, whose connection is closed", Takeover::Replace),
     ("is-refused", "Its connection is closed", Takeover::Refuse),

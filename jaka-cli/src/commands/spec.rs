@@ -1,4 +1,4 @@
-//! `jaka spec`: checks, comparisons and documents made from a spec.
+//! `jaka spec`: checks, comparisons and documents of a spec.
 
 mod check;
 mod diff;
@@ -10,9 +10,9 @@ use jaka_sync::proto::text::visible_json;
 
 use crate::failure::Failure;
 
-/// Check specs and packs, compare them, and make documents from them.
+/// Check specs and packs, compare them, and write documents from them.
 ///
-/// Talks to no robot.
+/// Does not connect to a robot.
 #[derive(Debug, Args)]
 pub(crate) struct Spec {
     #[command(subcommand)]

@@ -31,7 +31,7 @@ use crate::text::seconds::seconds;
 
 /// Print the robot's state, once or repeatedly.
 ///
-/// Only reads, from the status port, so that it disturbs no other program.
+/// Reads only the status port, so that it disturbs no other program.
 #[derive(Debug, Args)]
 pub(crate) struct Status {
     /// Print again every second, or at this interval in seconds; 0 for every packet
@@ -40,11 +40,11 @@ pub(crate) struct Status {
     /// End after this many packets; without --watch one a second
     #[arg(long, short = 'n', value_name = "N")]
     count: Option<NonZeroU64>,
-    /// Wait until a packet shows this, such as `in_position && !protective_stop`; print that packet
+    /// Wait until a packet meets this condition, such as `in_position && !protective_stop`; print that packet
     ///
-    /// Fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&, ||, ! and parentheses.
-    /// With --watch, packets before it are printed, too. The exit code is 27 if it is not shown within --timeout, and
-    /// 130 on Ctrl-C.
+    /// A condition consists of fields that are truth values; comparisons of numbers with ==, !=, <, <=, > and >=; &&,
+    /// ||, ! and parentheses. With --watch, earlier packets are printed, too. The exit code is 27 if no packet meets
+    /// the condition within --timeout, and 130 on Ctrl-C.
     #[arg(long, value_name = "CONDITION", conflicts_with_all = ["raw", "count"])]
     until: Option<String>,
     /// Fields to print, such as `enabled,actual_position.x`; `all` for everything [default: the usual]
@@ -113,7 +113,7 @@ impl Status {
         self.watch.is_some() || self.count.is_some()
     }
 
-    /// Prints packets, each by `text`, until there have been enough, and tells of times without packets.
+    /// Prints packets, each with `text`, up to the requested number, and reports times without packets.
     fn print<T>(
         &self,
         packets: &mut PacketSource,
@@ -139,7 +139,7 @@ impl Status {
     }
 }
 
-/// Warns once of a time without packets: lines are packets, and there is none.
+/// Warns once of a time without packets, since each line is a packet.
 #[expect(clippy::unnecessary_wraps, reason = "a table can fail to be written")]
 fn warn(overdue: &Overdue) -> Result<(), Failure> {
     if overdue.is_news {

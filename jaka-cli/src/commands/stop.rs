@@ -1,4 +1,4 @@
-//! `jaka stop`: stop the motion or program that is running.
+//! `jaka stop`: stop of the running motion or program.
 
 use clap::Args;
 use jaka_sync::program::StopProgram;
@@ -8,11 +8,11 @@ use crate::failure::Failure;
 use crate::target::{RobotArgs, Target};
 use crate::terminal::output;
 
-/// Stop the motion or the program that is running; sent without a question
+/// Stop the running motion or program; sent without a question
 ///
-/// This is not an emergency stop: it travels over the network, and the controller must take it. The command port serves
-/// one client: another program that is connected there may be disconnected. No source says whether it ends `movc`, a
-/// jog, or servo motion.
+/// This is not an emergency stop: it travels over the network, and the controller must accept it. The command port
+/// serves one client: another program that is connected there may be disconnected. No source says whether it ends
+/// `movc`, a jog, or servo motion.
 #[derive(Debug, Args)]
 pub(crate) struct Stop {
     #[command(flatten)]

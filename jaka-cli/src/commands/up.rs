@@ -14,11 +14,10 @@ use crate::terminal::output;
 /// Default timeout of `jaka up` and `jaka down`.
 pub(super) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Power and enable the arm, each step when the one before is done
+/// Power and enable the arm, each step after the previous one is done
 ///
-/// Power takes some 8 s, and enabling 3 to 4 s as a rule; standard error tells how far it has come. What is done
-/// already is not sent. Nothing is sent while the emergency stop is pressed. An arm that is enabled releases its
-/// brakes.
+/// Power takes some 8 s, and enabling 3 to 4 s as a rule; standard error shows the progress. Steps already done are not
+/// sent. Nothing is sent while the emergency stop is pressed. An enabled arm releases its brakes.
 #[derive(Debug, Args)]
 pub(crate) struct Up {
     #[command(flatten)]
@@ -37,10 +36,10 @@ impl Up {
     }
 }
 
-/// Notes of the steps, as the controller's answers show them.
+/// Printer of notes on the steps, from the controller's answers.
 #[derive(Debug, Default)]
 struct StepProgress {
-    /// Time that switching the power on took, if that was a step.
+    /// Duration of switching the power on, if that was a step.
     powered_after: Option<Duration>,
 }
 

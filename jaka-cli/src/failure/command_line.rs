@@ -1,4 +1,4 @@
-//! Errors of a command line, in the form of all errors: the problem, and a hint.
+//! Errors of a command line, in the form of all errors: problem and hint.
 
 use std::env;
 
@@ -10,12 +10,12 @@ use itertools::Itertools as _;
 use crate::Cli;
 use crate::words::Words;
 
-/// True for a help or a version that is to be printed, also where a command is missing.
+/// Whether it is a help or version text to print, also if a command is missing.
 pub(crate) fn is_help(error: &Error) -> bool {
     !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
 }
 
-/// The problem, and a hint.
+/// Returns the problem, and a hint.
 pub(crate) fn text(error: &Error) -> String {
     let what = what(error).unwrap_or_else(|| in_words_of_clap(error));
     format!("{what}\nhint: {}", hint(error))
@@ -60,7 +60,7 @@ fn what(error: &Error) -> Option<String> {
     })
 }
 
-/// Text of the rarer errors: the first paragraph of clap's.
+/// Returns the text of a rare error: the first paragraph of clap's text.
 fn in_words_of_clap(error: &Error) -> String {
     let text = error.to_string();
     let text = text.strip_prefix("error: ").unwrap_or(&text);
@@ -68,7 +68,7 @@ fn in_words_of_clap(error: &Error) -> String {
 }
 
 fn hint(error: &Error) -> String {
-    // Not of values: those are listed.
+    // Values are not suggested, since they are listed.
     let suggested = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg];
     match suggested.into_iter().flat_map(|kind| list(error, kind)).join(" or ").as_str() {
         "" => format!("`{} --help` explains what there is", command()),
@@ -76,7 +76,7 @@ fn hint(error: &Error) -> String {
     }
 }
 
-/// The command whose line it is, as far as there is one.
+/// Returns the command of the line, as far as there is one.
 fn command() -> String {
     let mut jaka = Cli::command();
     jaka.build();
@@ -90,7 +90,7 @@ fn command() -> String {
     }
 }
 
-/// First text that the error has of this kind, in backticks.
+/// Returns the first text of this kind in the error, in backticks.
 fn quoted(error: &Error, kind: ContextKind) -> Option<String> {
     list(error, kind).into_iter().next()
 }
@@ -103,7 +103,7 @@ fn list(error: &Error, kind: ContextKind) -> Vec<String> {
     }
 }
 
-/// One of several is `<--this|--that>` for clap.
+/// Formats alternatives, which are `<--this|--that>` for clap.
 fn alternatives(text: &str) -> String {
     let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>')).filter(|text| text.starts_with('-'));
     format!("`{}`", inner.unwrap_or(text).replace(">|--", ">` or `--"))

@@ -1,4 +1,4 @@
-//! Conditions on status packets, as people type them: `in_position && !protective_stop`.
+//! Conditions on status packets, as typed by people: `in_position && !protective_stop`.
 
 mod parse;
 
@@ -12,14 +12,14 @@ use serde_json::Value;
 use crate::packets::fields::Field;
 use crate::terminal::output::ABSENT;
 
-/// A condition on a status packet.
+/// Condition on a status packet.
 #[derive(Debug, Clone)]
 pub(crate) struct Condition {
     text: String,
     root: Expression,
 }
 
-/// A part of a condition, whose kinds were checked when it was read.
+/// Part of a condition, with kinds checked by the parser.
 #[derive(Debug, Clone)]
 enum Expression {
     Literal(Value),
@@ -42,13 +42,13 @@ enum Comparison {
 }
 
 impl Condition {
-    /// True if the packet shows that it holds. A condition on a field that the packet does not have does not hold, and
-    /// neither does its contrary.
+    /// Whether the packet shows that the condition holds. A condition on a missing field does not hold, and neither
+    /// does its negation.
     pub(crate) fn holds(&self, packet: &Node<'_>) -> bool {
         self.root.truth(packet) == Some(true)
     }
 
-    /// Its fields with their values in a packet, such as `in_position false`.
+    /// Returns its fields with their values in a packet, such as `in_position false`.
     pub(crate) fn describe(&self, packet: &Node<'_>) -> String {
         let mut fields = Vec::new();
         self.root.fields(&mut fields);
@@ -73,7 +73,7 @@ impl Expression {
         match self {
             Self::Literal(_) | Self::Field(_) => self.value(packet)?.as_bool(),
             Self::Not(part) => part.truth(packet).map(|truth| !truth),
-            // One of them is enough, whatever the other is.
+            // One of them is sufficient, regardless of the other.
             Self::And(one, other) => match (one.truth(packet), other.truth(packet)) {
                 (Some(false), _) | (_, Some(false)) => Some(false),
                 (one, other) => Some(one? && other?),
@@ -100,7 +100,7 @@ impl Expression {
 }
 
 impl Comparison {
-    /// None for values of different kinds; their parser lets none through.
+    /// Returns `None` for values of different kinds, which the parser excludes.
     fn holds(self, one: &Value, other: &Value) -> Option<bool> {
         let ordering = match (one, other) {
             (Value::Bool(one), Value::Bool(other)) => one.cmp(other),
@@ -123,7 +123,7 @@ impl FromStr for Condition {
     /// Reads a condition.
     ///
     /// # Errors
-    /// It is not one: the message points at the column.
+    /// The text is not a condition: the message points at the column.
     fn from_str(text: &str) -> Result<Self, String> {
         let root = parse::condition(text).map_err(|error| error.under(text))?;
         Ok(Self { text: text.to_owned(), root })
@@ -136,10 +136,10 @@ impl fmt::Display for Condition {
     }
 }
 
-/// Error in a condition, and its place.
+/// Error in a condition, and its position.
 #[derive(Debug)]
 struct Misread {
-    /// The column, from 0.
+    /// Column, from 0.
     column: usize,
     text: String,
 }
@@ -149,7 +149,7 @@ impl Misread {
         Self { column, text: text.into() }
     }
 
-    /// The message, with the condition and a mark under the place.
+    /// Returns the message, with the condition and a mark under the position.
     fn under(&self, condition: &str) -> String {
         let Self { column, text } = self;
         if condition.trim().is_empty() {
@@ -191,7 +191,7 @@ mod tests {
             "enabled != protective_stop",
             "(task_state == 3) == false",
             "1<2",
-            // Enough is known.
+            // The known fields are sufficient.
             "enabled || emergency_stop",
         ] {
             assert!(holds(condition), "{condition}");

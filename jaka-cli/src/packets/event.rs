@@ -1,4 +1,4 @@
-//! The controller's events: texts that are printed next to a code.
+//! Events of the controller: texts printed next to a code.
 
 use std::fmt;
 
@@ -8,18 +8,18 @@ use serde_json::Value;
 
 use crate::builtin::of_status;
 
-/// The field of status packets that has the code, by its name in Rust.
+/// Name in Rust of the status packet field with the code.
 pub(crate) const CODE: &str = "error_code";
 
-/// The event of a code.
+/// Event of a code.
 pub(crate) type Reading = Result<Option<ControllerEvent>, UnreadableEvent>;
 
-/// The event in the value of the field, which is a text. A packet without the field has no event.
+/// Reads the event from the value of the field, which is a text. A packet without the field has no event.
 pub(crate) fn read(code: Option<&Value>) -> Reading {
     code.map_or(Ok(None), |code| ControllerEvent::from_text(code.as_str().unwrap_or("not a text")))
 }
 
-/// Severity of the event, if there is one. A code that cannot be read, or that is not in the table, may be an error.
+/// Returns the severity of the event, if there is one. A code that is unreadable or not in the table may be an error.
 pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     match event {
         Ok(event) => event.map(|event| match known(event).map(|known| known.severity) {
@@ -32,17 +32,17 @@ pub(crate) fn severity(event: &Reading) -> Option<Severity> {
     }
 }
 
-/// Meaning of the event, if it is known.
+/// Returns the meaning of the event, if it is known.
 pub(crate) fn meaning(event: &Reading) -> Option<&'static str> {
     reading(event).and_then(|known| known.texts.meaning.as_deref())
 }
 
-/// Possible causes of the event.
+/// Returns the possible causes of the event.
 pub(crate) fn cause(event: &Reading) -> Option<Note> {
     note(of_status(), reading(event)?, Language::English, |texts| texts.cause.as_deref())
 }
 
-/// Remedies for the event.
+/// Returns the remedies for the event.
 pub(crate) fn remedy(event: &Reading) -> Option<Note> {
     note(of_status(), reading(event)?, Language::English, |texts| texts.remedy.as_deref())
 }
@@ -51,7 +51,7 @@ fn reading(event: &Reading) -> Option<&'static Event> {
     event.as_ref().ok().copied().flatten().and_then(known)
 }
 
-/// Entry of the spec, or of a pack, for the event.
+/// Returns the entry of the spec, or of a pack, for the event.
 fn known(event: ControllerEvent) -> Option<&'static Event> {
     of_status().event(event.code())
 }
@@ -71,7 +71,7 @@ pub(crate) struct Note {
     pub(crate) language: Language,
 }
 
-/// With a mark where it is general.
+/// Writes the text, with a mark if it is general.
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.text)?;
@@ -83,7 +83,7 @@ impl fmt::Display for Note {
     }
 }
 
-/// Own text of an event, or that of its family.
+/// Returns the text of an event, or that of its family.
 pub(crate) fn note(
     spec: &'static Spec,
     event: &'static Event,
@@ -99,7 +99,7 @@ pub(crate) fn note(
     text(own).map(|text| note(text, false)).or_else(|| family.and_then(text).map(|text| note(text, true)))
 }
 
-/// Severity and meaning, such as `information: the robot is disabled`; nothing where there is no event.
+/// Returns severity and meaning, such as `information: the robot is disabled`; `None` without an event.
 pub(crate) fn describe(event: &Reading) -> Option<String> {
     let text = match (event, severity(event)?, meaning(event)) {
         (Err(_), ..) => "not an event code".to_owned(),

@@ -1,4 +1,4 @@
-//! The fields of status packets, by name, and values as text.
+//! Fields of status packets, by name, and values as text.
 
 mod path;
 
@@ -11,17 +11,17 @@ use crate::builtin::of_status;
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// The fields that are shown by default.
+/// Default fields.
 const USUAL: &str = "powered_on,enabled,in_position,protective_stop,emergency_stop,drag_status,task_mode,\
                      interpreter_state,rapid_rate,error_code,error_message,joint_actual_position,actual_position,\
                      tcp_speed,current_tool_id,current_user_frame_id";
 
-/// A field of status packets, or a part of one.
+/// Field of status packets, or a part of one.
 #[derive(Debug, Clone)]
 pub(crate) struct Field {
-    /// Path to it by the names of Rust, such as `actual_position.x`.
+    /// Path by the names in Rust, such as `actual_position.x`.
     pub(crate) name: String,
-    /// The field without a value.
+    /// Field without a value.
     place: Node<'static>,
     path: Vec<Label<'static>>,
 }
@@ -35,21 +35,21 @@ pub(crate) enum Kind {
 }
 
 impl Field {
-    /// The packet as a whole.
+    /// Returns the packet as a whole.
     fn packet() -> Self {
         let place = Node::status(of_status(), Map::new().into());
         Self { name: String::new(), place, path: Vec::new() }
     }
 
-    /// All fields of the packet, in the order of the spec.
+    /// Returns all fields of the packet, in the order of the spec.
     pub(crate) fn all() -> Vec<Self> {
         Self::packet().members()
     }
 
-    /// The fields that are named, with commas between them: the usual ones where none are, and all of them for `all`.
+    /// Returns the named fields, separated by commas; without names the default fields, and for `all` all fields.
     ///
     /// # Errors
-    /// There is no field of a name; the message has similar ones.
+    /// A name has no field; the message has similar ones.
     pub(crate) fn named(names: Option<&str>) -> Result<Vec<Self>, Failure> {
         match names.unwrap_or(USUAL) {
             "all" => Ok(Self::all()),
@@ -57,7 +57,7 @@ impl Field {
         }
     }
 
-    /// The field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.
+    /// Returns the field at a path of names, in Rust or on the wire, and indices: `joint_actual_position[0]`.
     ///
     /// # Errors
     /// No field has this path; the message has similar names.
@@ -65,22 +65,22 @@ impl Field {
         path::find(Self::packet(), path)
     }
 
-    /// Unit of its number or numbers, where the spec states one.
+    /// Returns the unit of its number or numbers, if the spec states one.
     pub(crate) fn unit(&self) -> Option<&'static str> {
         self.place.unit()
     }
 
-    /// Its node in a packet, where that has one that is not null.
+    /// Returns its node in a packet, unless it is missing or null.
     pub(crate) fn value<'p>(&self, packet: &'p Node<'_>) -> Option<&'p Node<'p>> {
         packet.at(&self.path)
     }
 
-    /// Its value in a packet by the names of Rust, and with truth values as `true` and `false`.
+    /// Returns its value in a packet by the names in Rust, and with truth values as `true` and `false`.
     pub(crate) fn named_value(&self, packet: &Node<'_>) -> Option<Value> {
         self.value(packet).map(Node::named)
     }
 
-    /// Use of its value in a condition.
+    /// Returns the use of its value in a condition.
     pub(crate) fn kind(&self) -> Kind {
         match self.place.shape() {
             Some(Shape::Scalar(Scalar::Bool { .. })) => Kind::Truth,
@@ -90,8 +90,8 @@ impl Field {
         }
     }
 
-    /// Its parts all the way down: those of its type, and as many elements as the packet has where the type leaves that
-    /// open.
+    /// Returns its parts, recursively: those of its type, and as many elements as the packet has if the type leaves the
+    /// number open.
     pub(crate) fn leaves(self, packet: &Node<'_>) -> Vec<Self> {
         let value = self.value(packet);
         let parts = match self.place.shape() {
@@ -105,12 +105,12 @@ impl Field {
         if parts.is_empty() { vec![self] } else { parts.into_iter().flat_map(|part| part.leaves(packet)).collect() }
     }
 
-    /// The parts that its type names.
+    /// Returns the named parts of its type.
     fn members(&self) -> Vec<Self> {
         self.place.members().into_iter().map(|member| self.part(member)).collect()
     }
 
-    /// An element of the array that it is.
+    /// Returns an element, if the field is an array.
     fn element(&self, index: usize) -> Option<Self> {
         self.place.element(index).map(|element| self.part(element))
     }
@@ -121,7 +121,7 @@ impl Field {
     }
 }
 
-/// A value without parts as text, with the name of a value of an enum; floating-point numbers by `float`.
+/// Formats a value without parts, with the name of an enum value; formats floating-point numbers with `float`.
 pub(crate) fn leaf_text(node: &Node<'_>, float: impl Fn(f64) -> String) -> String {
     let value = node.value();
     let number = value.as_f64().filter(|_| node.shape() == Some(Shape::Scalar(&Scalar::Float)));
@@ -132,7 +132,7 @@ pub(crate) fn leaf_text(node: &Node<'_>, float: impl Fn(f64) -> String) -> Strin
     }
 }
 
-/// A value as it is, except for characters on which a terminal would act.
+/// Formats a value unchanged, except for control characters of a terminal.
 pub(crate) fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => output::cell(text).into_owned(),

@@ -7,21 +7,21 @@ use jaka_sync::status::RobotStatus;
 pub(crate) enum Tone {
     /// The robot stopped, or its state is not known.
     Bad,
-    /// It needs attention.
+    /// The robot needs attention.
     Warning,
-    /// A bad state is over.
+    /// A bad state has ended.
     Good,
-    /// A change of another kind.
+    /// Other change.
     Plain,
 }
 
-/// On/off states, as packets have them. A packet without a field does not change its state.
+/// On/off states in packets. A packet without a field does not change its state.
 #[derive(Debug, Default)]
 pub(crate) struct Flags([Option<bool>; 4]);
 
 impl Flags {
-    /// Takes a packet, and returns the changes from the ones before. Of the first packet, it only returns stops that
-    /// are active.
+    /// Takes a packet, and returns the changes from the previous ones. For the first packet, it only returns active
+    /// stops.
     pub(crate) fn see(&mut self, status: &RobotStatus) -> Vec<(Tone, &'static str)> {
         let flags = [
             (status.emergency_stop, true, ["emergency stop released", "emergency stop"]),

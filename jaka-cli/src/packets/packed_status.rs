@@ -1,4 +1,4 @@
-//! Status packets as packs have them.
+//! Status packets read with packs.
 
 use std::collections::BTreeMap;
 use std::slice::from_ref;
@@ -15,21 +15,21 @@ use crate::builtin;
 use crate::failure::Failure;
 use crate::packets::fields;
 
-/// A status packet: the fields of the built-in type, and those that only packs have.
+/// Status packet with the fields of the built-in type, and those that only packs have.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PackedStatus {
-    /// The packet in terms of the built-in type, also where a pack has another key or other words for the same.
+    /// Packet in terms of the built-in type, also if a pack has another key or other words for the same value.
     pub(crate) status: RobotStatus,
-    /// Values of fields that packs add or change, by their keys, as they came.
+    /// Values of fields that packs add or change, by their keys, as received.
     own: Map<String, Value>,
-    /// Fields that do not fit, by names in Rust, in addition to what the reader tells.
+    /// Fields that do not fit, by names in Rust, in addition to those reported by the reader.
     pub(crate) unfit: Vec<DecodeError>,
-    /// False where the packet is JSON too odd for packs: a key may mean something else than is read of it.
+    /// Whether packs apply. False for a packet in odd JSON, in which a key may have another meaning.
     is_by_packs: bool,
 }
 
 impl PackedStatus {
-    /// The packet by the spec with its packs.
+    /// Returns the packet by the spec with its packs.
     pub(crate) fn tree(&self) -> Result<Node<'static>, Failure> {
         let written = serde_json::to_value(&self.status);
         let mut json = written.map_err(|error| Failure::local("the packet cannot be written as JSON", error.into()))?;
@@ -40,23 +40,23 @@ impl PackedStatus {
         Ok(Node::status(builtin::of_status(), json))
     }
 
-    /// The packet with nothing but the fields that packs add or change.
+    /// Returns the packet with only the fields that packs add or change.
     pub(crate) fn own(&self) -> Node<'static> {
         Node::status(builtin::of_status(), self.own.clone().into())
     }
 }
 
-/// Fields that packs add to packets, or change.
+/// Returns the fields that packs add or change.
 pub(crate) fn own_fields() -> Vec<fields::Field> {
     let is_own = |field: &fields::Field| layout().own.iter().any(|own| own.name == field.name);
     fields::Field::all().into_iter().filter(is_own).collect()
 }
 
-/// Robot whose status packets are read by the packs of the command line.
+/// Robot with status packets read by the packs of the command line.
 pub(crate) type PackedRobot = Robot<PackedStatus>;
 
 impl MotionStatus for PackedStatus {
-    /// Of a packet that is too odd for packs, nothing counts.
+    /// Returns no values for a packet too odd for packs.
     fn robot_status(&self) -> RobotStatus {
         if self.is_by_packs { self.status.clone() } else { RobotStatus::default() }
     }
@@ -83,7 +83,7 @@ impl Decode for PackedStatus {
             }
             reader.go_back(start);
         }
-        // What is odd JSON is read as far as it can be, and not by packs.
+        // Reads odd JSON as far as possible, and without packs.
         let is_by_packs = layout().is_built_in;
         RobotStatus::decode(reader).map(|status| Self { status, is_by_packs, ..Self::default() })
     }
@@ -94,11 +94,11 @@ impl Decode for PackedStatus {
 struct Layout {
     /// Fields that packs add or change.
     own: Vec<&'static Field>,
-    /// Names of fields that a robot needs and packets do not have.
+    /// Names of fields that a robot needs and packets do not contain.
     absent: Vec<&'static str>,
-    /// Names of fields that a robot needs and packets must have, and of their sources.
+    /// Names of required fields that a robot needs, and of their sources.
     expected: Vec<[&'static str; 2]>,
-    /// True if there is no difference.
+    /// Whether there is no difference.
     is_built_in: bool,
 }
 
@@ -123,7 +123,7 @@ impl Layout {
                 FieldSource::Field(field) if is_changed => layout.expected.push([needed.name, &field.name]),
                 FieldSource::Field(_) => {}
                 FieldSource::Absent => layout.absent.push(needed.name),
-                // There is no program: that is told for each packet.
+                // This program does not supply these fields: each packet reports that.
                 FieldSource::Program => layout.expected.push([needed.name; 2]),
             }
         }
@@ -131,7 +131,7 @@ impl Layout {
     }
 }
 
-/// Forms of a firmware by the protocol of status packets; none where all firmware has the same.
+/// Returns the forms of a firmware by the protocol of status packets; `None` if all firmware has the same.
 fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
     static KNOWN: OnceLock<Mutex<BTreeMap<Option<FirmwareVersion>, &'static Forms>>> = OnceLock::new();
     let spec = builtin::of_status();
@@ -142,7 +142,7 @@ fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
     if let Some(forms) = known.get(&firmware) {
         return Some(forms);
     }
-    // A program talks to one controller, or to few: they stay in memory.
+    // The forms stay in memory, since a program talks to one or few controllers.
     let forms = &*Box::leak(Box::new(Forms::of(spec, firmware)?));
     known.insert(firmware, forms);
     Some(forms)
@@ -177,7 +177,7 @@ fn packed(
     Ok(PackedStatus { status, own: packet, unfit, is_by_packs: true })
 }
 
-/// Errors of the fields that packs leave to a program: this one has none.
+/// Returns errors for the fields that packs leave to a program, since this program supplies none.
 fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
     let sources = spec.robot_status().filter(|needed| needed.source == FieldSource::Program);
     sources.map(|NeededSource { needed, .. }| {
@@ -186,8 +186,8 @@ fn of_program(spec: &Spec) -> impl Iterator<Item = DecodeError> {
     })
 }
 
-/// The packet with the keys, words and units of the built-in type. A value to which packs give another type, or a unit
-/// that does not convert, is left out.
+/// Returns the packet with the keys, words and units of the built-in type. Omits a value to which packs give another
+/// type, or a unit that does not convert.
 fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     let translation = Translation::new(spec, builtin::spec());
     let member = |known: &Field| {
@@ -197,7 +197,7 @@ fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
-/// True if a field is read in every firmware as the built-in one: key, type, unit, and all that the type is made of.
+/// Whether a field is read in every firmware as the built-in one: key, type, unit, and all parts of the type.
 fn is_as_built_in(spec: &Spec, field: &Field, known: &Field) -> bool {
     let is_same = (&known.wire, &known.ty, &known.unit) == (&field.wire, &field.ty, &field.unit);
     is_same && !spec.has_forms(from_ref(field)) && spec.defines_as(builtin::spec(), &field.ty)
@@ -215,7 +215,7 @@ mod tests {
         Box::leak(Box::new(pack.unwrap_or_else(|errors| panic!("{errors}")).spec))
     }
 
-    /// A packet as a robot takes it, by a pack with this text.
+    /// Returns a packet as read by a robot with a pack of this text.
     fn read(pack: &str, packet: &str) -> PackedStatus {
         let spec = spec(pack);
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
@@ -247,7 +247,7 @@ mod tests {
         assert_eq!((status.robot_status().protective_stop, status.unfit().len()), (Some(true), 0));
     }
 
-    /// A circuit that is closed where nothing is pressed.
+    /// Tests a circuit that is closed if no button is pressed.
     #[test]
     fn a_truth_value_is_read_as_its_pack_writes_it() {
         let pack = renamed("emergency_stop", "written = ['on', 'off']");
@@ -266,7 +266,7 @@ mod tests {
         }
     }
 
-    /// Pack by which a new key has the protective stop, and the built-in one is a text.
+    /// Pack with a new key for the protective stop, which makes the built-in one a text.
     const MAPPED: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'halt'\nname = 'safety_halt'\n\
                           type = 'bool'\nwritten = ['free', 'halted']\noptional = true\ndoc = 'D.'\n\
                           [[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\ntype = 'text'\nunit = ''\n\

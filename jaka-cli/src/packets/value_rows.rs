@@ -12,13 +12,13 @@ use crate::packets::fields::leaf_text;
 use crate::terminal::output::ABSENT;
 use crate::text::number::fixed;
 
-/// Lists with more values than this are abbreviated.
+/// Greatest length of lists that are not abbreviated.
 const SHORT: usize = 8;
 
-/// Name of a value, and its text.
+/// Name and text of a value.
 pub(crate) type Row = (String, String);
 
-/// A row for a value at a path, or one for each of its parts.
+/// Returns a row for a value at a path, or one for each of its parts.
 pub(crate) fn value_rows(path: &str, node: &Node<'_>) -> Vec<Row> {
     if has_rows(node) {
         let parts = node.parts().iter().filter(|part| part.is_described());
@@ -34,7 +34,7 @@ pub(crate) fn value_rows(path: &str, node: &Node<'_>) -> Vec<Row> {
     rows
 }
 
-/// Rows with the cause and the remedy of an event that is more than information.
+/// Returns rows with the cause and the remedy of an event that is more than information.
 fn explanation(code: &Value) -> Vec<Row> {
     let event = event::read(Some(code));
     if matches!(event::severity(&event), None | Some(Severity::Information)) {
@@ -44,7 +44,7 @@ fn explanation(code: &Value) -> Vec<Row> {
     rows.into_iter().filter_map(|(name, note)| Some((format!("  {name}"), note?.to_string()))).collect()
 }
 
-/// True for a value whose parts have rows of their own: they have names, or parts themselves.
+/// Whether the parts of a value have their own rows: they have names, or parts themselves.
 fn has_rows(node: &Node<'_>) -> bool {
     let has_parts =
         |node: &Node<'_>| matches!(node.shape(), Some(Shape::Object(_) | Shape::Tuple { .. } | Shape::List(..)));
@@ -71,7 +71,7 @@ fn single(node: &Node<'_>) -> String {
     leaf_text(node, |number| fixed(number, 3))
 }
 
-/// The code of an event with its severity and meaning.
+/// Adds severity and meaning to the code of an event.
 fn with_severity(text: String, code: &Value) -> String {
     match event::describe(&event::read(Some(code))) {
         Some(description) => format!("{text} ({description})"),
@@ -79,7 +79,7 @@ fn with_severity(text: String, code: &Value) -> String {
     }
 }
 
-/// An abbreviated list: its values that are not zero.
+/// Returns an abbreviated list: its nonzero values.
 fn in_short(values: &[Value]) -> String {
     let count = values.len();
     if count == 0 {

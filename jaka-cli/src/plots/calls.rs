@@ -1,4 +1,4 @@
-//! Requests over time, with the times that their replies took.
+//! Requests over time, with their reply times.
 
 use itertools::Itertools as _;
 use plotters::prelude::*;
@@ -9,21 +9,21 @@ use super::strips::{TIMES, chart, title};
 /// Height of the strip and of its axis, in pixels.
 const HEIGHT: u32 = 190;
 const AXIS: u32 = 26;
-/// No reply took less, and none more: the axis needs an end.
+/// Limits of the reply times: the axis needs an end.
 const LIMITS_MS: (f64, f64) = (0.01, 1e6);
 
 /// Outcome of a request.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Latency {
-    /// It was accepted, after so many milliseconds.
+    /// Accepted after this many milliseconds.
     Accepted(f64),
-    /// It was refused, after so many milliseconds.
+    /// Refused after this many milliseconds.
     Refused(f64),
-    /// No reply came.
+    /// Not answered.
     Unanswered,
 }
 
-/// Draws requests at the times at which they were sent, in seconds, of each kind the slowest in a column.
+/// Draws requests at their send times, in seconds; of each kind only the slowest in a column.
 pub(crate) fn calls(end: f64, requests: &[(f64, Latency)]) -> Picture {
     picture((WIDTH, HEIGHT + AXIS), |area| draw(area, end, requests))
 }
@@ -46,7 +46,8 @@ fn draw(area: &Area<'_>, end: f64, requests: &[(f64, Latency)]) -> Drawn {
     title(area, "reply after (ms)", HEIGHT)
 }
 
-/// Height of a request in the plot: the decimal logarithm of its reply time in milliseconds; none without a reply.
+/// Returns the height of a request in the plot: the decimal logarithm of its reply time in milliseconds; `None` without
+/// a reply.
 fn power(latency: Latency) -> Option<f64> {
     match latency {
         Latency::Accepted(ms) | Latency::Refused(ms) => Some(ms.clamp(LIMITS_MS.0, LIMITS_MS.1).log10()),
@@ -54,7 +55,7 @@ fn power(latency: Latency) -> Option<f64> {
     }
 }
 
-/// The milliseconds of a whole power of ten.
+/// Formats the milliseconds of a whole power of ten.
 fn powers(power: f64) -> String {
     if (power - power.round()).abs() > 0.01 {
         return String::new();
@@ -63,7 +64,7 @@ fn powers(power: f64) -> String {
     format!("{:.decimals$}", 10_f64.powf(power.round()))
 }
 
-/// The slowest in each column.
+/// Returns the slowest request in each column.
 fn slowest<'r>(requests: impl Iterator<Item = &'r (f64, Latency)>, end: f64) -> Vec<(f64, Latency)> {
     let column = |time: f64| (time / end * f64::from(COLUMNS)).floor();
     let slower = requests.copied().coalesce(|last, next| match column(last.0) >= column(next.0) {

@@ -12,47 +12,47 @@ pub(super) use crate::plots::chart::{Chart, Drawn, FINE};
 
 /// Width of a picture over time, in pixels.
 pub(super) const WIDTH: u32 = 1000;
-/// Widths of its parts to the left and to the right of the time axis, in pixels.
+/// Widths of the margins to the left and to the right of the time axis, in pixels.
 pub(super) const LEFT: u32 = 210;
 pub(super) const RIGHT: u32 = 14;
-/// Number of pixel columns of the time axis: no more of a series is drawn than they can show.
+/// Number of pixel columns of the time axis, which limits the drawn points of a series.
 pub(super) const COLUMNS: u32 = WIDTH - LEFT - RIGHT;
 
 pub(super) const INK: RGBColor = RGBColor(0, 0, 0);
 pub(super) const FRAME: RGBColor = RGBColor(110, 110, 110);
 const MESH: RGBColor = RGBColor(222, 222, 222);
 
-/// A picture, or why there is none.
+/// Picture as SVG, or its failure.
 pub(super) type Picture = Result<String, Failure>;
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Draws a picture of this width and height in pixels. The page says how large it is shown.
+/// Draws a picture of this width and height in pixels. The page sets its displayed size.
 pub(super) fn picture(size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Drawn) -> Picture {
     let drawn = chart::page(size, draw).map_err(|error| io::Error::other(error.to_string()));
     let text = drawn.map_err(|error| Failure::local("a picture cannot be drawn", error))?;
-    // Within a page the name space goes without saying.
+    // A page does not need the namespace.
     let sized = format!("<svg width=\"{}\" height=\"{}\"", size.0, size.1);
     Ok(text.replacen(&sized, "<svg", 1).replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1))
 }
 
-/// Pixels, as whole units.
+/// Converts pixels to whole units.
 #[allow(clippy::cast_possible_wrap, reason = "pictures are small")]
 pub(super) fn px(pixels: u32) -> i32 {
     (FINE * pixels) as i32
 }
 
-/// A font of this size in pixels.
+/// Returns a font of this size in pixels.
 fn font(size: u32) -> TextStyle<'static> {
-    // The backend makes it smaller by this factor.
+    // The backend reduces the size by this factor.
     ("sans-serif", f64::from(FINE * size) * 1.24).into_font().color(&INK)
 }
 
-/// A font of this size in pixels, with the side at which a text begins.
+/// Returns a font of this size in pixels, with the side at which a text begins.
 pub(super) fn anchored(size: u32, anchor: HPos) -> TextStyle<'static> {
     font(size).pos(Pos::new(anchor, VPos::Center))
 }
 
-/// A number as a label of an axis that is as long as this.
+/// Formats a number as a label of an axis of this length.
 pub(super) fn label(number: f64, length: f64) -> String {
     let decimals = match length {
         _ if length < 0.1 => 3,
@@ -63,10 +63,10 @@ pub(super) fn label(number: f64, length: f64) -> String {
     crate::text::number::fixed(number, decimals)
 }
 
-/// Function that formats the numbers of an axis.
+/// Formatter for the numbers of an axis.
 pub(super) type Label<'a> = &'a dyn Fn(&f64) -> String;
 
-/// Lines at the numbers of both axes, which are not more than so many, their labels, and what the axes show.
+/// Draws lines at the numbers of both axes, up to these counts, with their labels and descriptions.
 pub(super) fn mesh(
     chart: &mut Chart<'_, '_>,
     most: [usize; 2],

@@ -9,13 +9,13 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 pub(crate) type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
 
-/// In so many units a pixel of a page has. The backend writes whole ones: they are small, so that curves are smooth.
+/// Units in a pixel of a page. The backend writes whole units: they are small, so that curves are smooth.
 pub(crate) const FINE: u32 = 6;
 const FONT: (&str, u32) = ("sans-serif", 93);
 pub(crate) const TEXT: RGBColor = RGBColor(30, 30, 30);
 const MESH: RGBColor = RGBColor(225, 225, 225);
 
-/// A page of so many pixels, as SVG. The same text in each call.
+/// Draws a page of this many pixels, as SVG. Equal calls give the same text.
 pub(crate) fn page(
     (width, height): (u32, u32),
     draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, plotters::coord::Shift>) -> Drawn,
@@ -32,8 +32,8 @@ pub(crate) fn page(
     Ok(text.replacen(&sized(fine), &sized((width, height)), 1))
 }
 
-/// The axes of a chart, with what it shows at its left and the unit of the other axis at its numbers, which have so
-/// many decimals.
+/// Draws the axes of a chart, with a description at the left, the unit of the x axis at its numbers, and these numbers
+/// of decimals.
 pub(crate) fn axes(chart: &mut Chart, shows: &str, unit: &str, [x, y]: [usize; 2]) -> Drawn {
     chart
         .configure_mesh()

@@ -1,17 +1,17 @@
-//! Histogram of counts between each two bounds.
+//! Histogram of counts between bounds.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::canvas::{Area, Drawn, FINE, FRAME, INK, Picture, WIDTH, anchored, picture, px};
 
-/// In pixels.
+/// Height, in pixels.
 const HEIGHT: u32 = 200;
-/// Room for the labels below the bars, and for the counts above them, as shares of the tallest.
+/// Space for the labels below the bars, and for the counts above them, as shares of the tallest bar.
 const BELOW: f64 = 0.2;
 const ABOVE: f64 = 0.15;
 
-/// Draws a bar for each count, whose height is logarithmic, with its label below it and the count above.
+/// Draws a bar of logarithmic height for each count, with its label below it and the count above.
 pub(crate) fn histogram(bars: &[(String, usize)]) -> Picture {
     picture((WIDTH, HEIGHT), |area| draw(area, bars))
 }

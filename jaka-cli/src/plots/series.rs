@@ -1,24 +1,24 @@
-//! A quantity over time.
+//! Quantity over time.
 
 use itertools::Itertools as _;
 use std::mem;
 
-/// Values over time, in seconds; none where it is not known.
+/// Values over time, in seconds; `None` where the value is unknown.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Series {
     points: Vec<(f64, Option<f64>)>,
 }
 
-/// A point of a curve.
+/// Point of a curve.
 pub(super) type Point = (f64, f64);
 
 impl Series {
-    /// Adds a value, which comes after those before it.
+    /// Adds a value after the previous ones.
     pub(crate) fn push(&mut self, time: f64, value: Option<f64>) {
         self.points.push((time, value));
     }
 
-    /// Adds a value of a quantity that stays as it is until it changes. A value that equals the last one is not kept.
+    /// Adds a value of a quantity that is constant until it changes. Does not keep a value equal to the last one.
     pub(crate) fn push_change(&mut self, time: f64, value: Option<f64>) {
         if value.is_none() {
             self.interrupt(time);
@@ -27,7 +27,7 @@ impl Series {
         }
     }
 
-    /// Keeps the last value until this time; afterwards it is not known.
+    /// Keeps the last value until this time; afterwards the value is unknown.
     pub(crate) fn interrupt(&mut self, time: f64) {
         if let Some(&(_, last @ Some(_))) = self.points.last() {
             self.points.extend([(time, last), (time, None)]);
@@ -39,13 +39,13 @@ impl Series {
         self.range().is_some_and(|(low, high)| low < high)
     }
 
-    /// The lowest and the highest value; none if there is none.
+    /// Returns the lowest and the highest value; `None` without values.
     pub(crate) fn range(&self) -> Option<(f64, f64)> {
         self.points.iter().filter_map(|(_, value)| *value).minmax().into_option()
     }
 
-    /// Curves up to a time, with the lowest, the highest and the last value in each of so many columns. They are
-    /// interrupted where nothing is known for a column.
+    /// Returns curves up to a time, with the lowest, the highest and the last value in each of this many columns. A
+    /// column without known values interrupts them.
     pub(super) fn curves(&self, end: f64, columns: u32) -> Vec<Vec<Point>> {
         let shown: Vec<_> = self.points.iter().copied().filter(|(time, _)| *time <= end).collect();
         let column = |(time, _): &(f64, Option<f64>)| (time / end * f64::from(columns)).floor();
@@ -64,16 +64,16 @@ impl Series {
     }
 }
 
-/// Points of a column that are drawn: the lowest and the highest in their order, and the last.
+/// Returns the drawn points of a column: the lowest and the highest in their order, and the last.
 fn drawn(points: &[Point]) -> Option<[Point; 3]> {
     let by_value = |one: &&Point, other: &&Point| one.1.total_cmp(&other.1);
-    // The first of those that are equal.
+    // The first of equal points.
     let (lowest, highest) = (*points.iter().min_by(by_value)?, *points.iter().rev().max_by(by_value)?);
     let [first, second] = if lowest.0 <= highest.0 { [lowest, highest] } else { [highest, lowest] };
     Some([first, second, *points.last()?])
 }
 
-/// Adds a point; of several of the same value, the first and the last are enough.
+/// Adds a point; of several with the same value, the first and the last are sufficient.
 fn draw(curve: &mut Vec<Point>, point: Point) {
     if curve.last() == Some(&point) {
         return;

@@ -8,14 +8,14 @@ use super::canvas::{
 };
 use super::series::{Point, Series};
 
-/// The time axis, in pixels.
+/// Height of the time axis, in pixels.
 const AXIS: u32 = 26;
-/// Greatest number of times at the axis.
+/// Greatest number of times on the axis.
 pub(super) const TIMES: usize = 10;
 /// Distance between the numbers of an axis, in pixels.
 const NUMBER: u32 = 12;
 
-/// A strip: a quantity over time.
+/// Strip with a quantity over time.
 #[derive(Debug)]
 pub(crate) struct Strip {
     pub(crate) title: String,
@@ -25,18 +25,18 @@ pub(crate) struct Strip {
 /// Form in which a strip shows a quantity.
 #[derive(Debug)]
 pub(crate) enum Trace {
-    /// A number that changes steadily.
+    /// Number that changes steadily.
     Curve(Series),
-    /// A number that stays as it is until it changes.
+    /// Number that is constant until it changes.
     Steps(Series),
-    /// A quantity that is on or off.
+    /// Quantity that is on or off.
     Level(Series),
-    /// Moments.
+    /// Marked times.
     Marks(Vec<f64>),
 }
 
 impl Trace {
-    /// Height in pixels, and the greatest number of numbers at the axis, so that they do not touch each other.
+    /// Returns the height in pixels, and the greatest number of numbers on the axis, so that they do not touch.
     fn size(&self) -> (u32, usize) {
         match self {
             Self::Curve(_) => (72, 4),
@@ -45,7 +45,7 @@ impl Trace {
         }
     }
 
-    /// Range of the strip's axis: a unit at least, so that a quantity at rest looks so.
+    /// Returns the range of the strip's axis: at least one unit, so that a constant quantity looks constant.
     fn range(&self) -> (f64, f64) {
         match self {
             Self::Curve(series) | Self::Steps(series) => {
@@ -85,7 +85,7 @@ pub(crate) fn strips(end: f64, strips: &[Strip]) -> Picture {
 
 fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     let ((low, high), (height, numbers)) = (strip.trace.range(), strip.trace.size());
-    // A number at an end of the axis keeps away from that of the next strip.
+    // Space between the number at an end of the axis and that of the next strip.
     let gap = if numbers == 0 { 1 } else { NUMBER / 2 };
     let mut chart = chart(area, end, (low, high), [gap, axis])?;
     let labels: [Label<'_>; 2] = [&|time| label(*time, end), &|value| label(*value, high - low)];
@@ -96,8 +96,8 @@ fn draw(area: &Area<'_>, strip: &Strip, end: f64, axis: u32) -> Drawn {
     title(area, &strip.title, height)
 }
 
-/// A chart whose time axis is where that of all others is, with the free heights above and below it, and the height of
-/// the axis.
+/// Returns a chart with its time axis aligned to all others, with the free heights above and below it, and the height
+/// of the axis.
 pub(super) fn chart<'a, 'b>(
     area: &'a Area<'b>,
     end: f64,
@@ -115,7 +115,7 @@ pub(super) fn chart<'a, 'b>(
 
 fn line(chart: &mut Chart<'_, '_>, points: Vec<Point>) -> Drawn {
     match points.as_slice() {
-        // A line of one point would not be seen.
+        // A line of one point would be invisible.
         [point] => chart.draw_series([Circle::new(*point, px(1), INK.filled())]).map(drop),
         _ => chart.draw_series([PathElement::new(points, INK.stroke_width(FINE))]).map(drop),
     }
@@ -126,7 +126,7 @@ pub(super) fn title(area: &Area<'_>, text: &str, height: u32) -> Drawn {
     area.draw(&Text::new(text.to_owned(), (px(2), px(height) / 2), anchored(12, HPos::Left)))
 }
 
-/// A curve that stays as it is until it changes.
+/// Returns a curve that is constant until it changes.
 fn cornered(curve: &[Point]) -> Vec<Point> {
     let mut cornered: Vec<Point> = Vec::with_capacity(2 * curve.len());
     for &(time, value) in curve {
@@ -140,7 +140,7 @@ fn cornered(curve: &[Point]) -> Vec<Point> {
     cornered
 }
 
-/// A line with a spike at each moment, one in a column at most.
+/// Returns a line with a spike at each time, at most one in a column.
 fn spikes(moments: &[f64], end: f64) -> Vec<Point> {
     let mut line = vec![(0.0, 0.0)];
     let mut last = f64::NEG_INFINITY;
@@ -158,7 +158,7 @@ fn spikes(moments: &[f64], end: f64) -> Vec<Point> {
 mod tests {
     use super::*;
 
-    /// The places of texts that are left of the axis, in pixels from the top; titles are elsewhere.
+    /// Returns the positions of texts left of the axis, in pixels from the top; titles are elsewhere.
     fn numbers(picture: &str) -> Vec<f64> {
         let attribute = |text: &str, name: &str| {
             let (_, rest) = text.split_once(&format!(" {name}=\"")).expect("it has it");

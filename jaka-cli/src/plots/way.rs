@@ -1,4 +1,4 @@
-//! The way of a point, seen from one side.
+//! Path of a point, viewed from one side.
 
 use std::ops::Range;
 
@@ -8,23 +8,23 @@ use plotters::prelude::*;
 use super::canvas::{Area, Drawn, FINE, INK, Picture, label, mesh, picture, px};
 use super::series::Point;
 
-/// In pixels: the picture, and the room for its labels.
+/// Sizes in pixels: the picture, and the space for its labels.
 const SIZE: (u32, u32) = (490, 440);
 const LABELS: (u32, u32) = (66, 46);
 const MARGIN: u32 = 12;
-/// Distance between points that are drawn, in pixels.
+/// Distance between drawn points, in pixels.
 const APART: f64 = 0.5;
-/// A way is drawn on this many millimetres at least, so that an arm at rest looks so.
+/// Smallest range of a path, in millimetres, so that an arm at rest looks so.
 const LEAST: f64 = 20.0;
 
-/// Names of the axes to the right and upwards, which tell the side from which the path is seen.
+/// Names of the axes to the right and upwards, which define the side of the view.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ViewAxes {
     pub(crate) right: &'static str,
     pub(crate) up: &'static str,
 }
 
-/// Draws curves in millimetres, both axes in the same scale. A circle is at the beginning, a square at the end.
+/// Draws curves in millimetres, with both axes in the same scale. A circle marks the start, a square the end.
 pub(crate) fn way(view: ViewAxes, curves: &[Vec<Point>]) -> Picture {
     picture(SIZE, |area| draw_way(area, view, curves))
 }
@@ -54,7 +54,7 @@ pub(crate) fn draw_way(area: &Area<'_>, view: ViewAxes, curves: &[Vec<Point>]) -
     Ok(())
 }
 
-/// Ranges of the axes of a picture of this size in pixels, and the number of millimetres of a pixel.
+/// Returns the ranges of the axes of a picture of this size in pixels, and the number of millimetres of a pixel.
 fn ranges(curves: &[Vec<Point>], size: (u32, u32)) -> (Range<f64>, Range<f64>, f64) {
     let points = || curves.iter().flatten();
     let x = points().map(|point| point.0).minmax().into_option().unwrap_or_default();
@@ -69,7 +69,7 @@ fn ranges(curves: &[Vec<Point>], size: (u32, u32)) -> (Range<f64>, Range<f64>, f
     (around(x, width), around(y, height), scale)
 }
 
-/// The points of a curve that are this far apart, with the first and the last.
+/// Returns the points of a curve that are this far apart, with the first and the last.
 fn thinned(curve: &[Point], apart: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
     for (at, &(x, y)) in curve.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The recording that a command makes.
+//! Recording of a command.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
@@ -10,10 +10,10 @@ use jaka_sync::{Recorder, RecorderReport};
 
 use crate::failure::Failure;
 
-/// A command has one robot, and so one recording at most.
+/// Recording of the command, which has one robot and so at most one recording.
 static RECORDING: OnceLock<(PathBuf, Recorder)> = OnceLock::new();
 
-/// Begins the recording in a new file. One that exists is not overwritten: it may be the only trace of a problem.
+/// Starts the recording in a new file. Does not overwrite an existing one: it may be the only trace of a problem.
 pub(crate) fn begin(path: &Path) -> Result<Recorder, Failure> {
     let file = File::create_new(path).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {
@@ -26,7 +26,7 @@ pub(crate) fn begin(path: &Path) -> Result<Recorder, Failure> {
     Ok(recorder.clone())
 }
 
-/// Ends the recording, if there is one, with all of it in the file. One without a connection is removed.
+/// Ends the recording, if there is one, and writes all of it to the file. Removes a recording without a connection.
 pub(crate) fn finish() -> Result<RecorderReport, Failure> {
     let Some((path, recorder)) = RECORDING.get() else { return Ok(RecorderReport::default()) };
     let report = recorder.finish().map_err(|error| failed(path, error))?;
@@ -37,13 +37,14 @@ pub(crate) fn finish() -> Result<RecorderReport, Failure> {
     Ok(report)
 }
 
-/// Writes the lines of a recording in visible characters, for people who read the file. As JSON they are unchanged.
+/// Writer of the lines of a recording in visible characters, for people who read the file. Their JSON values are
+/// unchanged.
 #[derive(Debug)]
 struct VisibleJson(File);
 
 impl Write for VisibleJson {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // A recorder writes whole lines, which are text.
+        // A recorder writes whole lines of text.
         match std::str::from_utf8(bytes) {
             Ok(text) => self.0.write_all(visible_json(text).as_bytes())?,
             Err(_) => self.0.write_all(bytes)?,

@@ -1,4 +1,4 @@
-//! Recordings that are read, and the files that are made of them.
+//! Recordings as input, and the files generated from them.
 
 use std::fs::{self, File};
 use std::io::{self, Write, stdout};
@@ -16,10 +16,10 @@ use crate::failure::Failure;
 use crate::packets::packed_status::PackedStatus;
 use crate::terminal::output;
 
-/// The options of a command that makes something of a recording.
+/// Options of a command that evaluates a recording.
 #[derive(Debug, Args)]
 pub(crate) struct RecordedArgs {
-    /// The recording
+    /// Recording
     pub(crate) file: PathBuf,
     /// Write to this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
@@ -27,7 +27,7 @@ pub(crate) struct RecordedArgs {
 }
 
 impl RecordedArgs {
-    /// Opens the output. A file that exists is replaced, but never the recording itself.
+    /// Opens the output. Replaces an existing file, but never the recording itself.
     pub(crate) fn create(&self) -> Result<Output, Failure> {
         let Some(path) = &self.output else { return Ok(Output { path: None, to: Box::new(stdout().lock()) }) };
         if let (Ok(here), Ok(there)) = (path.canonicalize(), self.file.canonicalize())
@@ -40,19 +40,19 @@ impl RecordedArgs {
     }
 }
 
-/// A file, or standard output.
+/// File, or standard output.
 pub(crate) struct Output {
     path: Option<PathBuf>,
     to: Box<dyn Write>,
 }
 
 impl Output {
-    /// Writes text, whose invisible characters are visible by now.
+    /// Writes text with invisible characters already made visible.
     pub(crate) fn write(&mut self, text: &str) -> Result<(), Failure> {
         self.to.write_all(text.as_bytes()).map_err(|error| self.failed(error))
     }
 
-    /// Ends it, with all of it written.
+    /// Finishes the output, after writing all of it.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         self.to.flush().map_err(|error| self.failed(error))
     }
@@ -65,7 +65,7 @@ impl Output {
     }
 }
 
-/// Reads a recording. One whose last line is cut off, as after a crash, is still used.
+/// Reads a recording. Accepts one with a truncated last line, as after a crash.
 pub(crate) fn read(path: &Path) -> Result<Recording, Failure> {
     let file = fs::read(path);
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
@@ -76,18 +76,18 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Failure> {
     Ok(recording)
 }
 
-/// A message of the status port.
+/// Message of the status port.
 #[derive(Debug)]
 pub(crate) struct RecordedPacket {
-    /// Time of its arrival, counted from the start of the recording.
+    /// Time of its arrival, from the start of the recording.
     pub(crate) time: Duration,
-    /// The number of its connection.
+    /// Number of its connection.
     pub(crate) connection: u32,
-    /// The packet; all that does not fit the spec is in its `unfit`. An error where it is not a packet.
+    /// Packet, with values that do not fit the spec in its `unfit`; an error if the message is not a packet.
     pub(crate) status: Result<PackedStatus, DecodeError>,
 }
 
-/// The messages of the status port, in the order of the recording.
+/// Returns the messages of the status port, in the order of the recording.
 pub(crate) fn packets(recording: &Recording) -> impl Iterator<Item = RecordedPacket> {
     let entries = recording.entries.iter().filter(|entry| entry.port == Port::Status);
     entries.filter_map(|entry| match &entry.event {
@@ -107,18 +107,18 @@ fn status(bytes: &[u8]) -> Result<PackedStatus, DecodeError> {
     Ok(status)
 }
 
-/// The command that a message names.
+/// Returns the command named in a message.
 pub(crate) fn command_of(message: &Message) -> Option<String> {
     let text = framing::text(message.bytes());
     Envelope::read_odd(&text).ok()?.command.map(|name| name.trim().to_owned())
 }
 
-/// The controller's refusal, if the reply is one.
+/// Returns the controller's refusal, if the reply is one.
 pub(crate) fn refusal_of(reply: &Message) -> Option<Refusal> {
     Envelope::read_odd(&framing::text(reply.bytes())).ok()?.refusal()
 }
 
-/// The first so many characters of a message, in one line.
+/// Returns this many characters from the start of a message, in one line.
 pub(crate) fn excerpt(message: &Message, most: usize) -> String {
     let text = message.to_string();
     let text = visible_json_line(&text);
@@ -128,7 +128,7 @@ pub(crate) fn excerpt(message: &Message, most: usize) -> String {
     }
 }
 
-/// Number of entries that are missing at the place of this one.
+/// Returns the number of missing entries at this place.
 pub(crate) fn missing(entry: &Entry) -> u64 {
     if let Event::Dropped { count } = entry.event { count } else { 0 }
 }

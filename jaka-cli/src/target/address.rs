@@ -12,16 +12,16 @@ use super::environment::Environment;
 use super::{AddressArgs, Lookup};
 use crate::failure::Failure;
 
-/// The message where nothing gives the robot's address.
+/// Message without an address of the robot.
 const NO_ROBOT: &str = "no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with \
                         `robot = \"NAME\"` in the config file; or try a simulated one with `--sim`";
 
-/// A robot's address, and the timeouts of its connections.
+/// Addresses of a robot, and the timeouts of its connections.
 #[derive(Debug, PartialEq)]
 pub(super) struct RobotAddress {
     /// Title of the robot for people: its name and address.
     pub(super) title: String,
-    /// The addresses of its ports.
+    /// Addresses of its ports.
     pub(super) commands: String,
     pub(super) status: String,
     pub(super) timeout: Option<Duration>,
@@ -66,7 +66,7 @@ impl RobotAddress {
     }
 }
 
-/// The robot that is named: the command line takes precedence over the environment, and that over the config file.
+/// Returns the named robot: the command line takes precedence over the environment, and that over the config file.
 fn named(robot: Option<&str>, environment: &Environment, file: &ConfigFile) -> Result<Option<String>, Failure> {
     Ok(match (robot, &environment.robot) {
         (Some(robot), _) => Some(robot.to_owned()),
@@ -78,8 +78,8 @@ fn named(robot: Option<&str>, environment: &Environment, file: &ConfigFile) -> R
     })
 }
 
-/// The packs that the environment names, or else the config file, for this robot or for all; and true if it is the
-/// config file.
+/// Returns the packs of the environment, or else of the config file, for this robot or for all; and true if they are
+/// from the config file.
 pub(super) fn packs(lookup: Lookup<'_>, environment: &Environment) -> Result<(Vec<PathBuf>, bool), Failure> {
     if let Some(paths) = &environment.packs {
         return Ok((split_paths(paths).filter(|path| !path.as_os_str().is_empty()).collect(), false));
@@ -90,7 +90,7 @@ pub(super) fn packs(lookup: Lookup<'_>, environment: &Environment) -> Result<(Ve
     Ok((own.map_or(file.packs, |pack| vec![pack]), true))
 }
 
-/// The config file to read; an empty one if it is the usual one and does not exist.
+/// Returns the config file to read; an empty one if it is the usual one and does not exist.
 pub(super) fn config_file(path: Option<&Path>, environment: &Environment) -> Result<ConfigFile, Failure> {
     if let Some(path) = path.or(environment.config.as_deref()) {
         return ConfigFile::read(path);
@@ -100,7 +100,7 @@ pub(super) fn config_file(path: Option<&Path>, environment: &Environment) -> Res
     Ok(found.unwrap_or_default())
 }
 
-/// The host of an address, which must have no port: a controller has two.
+/// Returns the host of an address, which must have no port, since a controller has two.
 fn host(address: &str) -> Result<String, Failure> {
     let bare = address.trim_start_matches('[').trim_end_matches(']');
     if bare.parse::<IpAddr>().is_ok() {

@@ -1,4 +1,4 @@
-//! The config file: robots by name.
+//! Config file with robots by name.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,9 +15,9 @@ use crate::text::seconds;
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConfigFile {
-    /// The robot to talk to where none is named.
+    /// Robot for command lines without one.
     pub(crate) robot: Option<String>,
-    /// Command packs of robots that have none of their own: paths, from the config file's folder.
+    /// Command packs of robots without their own: paths, relative to the config file's folder.
     #[serde(default)]
     pub(crate) packs: Vec<PathBuf>,
     /// Robots by name.
@@ -25,13 +25,13 @@ pub(crate) struct ConfigFile {
     pub(crate) robots: BTreeMap<String, Entry>,
 }
 
-/// A `[robots.NAME]`.
+/// Table `[robots.NAME]`.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
     /// Host name or IP address, without a port.
     pub(crate) address: String,
-    /// Command pack of this robot, in place of `packs`: a path, from the config file's folder.
+    /// Command pack of this robot, in place of `packs`: a path, relative to the config file's folder.
     pub(crate) pack: Option<PathBuf>,
     /// Port for commands.
     pub(crate) command_port: Option<u16>,
@@ -43,13 +43,13 @@ pub(crate) struct Entry {
     /// Timeout for connecting, in seconds.
     #[serde(default, deserialize_with = "seconds::from_file")]
     pub(crate) connect_timeout: Option<Duration>,
-    /// Age at which status packets are stale for motions that are waited for, in seconds.
+    /// Age, in seconds, at which status packets are stale while the program waits for a motion.
     #[serde(default, deserialize_with = "seconds::from_file")]
     pub(crate) stale_after: Option<Duration>,
 }
 
 impl ConfigFile {
-    /// Reads a file that must be there.
+    /// Reads a file that must exist.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         Self::read_if_there(path)?
             .ok_or_else(|| Failure::Usage(format!("the config file {} does not exist", path.display())))

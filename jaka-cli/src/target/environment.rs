@@ -4,7 +4,7 @@ use std::env::var_os;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// The variables that `jaka` reads. One that is empty counts as not set.
+/// Variables that `jaka` reads. An empty one counts as not set.
 #[derive(Debug, Default)]
 pub(crate) struct Environment {
     /// `JAKA_ROBOT`.
@@ -13,12 +13,12 @@ pub(crate) struct Environment {
     pub(crate) config: Option<PathBuf>,
     /// `JAKA_PACK`: paths of packs, separated as in `PATH`.
     pub(crate) packs: Option<OsString>,
-    /// The folder of the user's config files.
+    /// Folder of the user's config files.
     pub(crate) config_folder: Option<PathBuf>,
 }
 
 impl Environment {
-    /// The environment of this process.
+    /// Reads the environment of this process.
     pub(crate) fn read() -> Self {
         if cfg!(test) {
             return Self::default();
@@ -34,7 +34,7 @@ impl Environment {
         }
     }
 
-    /// Default path of the config file.
+    /// Returns the default path of the config file.
     pub(crate) fn usual_config(&self) -> Option<PathBuf> {
         self.config_folder.as_ref().map(|folder| folder.join(Path::new("jaka").join("config.toml")))
     }

@@ -1,4 +1,4 @@
-//! The protocol with the user's command packs.
+//! Protocol with the user's command packs.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -14,10 +14,10 @@ use crate::failure::Failure;
 use crate::target::{Lookup, usual_packs};
 use crate::terminal::output;
 
-/// The option that gives packs to a command.
+/// Option for the packs of a command.
 #[derive(Debug, Default, Args)]
 pub(crate) struct SpecArgs {
-    /// The files, in order.
+    /// Files, in order.
     #[arg(
         long = "pack",
         help = "Command pack: a TOML file that adds to the protocol; repeat it for more [env: JAKA_PACK]",
@@ -26,15 +26,15 @@ pub(crate) struct SpecArgs {
     packs: Vec<PathBuf>,
 }
 
-/// The protocol with packs.
+/// Protocol with packs.
 #[derive(Debug)]
 pub(crate) struct Protocol {
     pub(crate) spec: Spec,
-    /// The files of the packs, in order.
+    /// Files of the packs, in order.
     pub(crate) packs: Vec<PathBuf>,
-    /// True if the config file names them: the user has confirmed what they say of their commands.
+    /// Whether the config file names the packs: the user has confirmed the effects that they give their commands.
     pub(crate) is_confirmed: bool,
-    /// Facts of the commands that were asked for, which stay in memory: once for each.
+    /// Facts of the requested commands, which stay in memory: once for each command.
     infos: RefCell<BTreeMap<String, &'static CommandInfo>>,
 }
 
@@ -43,20 +43,20 @@ impl Protocol {
         Self { spec, packs, is_confirmed, infos: RefCell::default() }
     }
 
-    /// Facts of a command of this protocol.
+    /// Returns the facts of a command of this protocol.
     pub(crate) fn info(&self, command: &Command) -> &'static CommandInfo {
         let mut infos = self.infos.borrow_mut();
         infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(&self.spec, command))
     }
 
-    /// Has status packets read by this protocol, which is said before the first of them comes.
+    /// Makes this the protocol of status packets. Called before the first packet.
     pub(crate) fn read_status(&self) {
         builtin::read_status_by(&self.spec);
     }
 }
 
 impl SpecArgs {
-    /// The protocol with these packs.
+    /// Creates the options with these packs.
     pub(crate) fn of(packs: Vec<PathBuf>) -> Self {
         Self { packs }
     }
@@ -64,7 +64,7 @@ impl SpecArgs {
     /// Loads the protocol with its packs. The notes of a pack go to standard error.
     ///
     /// # Errors
-    /// Everything that is wrong with a pack, a line each.
+    /// All errors of a pack, one a line.
     pub(crate) fn load(&self, lookup: Lookup<'_>) -> Result<Protocol, Failure> {
         let (packs, is_confirmed) =
             if self.packs.is_empty() { usual_packs(lookup)? } else { (self.packs.clone(), false) };
@@ -73,15 +73,15 @@ impl SpecArgs {
     }
 }
 
-/// The text of a file that is named on the command line.
+/// Reads the text of a file named on the command line.
 pub(crate) fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))
 }
 
-/// The spec with a pack. The notes of the pack go to standard error.
+/// Adds a pack to the spec. The notes of the pack go to standard error.
 ///
 /// # Errors
-/// Everything that is wrong with the pack, a line each.
+/// All errors of the pack, one a line.
 pub(crate) fn add(spec: &Spec, path: &Path) -> Result<Spec, Failure> {
     let name = path.display().to_string();
     let text = read(path)?;

@@ -1,9 +1,9 @@
-//! The one seat of the command port: a client that takes it may take it from a program that moves the arm.
+//! The one seat of the command port: a client that takes it may displace a program that moves the arm.
 //!
 //! One rule holds for all commands. A command that changes a robot asks first, and the question names the consequence
-//! for the seat ([`crate::arm::consent`]). A command that only reads asks by [`obtain`]: `check`, `probe` and `jitter`.
-//! Without a terminal, both need `--yes`. Requests that must not be held up are sent at once: stops, and requests of
-//! `jaka call` that only read or concern the connection alone, with a warning by [`warn`].
+//! for the seat ([`crate::arm::consent`]). `check`, `probe` and `jitter`, which only read, ask by [`obtain`]. Without a
+//! terminal, both need `--yes`. Urgent requests are sent at once: stops, and requests of `jaka call` that only read or
+//! concern the connection alone, with a warning by [`warn`].
 
 use std::io::{IsTerminal, stderr, stdin};
 
@@ -15,7 +15,8 @@ use crate::terminal::{output, question};
 pub(crate) const ONE_CLIENT: &str =
     "The command port serves one client: another program that is connected there may be disconnected.";
 
-/// Warns a person before this program becomes the one client of the command port. A script has been told by the manual.
+/// Warns a person before this program becomes the one client of the command port. For scripts, the manual has the
+/// warning.
 pub(crate) fn warn(robot: &RobotArgs) {
     if !robot.is_simulated() && stderr().is_terminal() {
         output::warning(
@@ -24,8 +25,8 @@ pub(crate) fn warn(robot: &RobotArgs) {
     }
 }
 
-/// Makes sure that the user wants this program to be the one client of the command port. The error begins with
-/// `not_done`, the action that was not done.
+/// Asks whether this program may become the one client of the command port. The error begins with `not_done`, the
+/// action that was not done.
 pub(crate) fn obtain(title: &str, not_done: &str) -> Result<(), Failure> {
     let refused = |why: &str| Failure::Usage(format!("{not_done}: {why}"));
     if !stdin().is_terminal() {

@@ -1,17 +1,17 @@
-//! The options for messages on standard error, and for colours.
+//! Options for messages on standard error, and for colours.
 
 use anstream::ColorChoice;
 use clap::{ArgAction, Args, ValueEnum};
 
 use crate::terminal::{logging, output};
 
-/// The options that every command has.
+/// Options of every command.
 #[derive(Debug, Args)]
 pub(crate) struct ConsoleArgs {
-    /// Log connections, requests and replies on standard error; `-vv` also what a simulated controller does
+    /// Log connections, requests and replies on standard error; `-vv` also the actions of a simulated controller
     #[arg(long, short, global = true, action = ArgAction::Count, help_heading = HEADING)]
     verbose: u8,
-    /// Print nothing on standard error but errors, questions, and what has become of a motion
+    /// Print only errors, questions and outcomes of motions on standard error
     #[arg(long, short, global = true, conflicts_with = "verbose", help_heading = HEADING)]
     quiet: bool,
     /// Colours: always, never, or auto: on terminals, unless `NO_COLOR` is set [default: auto]
@@ -28,15 +28,15 @@ enum Color {
     /// On terminals, unless `NO_COLOR` is set
     #[default]
     Auto,
-    /// Also where no terminal is
+    /// Also without a terminal
     Always,
-    /// Nowhere
+    /// No colours
     Never,
 }
 
 impl ConsoleArgs {
-    /// Applies the options to messages from now on. Options of an earlier call stay, since they may stand at two places
-    /// of a line.
+    /// Applies the options to later messages. Options of an earlier call stay, since a line can have them at two
+    /// places.
     pub(crate) fn apply(&self) {
         if self.quiet {
             output::be_quiet();
@@ -47,7 +47,7 @@ impl ConsoleArgs {
     }
 }
 
-/// Has colours used as a line says, also in what is printed before it can be parsed: its help and its errors.
+/// Selects the colours of a line, also for texts printed before it can be parsed: its help and its errors.
 pub(crate) fn color(words: impl Iterator<Item = String>) {
     let mut words = words.take_while(|word| word != "--").peekable();
     while let Some(word) = words.next() {
@@ -67,6 +67,6 @@ pub(crate) fn color(words: impl Iterator<Item = String>) {
 
 fn use_colors(choice: ColorChoice) {
     choice.write_global();
-    // The dashboard's.
+    // Colours of the dashboard.
     ratatui::crossterm::style::force_color_output(choice == ColorChoice::Always);
 }

@@ -1,4 +1,4 @@
-//! Exit codes: what a script can do about a failure.
+//! Exit codes, by the possible reactions of a script to a failure.
 
 use std::process::ExitCode;
 
@@ -9,61 +9,62 @@ use crate::failure::command_line;
 use crate::failure::{Failure, chain};
 use crate::terminal::output;
 
-/// The controller refused the command, which did not run.
+/// Code for a command that the controller refused and did not run.
 pub(crate) const REFUSED: u8 = 1;
-/// The command line, the config file or an argument is wrong. clap's own code for its errors.
+/// Code for a wrong command line, config file or argument. clap's own code for its errors.
 pub(crate) const USAGE: u8 = 2;
-/// No connection could be made; nothing was sent.
+/// Code for a failed connection; nothing was sent.
 pub(crate) const NO_CONNECTION: u8 = 3;
-/// The command may have run.
+/// Code for a command that may have run.
 pub(crate) const MAY_HAVE_RUN: u8 = 4;
-/// The connection was lost or is unreadable, and no command was outstanding.
+/// Code for a lost or unreadable connection without an outstanding command.
 pub(crate) const LOST: u8 = 5;
-/// Something on this machine.
+/// Code for a failure on this machine.
 pub(crate) const LOCAL: u8 = 6;
 
-/// `jaka probe` found a deviation from the spec, or clients of `jaka replay` deviated from the recording.
+/// Code for a deviation from the spec in `jaka probe`, or of clients from the recording in `jaka replay`.
 pub(crate) const DEPARTS: u8 = 7;
 
-/// `jaka check` found something to look at.
+/// Code for a finding of `jaka check` to look at.
 pub(crate) const LOOK: u8 = 8;
-/// `jaka check` found something wrong.
+/// Code for an error found by `jaka check`.
 pub(crate) const WRONG: u8 = 9;
 
-/// The robot's state or a limit forbids the motion, or the state is not known; nothing that moves the arm was sent.
+/// Code for a motion that the robot's state or a limit forbids, or with an unknown state; nothing that moves the arm
+/// was sent.
 pub(crate) const NOT_MOVED: u8 = 20;
-/// The arm is at rest, and it is not known whether it is where it was sent.
+/// Code for an arm at rest that may not be at its target.
 pub(crate) const AT_REST: u8 = 21;
-/// The motion ended before its target.
+/// Code for a motion that ended before its target.
 pub(crate) const STOPPED: u8 = 22;
-/// A protective stop ended the motion.
+/// Code for a motion ended by a protective stop.
 pub(crate) const PROTECTIVE_STOP: u8 = 23;
-/// The emergency stop ended the motion.
+/// Code for a motion ended by the emergency stop.
 pub(crate) const EMERGENCY_STOP: u8 = 24;
-/// The arm has no power, or is not enabled.
+/// Code for an arm without power, or not enabled.
 pub(crate) const DISABLED: u8 = 25;
-/// The controller reports an error.
+/// Code for an error reported by the controller.
 pub(crate) const CONTROLLER_ERROR: u8 = 26;
-/// A wait ended with its timeout. If it was for the end of a motion, the arm may still move.
+/// Code for a wait that ended with its timeout. After a wait for the end of a motion, the arm may still move.
 pub(crate) const DEADLINE: u8 = 27;
-/// Status packets that can be read no longer come; the arm may still move.
+/// Code for the loss of readable status packets; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;
-/// On Ctrl-C, or of `jaka stop`, the controller did not take the stop, or it is not known whether it did; the arm may
-/// still move.
+/// Code for a stop by Ctrl-C or `jaka stop` that the controller did not accept, or whose acceptance is unknown; the arm
+/// may still move.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
-/// A trajectory was not followed to its end, for another reason: the message says which, and whether the arm is at
+/// Code for a trajectory not followed to its end, for another reason: the message names it, and whether the arm is at
 /// rest.
 pub(crate) const NOT_FOLLOWED: u8 = 30;
 
-/// Ctrl-C before anything was sent, or before what was waited for.
+/// Code for Ctrl-C before any request was sent, or before the awaited event.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// Prints a failure with its causes on standard error, and gives the exit code.
+/// Prints a failure with its causes on standard error, and returns the exit code.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     match failure {
         Failure::Printed(_) => {}
-        // The reader may be gone: the exit code says enough.
+        // The reader may be gone: the exit code is sufficient.
         Failure::CommandLine(error) if command_line::is_help(error) => drop(error.print()),
         _ => {
             let hint = failure.hint().map(|hint| format!("\nhint: {hint}")).unwrap_or_default();
@@ -73,7 +74,7 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
     ExitCode::from(code(failure))
 }
 
-/// The exit code of a failure.
+/// Returns the exit code of a failure.
 pub(crate) fn code(failure: &Failure) -> u8 {
     match failure {
         Failure::CommandLine(error) if !error.use_stderr() => 0,
@@ -90,7 +91,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
     }
 }
 
-/// The exit code of `jaka spec diff --exit-code` where this is the highest impact.
+/// Returns the exit code of `jaka spec diff --exit-code` for this highest impact.
 pub(crate) fn difference(impact: Impact) -> u8 {
     match impact {
         Impact::Patch => 10,
@@ -99,7 +100,7 @@ pub(crate) fn difference(impact: Impact) -> u8 {
     }
 }
 
-/// Exit code of each way in which moving ends.
+/// Exit code of each cause for the end of a motion.
 const OF_CAUSES: &[(Cause, u8)] = &[
     (Cause::Reached, 0),
     (Cause::NoMotion, MAY_HAVE_RUN),
@@ -131,13 +132,13 @@ const OF_CAUSES: &[(Cause, u8)] = &[
     (Cause::Failed, NOT_FOLLOWED),
 ];
 
-/// Exit code of the end of a motion or a trajectory.
+/// Returns the exit code for the end of a motion or a trajectory.
 fn of_cause(cause: Cause) -> u8 {
     // A test compares the table with all causes.
     OF_CAUSES.iter().find(|(known, _)| *known == cause).map_or(NOT_FOLLOWED, |(_, code)| *code)
 }
 
-/// The exit code for an error of the robot: it says what a script can do about it.
+/// Returns the exit code for an error of the robot, by the possible reactions of a script.
 fn exit_code(error: &Error) -> u8 {
     if let ErrorKind::NotReached { end } = error.kind() {
         of_cause(end.cause())
@@ -157,7 +158,7 @@ fn exit_code(error: &Error) -> u8 {
             ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
             ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
             ErrorKind::Connection(_) => LOST,
-            // Nothing was sent, as `may_have_run` says.
+            // Nothing was sent, since `may_have_run` is false.
             _ => NOT_MOVED,
         }
     }
@@ -200,7 +201,7 @@ mod tests {
         controller.inject(Fault::Drop);
         assert_eq!(code(client.get_version()), MAY_HAVE_RUN);
         controller.disconnect();
-        // Whether this one is sent is a matter of chance; the next is not sent.
+        // This request may or may not be sent; the next is not sent.
         client.get_version().unwrap_err();
         assert_eq!(code(client.get_version()), LOST);
     }

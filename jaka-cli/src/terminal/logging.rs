@@ -14,34 +14,34 @@ use crate::terminal::output;
 
 pub(crate) use self::backlog::finish;
 
-/// Prints what is logged, as far as it is asked for.
+/// Logger that prints the requested messages.
 #[derive(Debug)]
 struct Logger;
 
-/// The beginning of the targets that are printed on standard output.
+/// Prefix of the targets with messages on standard output.
 static PRINTED: OnceLock<&str> = OnceLock::new();
 /// Number of `-v` options.
 static VERBOSE: AtomicU8 = AtomicU8::new(0);
-/// Time at which the program began.
+/// Start time of the program.
 static BEGIN: OnceLock<Instant> = OnceLock::new();
 
-/// Begins to print warnings, which are about arms that may move.
+/// Starts printing warnings, which are about arms that may move.
 pub(crate) fn begin() {
     BEGIN.get_or_init(Instant::now);
-    // There is no other logger.
+    // The program sets no other logger.
     if log::set_logger(&Logger).is_ok() {
         log::set_max_level(LevelFilter::Warn);
     }
 }
 
-/// From now on prints each message of a target that begins with this prefix, on standard output.
+/// Prints all later messages of targets with this prefix on standard output.
 pub(crate) fn print(targets: &'static str) {
     PRINTED.get_or_init(|| targets);
     log::set_max_level(LevelFilter::Trace);
 }
 
-/// From now on tells connections, requests and replies on standard error, and more if `-v` is given more often; not
-/// where that is to be quiet.
+/// Prints connections, requests and replies on standard error from now on, and more if `-v` is repeated. Has no effect
+/// with `--quiet`.
 pub(crate) fn tell(verbose: u8) {
     if output::is_quiet() {
         return;
@@ -52,7 +52,7 @@ pub(crate) fn tell(verbose: u8) {
     }
 }
 
-/// True if `-v` is given.
+/// Whether `-v` is given.
 pub(crate) fn is_told() -> bool {
     VERBOSE.load(Ordering::Relaxed) > 0
 }
@@ -86,7 +86,7 @@ impl Log for Logger {
             backlog::add(format!("[{seconds:8.3} s] {}\n", visible(&text.to_string())));
         }
         if Self::prints(metadata) {
-            // The reader is gone, which is not a reason to end.
+            // The program continues without a reader.
             let _: Result<(), Failure> = output::line(&text.to_string());
         }
     }

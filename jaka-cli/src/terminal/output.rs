@@ -1,9 +1,9 @@
 //! Results on standard output, and warnings on standard error.
 //!
-//! Text of controllers, recordings and packs may contain characters that a terminal obeys: see
-//! `jaka_sync::proto::text`. Code that puts such text into a table or a sentence makes it visible there, so that a line
-//! end in it does not begin a line. Text that is written through here is made visible once more; only [`write()`]
-//! passes on bytes as they are, for which its caller is responsible.
+//! Text of controllers, recordings and packs may contain control characters for a terminal: see
+//! `jaka_sync::proto::text`. Code that puts such text into a table or a sentence makes them visible, so that a line end
+//! in the text does not start a line. The functions of this module make all text visible once more; only [`write()`]
+//! passes on unchanged bytes, for which its caller is responsible.
 
 use std::borrow::Cow;
 use std::io::Write;
@@ -23,11 +23,10 @@ use crate::terminal::raw::with_returns;
 #[cfg(test)]
 use crate::tests::{stderr, stdout};
 
-/// Text for people in place of a value that a packet does not have.
+/// Text for people in place of a missing value of a packet.
 pub(crate) const ABSENT: &str = "–";
 
-/// Writes bytes as they are and immediately, so that a reader at the other end of a pipe sees each result as soon as
-/// there is one.
+/// Writes unchanged bytes immediately, so that a reader of a pipe sees each result at once.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
     out.write_all(&with_returns(bytes)).and_then(|()| out.flush()).map_err(Failure::output)
@@ -43,7 +42,7 @@ pub(crate) fn lines(text: &str) -> Result<(), Failure> {
     write(visible_lines(text).as_bytes())
 }
 
-/// Writes JSON, the same JSON in characters that can be seen.
+/// Writes JSON, with invisible characters escaped.
 pub(crate) fn json(text: &str) -> Result<(), Failure> {
     write(visible_json(text).as_bytes())
 }
@@ -53,72 +52,72 @@ pub(crate) fn json_line(value: &impl Serialize) -> Result<(), Failure> {
     json(&(as_json(serde_json::to_string(value))? + "\n"))
 }
 
-/// Writes a value as JSON that people can read, too.
+/// Writes a value as indented JSON.
 pub(crate) fn json_lines(value: &impl Serialize) -> Result<(), Failure> {
     json(&(as_json(serde_json::to_string_pretty(value))? + "\n"))
 }
 
-/// JSON that was made of a value.
+/// Returns the JSON of a value, or the failure of the command.
 pub(crate) fn as_json<T>(made: serde_json::Result<T>) -> Result<T, Failure> {
     made.map_err(|error| Failure::output(error.into()))
 }
 
-/// True if notes and warnings are left out.
+/// True if notes and warnings are omitted.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// From now on, notes and warnings are left out.
+/// Omits notes and warnings from now on.
 pub(crate) fn be_quiet() {
     // Tests run several commands in one process.
     IS_QUIET.store(!cfg!(test), Ordering::Relaxed);
 }
 
-/// True if notes and warnings are left out.
+/// Whether notes and warnings are omitted.
 pub(crate) fn is_quiet() -> bool {
     IS_QUIET.load(Ordering::Relaxed)
 }
 
-/// Writes to standard error why something failed.
+/// Writes the cause of a failure to standard error.
 pub(crate) fn error(text: &str) {
     tell(AnsiColor::Red.on_default().bold(), "error", text);
 }
 
-/// Writes a warning to standard error, unless that is to be quiet.
+/// Writes a warning to standard error, unless `--quiet` omits it.
 pub(crate) fn warning(text: &str) {
     if !is_quiet() {
         urgent_warning(text);
     }
 }
 
-/// Writes a warning to standard error that must be seen: it is about an arm that may move.
+/// Writes an essential warning to standard error: it is about an arm that may move.
 pub(crate) fn urgent_warning(text: &str) {
     tell(AnsiColor::Yellow.on_default().bold(), "warning", text);
 }
 
-/// Writes a note to standard error, unless that is to be quiet.
+/// Writes a note to standard error, unless `--quiet` omits it.
 pub(crate) fn note(text: &str) {
     if !is_quiet() {
         urgent_note(text);
     }
 }
 
-/// Writes a note to standard error that must be seen: it is about an arm that may move.
+/// Writes an essential note to standard error: it is about an arm that may move.
 pub(crate) fn urgent_note(text: &str) {
     tell(Style::new().bold(), "note", text);
 }
 
-/// Writes to standard error, with colours where they are used. The reader may be gone.
+/// Writes to standard error, with colours if enabled. The reader may be gone.
 fn tell(style: Style, kind: &str, text: &str) {
     let text = format!("{style}{kind}:{style:#} {}\n", visible_lines(text));
     stderr().lock().write_all(&with_returns(text.as_bytes())).ok();
 }
 
-/// Rows of two columns, the second of which begins at the same place in all of them.
+/// Returns rows of two aligned columns.
 pub(crate) fn aligned(rows: &[(impl AsRef<str>, impl AsRef<str>)]) -> String {
     let width = rows.iter().map(|(name, _)| name.as_ref().chars().count()).max().unwrap_or_default();
     rows.iter().map(|(name, text)| format!("{:width$}  {}\n", name.as_ref(), text.as_ref())).join("")
 }
 
-/// A text of others for a cell of a table, in quotes where it is empty or has what cannot be seen.
+/// Returns foreign text for a table cell, in quotes if it is empty or has invisible characters.
 pub(crate) fn cell(text: &str) -> Cow<'_, str> {
     match visible(text) {
         Cow::Borrowed("") => "\"\"".into(),

@@ -4,12 +4,12 @@ use std::io::{self, BufRead, Write, stderr, stdin};
 
 use crate::failure::Failure;
 
-/// Asks on standard error, and reads the answer from standard input: true if it is yes.
+/// Asks on standard error, reads the answer from standard input, and returns true if it is yes.
 pub(crate) fn is_confirmed(question: &str) -> Result<bool, Failure> {
     ask(question, &mut stdin().lock(), &mut stderr()).map_err(|error| Failure::local("cannot ask", error))
 }
 
-/// True if the answer is yes.
+/// Asks a question, and returns true if the answer is yes.
 fn ask(question: &str, input: &mut impl BufRead, output: &mut impl Write) -> io::Result<bool> {
     output.write_all(question.as_bytes())?;
     output.flush()?;

@@ -1,4 +1,4 @@
-//! A terminal that gives keys one by one, without Enter, until the program ends.
+//! Terminal mode with single keys, without Enter, until the program ends.
 
 use std::borrow::Cow;
 use std::io;
@@ -9,7 +9,7 @@ use ratatui::crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
 static IS_RAW: AtomicBool = AtomicBool::new(false);
 
-/// As long as this lives, the terminal gives keys one by one. A panic and the end of the program restore it, too.
+/// Guard of the terminal mode with single keys. A panic and the end of the program restore the terminal, too.
 #[derive(Debug)]
 pub(crate) struct Raw(());
 
@@ -32,15 +32,15 @@ impl Drop for Raw {
     }
 }
 
-/// Restores the terminal, if that is needed.
+/// Restores the terminal, if necessary.
 pub(crate) fn end() {
     if IS_RAW.swap(false, Ordering::Relaxed) {
-        // It may be gone.
+        // The terminal may be gone.
         disable_raw_mode().ok();
     }
 }
 
-/// Text for the terminal, which does not go back to the begin of the line by itself while it gives keys one by one.
+/// Adds carriage returns to text in the mode with single keys, in which a line end does not return to column 1.
 pub(crate) fn with_returns(text: &[u8]) -> Cow<'_, [u8]> {
     if IS_RAW.load(Ordering::Relaxed) { returned(text).into() } else { text.into() }
 }

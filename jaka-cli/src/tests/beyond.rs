@@ -1,4 +1,4 @@
-//! Commands as their bytes go over the wire: those of each example of the spec, and those that public clients send.
+//! Bytes of commands on the wire: those of each example of the spec, and those sent by public clients.
 
 use jaka_dynamic::arguments;
 use jaka_spec::{Command, Spec};
@@ -8,10 +8,10 @@ use serde_json::Value;
 use super::without_robot;
 use crate::commands::call;
 
-/// A line for `jaka call`, and the request as public clients send it.
+/// Lines for `jaka call`, and the requests as sent by public clients.
 ///
-/// Written by hand, apart from the spec: a key that the spec and its example have wrong alike is found here. A command
-/// that is added needs no row.
+/// Written by hand, apart from the spec, to find a key that is wrong in the spec and in its example. A new command
+/// needs no row.
 const TABLE: &[(&[&str], &str)] = &[
     (&["get_data"], r#"{"cmdName":"get_data"}"#),
     (&["get_motion_state"], r#"{"cmdName":"get_motion_state"}"#),
@@ -121,7 +121,7 @@ fn the_bytes_are_those_that_clients_send() {
     }
 }
 
-/// The line for `jaka call` that has the fields of a request, each by the option that the help shows for it.
+/// Returns the line for `jaka call` with the fields of a request, each by its option in the help.
 fn line(spec: &Spec, command: &Command, described: &clap::Command, request: &Value) -> Vec<String> {
     let mut line = vec!["call".to_owned(), command.wire.clone(), "--dry-run".to_owned()];
     let arguments = arguments(spec, command);

@@ -1,4 +1,4 @@
-//! One event has one exit code, one fact and one hint, whatever command moved the arm.
+//! One exit code, one fact and one hint for each event, for all commands that move the arm.
 
 use jaka_sim::{Controller, Port};
 use jaka_tests::Arm;
@@ -74,7 +74,7 @@ const EVENTS: [Row; 8] = [
     ),
 ];
 
-/// Runs a command; the event happens once the arm moves.
+/// Runs a command; the event occurs once the arm moves.
 fn run(words: &[String], event: fn(&Controller)) -> Run {
     let arm = Arm::simulated().at([0.0, 90.0, 90.0, 90.0, -90.0, 0.0]).start();
     let other = || {

@@ -1,4 +1,4 @@
-//! `jaka check`: each planted fault is found, and nothing else.
+//! `jaka check`: finds each planted fault, and nothing else.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use super::{Run, jaka};
 
-/// An arm with which nothing is wrong.
+/// Returns an arm without faults.
 fn healthy() -> Arm {
     Arm::simulated().start()
 }
@@ -22,7 +22,7 @@ fn check(arm: &Arm, options: &[&str]) -> Run {
     jaka(arm, ["check"].iter().chain(options))
 }
 
-/// The findings of a report in JSON: what is wrong, and what to look at.
+/// Returns the findings of a report in JSON: errors, and items to look at.
 fn findings(report: &Run) -> Vec<Value> {
     let report: Value = serde_json::from_str(&report.out).unwrap_or_else(|_| panic!("{}", report.text()));
     let findings = report["findings"].as_array().expect("it is one").clone();
@@ -30,7 +30,7 @@ fn findings(report: &Run) -> Vec<Value> {
     findings.into_iter().filter(is_found).collect()
 }
 
-/// Report of a run as lines, without ports.
+/// Returns the report of a run as lines, without ports.
 fn found(report: &Run) -> String {
     let text = |value: &Value| value.as_str().expect("it is a text").to_owned();
     let lines = findings(report).into_iter().map(|finding| {
@@ -46,7 +46,8 @@ fn without_ports(text: &str) -> String {
     parts.fold(first, |text, part| text + "127.0.0.1:PORT" + part.trim_start_matches(|c: char| c.is_ascii_digit()))
 }
 
-/// Plants a fault in a healthy arm: exactly this is found, and the exit code is that of the verdict.
+/// Plants a fault in a healthy arm, and checks that it is the only finding, and that the exit code is that of the
+/// verdict.
 fn assert_found(fault: impl FnOnce(&Controller), expected: &Expect) {
     let controller = healthy();
     fault(&controller);
@@ -58,7 +59,7 @@ fn assert_report(report: &Run, expected: &Expect) {
     assert_code(report);
 }
 
-/// The exit code is that of the worst verdict.
+/// Checks that the exit code is that of the worst verdict.
 fn assert_code(report: &Run) {
     let json: Value = serde_json::from_str(&report.out).unwrap_or_else(|_| panic!("{}", report.text()));
     let code = match json["verdict"].as_str() {

@@ -1,4 +1,4 @@
-//! Every request that the vendor's document prints, as arguments and as a whole.
+//! Every request printed in the vendor's document, as arguments and as a whole.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use super::without_robot;
 
-/// Calls `check` with each command that the document prints a request of, the request's text, and its JSON.
+/// Calls `check` with each command that has a request in the document, the request's text, and its JSON.
 fn each_request(check: impl Fn(&str, &str, &Map<String, Value>)) {
     let requests: Vec<_> = printed().into_iter().filter(|message| message.is_request).collect();
     assert_eq!(requests.len(), 84);
@@ -21,7 +21,7 @@ fn each_request(check: impl Fn(&str, &str, &Map<String, Value>)) {
     }
 }
 
-/// The arguments that give the request's fields, each as `text` writes it.
+/// Returns the arguments for the request's fields, each written by `text`.
 fn line(
     spec: &Spec,
     command: &str,
@@ -50,7 +50,7 @@ fn as_json(_argument: &Argument, value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// As people would type it: names of values, on and off, and lists without brackets.
+/// Returns a value as typed by people: names of values, on and off, and lists without brackets.
 fn as_typed(argument: &Argument, value: &Value) -> String {
     if let Some(listed) = argument.values.iter().find(|listed| listed.wire == *value) {
         return listed.name.clone();

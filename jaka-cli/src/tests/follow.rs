@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::{Run, interrupted, jaka, scratch};
 
-/// A trajectory of 2 s, or this many times as long, in a file.
+/// Writes a trajectory of 2 s, or this many times as long, to a file.
 fn trajectory(factor: f64) -> String {
     let path = scratch("way.csv");
     let (middle, end) = (factor, 2.0 * factor);
@@ -27,12 +27,12 @@ pub(super) fn words(factor: f64, options: &str) -> Vec<String> {
     line.split_whitespace().map(str::to_owned).collect()
 }
 
-/// The arm where the trajectory starts.
+/// Returns an arm at the start of the trajectory.
 fn arm() -> Arm {
     Arm::simulated().at([0.0, 90.0, 90.0, 90.0, -90.0, 0.0]).start()
 }
 
-/// The object that a run prints.
+/// Returns the JSON object printed by a run.
 fn said(run: &Run) -> Value {
     serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.text()))
 }
@@ -108,7 +108,7 @@ fn a_trajectory_that_is_completed_is_reported() {
     .assert_eq(&jaka(&arm, words(1.0, "--scale 0.5")).text());
 }
 
-/// A quarter of a circle of the tool around the axis of the first pose.
+/// Tests a quarter of a circle of the tool around the axis of the first pose.
 #[test]
 fn points_without_times_are_followed() {
     let start = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];

@@ -1,4 +1,4 @@
-//! Ends of motions that are waited for, and of `jaka up`.
+//! Ends of motions with a wait, and of `jaka up`.
 
 use std::time::Duration;
 
@@ -9,13 +9,13 @@ use serde_json::Value;
 
 use super::{Run, interrupted, jaka, jaka_beside};
 
-/// 90 deg of the first joint in 9 s.
+/// Motion of the first joint by 90 deg in 9 s.
 const SLOW: &str = "call joint_move --mode absolute --joint-position 90,90,90,90,-90,0 --speed 10 --yes --wait";
 
 /// Event on an arm that moves.
 type Happening = fn(&Controller);
 
-/// Runs a line; `meanwhile` does what it does once the arm moves.
+/// Runs a line, and `meanwhile` once the arm moves.
 fn run(line: &str, meanwhile: Happening) -> Run {
     let arm = Arm::simulated().start();
     let other = || {
@@ -25,7 +25,7 @@ fn run(line: &str, meanwhile: Happening) -> Run {
     jaka_beside(&arm, other, line.split(' '))
 }
 
-/// The requests that were not queries.
+/// Returns the requests other than queries.
 fn changes(arm: &Arm) -> Vec<String> {
     arm.requests().into_iter().filter(|request| !request.contains("\"get_")).collect()
 }
@@ -121,7 +121,7 @@ fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
 
 #[test]
 fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
-    // The replies, and that to the stop, come only when the step is done.
+    // The replies, and the reply to the stop, come only when the step is done.
     let powered = "note: the arm has power, after 8.0 s; enabling it\n";
     for (steps, told, said) in [
         (1, "", "accepted before: power_on; not sent: enable_robot"),
@@ -130,7 +130,7 @@ fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
         let slow = Arm::simulated().without_power();
         let slow = slow.controller(|it| it.delays(Delays::REAL).habits(Habits::from(Habit::LatePower))).start();
         let run = interrupted(&slow, ["up", "--yes"], || {
-            // Counted before it is looked at what they are: one that comes meanwhile ends the wait.
+            // Counts requests before checking them, so that one that comes meanwhile ends the wait.
             let mut seen = slow.requests().len();
             while changes(&slow).len() < steps {
                 assert!(slow.wait_for_requests(seen + 1, LONG), "the step comes");

@@ -1,4 +1,4 @@
-//! `jaka probe`: what is asked and reported, and its drafts.
+//! `jaka probe`: its requests, reports and drafts.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -19,7 +19,7 @@ fn probe(arm: &Arm, options: &[&str]) -> Run {
     jaka(arm, ["probe", "--yes"].iter().chain(options))
 }
 
-/// The report without what changes with each release.
+/// Returns the report with the release's version replaced.
 fn report(run: &Run) -> String {
     run.text().replace(env!("CARGO_PKG_VERSION"), "VERSION")
 }
@@ -52,7 +52,7 @@ fn a_newer_controller() {
     expect_file!["../../tests/snapshots/probe_newer.txt"].assert_eq(&report(&run));
 }
 
-/// Replies that drift: unknown keys, other forms, another type, and no reply at all.
+/// Returns an arm with drifted replies: unknown keys, other forms, another type, and no reply at all.
 fn drifted() -> Arm {
     let controller = arm(Firmware::Document);
     controller.set_reply("get_version", [("build".to_owned(), json!(17)), ("type".to_owned(), json!("x"))]);
@@ -162,7 +162,7 @@ fn a_connection_that_always_breaks_is_given_up() {
     assert_eq!(given_up, queries.count() - 5, "{}", run.out);
 }
 
-/// Only types changed; numbers in arrays are whole by chance, and one is too large.
+/// Tests changes of types only; numbers in arrays are whole by chance, and one is too large.
 #[test]
 fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
     let controller = arm(Firmware::Document);
@@ -210,7 +210,7 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
     .assert_eq(&types.join("\n"));
 }
 
-/// The draft of a probe that is answered this, by command, in place of some replies; and a second probe with the draft.
+/// Returns the draft of a probe with these replies, by command, in place of some; and a second probe with the draft.
 fn drafted(name: &str, replies: &[(&str, Value)]) -> (String, Run) {
     let controller = arm(Firmware::Document);
     let change = || {
@@ -229,7 +229,7 @@ fn drafted(name: &str, replies: &[(&str, Value)]) -> (String, Run) {
     (fs::read_to_string(&draft).expect("the draft is written"), again)
 }
 
-/// The entries of a draft, without its head.
+/// Returns the entries of a draft, without its head.
 fn entries(draft: &str) -> &str {
     draft.split_once("\n\n").map_or("", |(_, entries)| entries)
 }

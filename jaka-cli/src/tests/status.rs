@@ -1,4 +1,4 @@
-//! Packets of `jaka status` that are overdue, and those that a network has held back.
+//! Packets of `jaka status` that are overdue, or held back by a network.
 
 use std::time::Duration;
 
@@ -8,12 +8,12 @@ use jaka_tests::Arm;
 
 use super::{Run, jaka_beside};
 
-/// A run beside a link that delivers nothing from 1.2 s to 3.5 s, in which the arm is disabled.
+/// Runs a line with a link that delivers nothing from 1.2 s to 3.5 s; meanwhile the arm is disabled.
 fn run(line: &str) -> Run {
     run_until(Duration::from_millis(3_500), line)
 }
 
-/// A run beside a link that delivers nothing from 1.2 s until this time, in which the arm is disabled.
+/// Runs a line with a link that delivers nothing from 1.2 s until this time; meanwhile the arm is disabled.
 fn run_until(released: Duration, line: &str) -> Run {
     let arm = Arm::simulated().start();
     let held = || {
@@ -28,7 +28,7 @@ fn run_until(released: Duration, line: &str) -> Run {
     Run { out: without_times(&run.out), err: without_times(&run.err), ..run }
 }
 
-/// Text with `TIME` in place of each date and time.
+/// Returns the text with `TIME` in place of each date and time.
 fn without_times(text: &str) -> String {
     let parts: Vec<_> = text.split(" UTC").collect();
     let (last, before) = parts.split_last().expect("a text has a part");
@@ -36,7 +36,7 @@ fn without_times(text: &str) -> String {
     masked.chain([(*last).to_owned()]).collect()
 }
 
-/// The lines of JSON without their times.
+/// Returns the values of `enabled` in the lines of JSON.
 fn enabled(run: &Run) -> Vec<bool> {
     let is_enabled = |line: &str| {
         let json: serde_json::Value = serde_json::from_str(line).expect("each line is an object");
@@ -83,14 +83,14 @@ fn lines_of_packets_are_followed_by_a_warning_where_none_comes() {
     }
 }
 
-/// The third one is due at 3.0 s, a moment before the link delivers what it held.
+/// Tests a third packet that is due at 3.0 s, a moment before the link delivers held packets.
 #[test]
 fn a_packet_that_may_be_old_is_not_the_one_that_is_due() {
     let run = run_until(Duration::from_millis(3_020), "status --watch -n 3 --fields enabled --format json");
     assert_eq!((enabled(&run), run.code), (vec![true, true, false], 0), "{run:?}");
 }
 
-/// Each packet is printed then, also one that may be old.
+/// Tests that each packet is printed, also one that may be old.
 #[test]
 fn of_all_packets_those_that_may_be_old_are_announced() {
     let run = run("status --watch 0 -n 120 --raw");

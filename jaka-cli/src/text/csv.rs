@@ -4,13 +4,13 @@ use itertools::Itertools as _;
 use jaka_robot::proto::text::{visible, visible_json};
 use serde_json::Value;
 
-/// A line of these cells.
+/// Returns a line of these cells.
 pub(crate) fn row(cells: impl IntoIterator<Item = String>) -> String {
     cells.into_iter().join(",") + "\n"
 }
 
-/// A value as a cell. Invisible characters are escaped, so that each packet is one line. A spreadsheet would take text
-/// that begins like a formula for one, and run it.
+/// Returns a value as a cell. Invisible characters are escaped, so that each packet is one line. Text that a
+/// spreadsheet would run as a formula gets an apostrophe.
 pub(crate) fn cell(value: Option<Value>) -> String {
     let text = match value {
         None => return String::new(),

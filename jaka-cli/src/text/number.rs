@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-/// A number with this many decimals, without a sign if it rounds to 0: noise around 0 would flicker.
+/// Formats a number with this many decimals, without a sign if it rounds to 0: noise around 0 would flicker.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));
     if is_zero { text.trim_start_matches('-').to_owned() } else { text }
 }
 
-/// Seconds to the millisecond, for JSON.
+/// Returns seconds to the millisecond, for JSON.
 pub(crate) fn seconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64())
 }
@@ -19,18 +19,18 @@ pub(crate) fn milliseconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64() * 1e3)
 }
 
-/// A number with three decimals. Below 2^43, it is printed so.
+/// Rounds a number to three decimals. Below 2^43, it is printed with them.
 fn rounded(number: f64) -> f64 {
     (number * 1e3).round() / 1e3
 }
 
-/// A number of things, such as `1 request` and `2 requests`.
+/// Formats a count, such as `1 request` and `2 requests`.
 pub(crate) fn count(number: usize, noun: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{number} {noun}{plural}")
 }
 
-/// Six numbers.
+/// Reads six numbers.
 pub(crate) fn six(text: &str) -> Result<[f64; 6], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
     let six = numbers.ok().and_then(|numbers| numbers.try_into().ok());

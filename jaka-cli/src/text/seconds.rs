@@ -1,26 +1,26 @@
-//! Times as people type them: seconds, with or without a fraction.
+//! Times as typed by people: seconds, with or without a fraction.
 
 use std::time::Duration;
 
-/// Seconds, 0 or more.
+/// Reads seconds, 0 or more.
 pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let number = text.parse::<f64>().map_err(|_| "not a number of seconds".to_owned())?;
     from_number(number)
 }
 
-/// Seconds, more than 0.
+/// Reads seconds, more than 0.
 pub(crate) fn some_seconds(text: &str) -> Result<Duration, String> {
     seconds(text).and_then(not_zero)
 }
 
-/// Seconds, more than 0, from a config file's number.
+/// Reads seconds, more than 0, from a number in a config file.
 pub(crate) fn from_file<'de, D: serde::Deserializer<'de>>(source: D) -> Result<Option<Duration>, D::Error> {
     use serde::{Deserialize, de::Error};
     let number = f64::deserialize(source)?;
     from_number(number).and_then(not_zero).map(Some).map_err(D::Error::custom)
 }
 
-/// More than thirty years: a longer time is a mistake, and overflows some of the functions that compute with times.
+/// Limit of more than thirty years: a longer time is a mistake, and overflows some functions for times.
 const LONGEST: f64 = 1e9;
 
 fn from_number(number: f64) -> Result<Duration, String> {

@@ -1,10 +1,10 @@
-//! Dates and times of Unix times.
+//! Dates and times from Unix times.
 
 use std::time::Duration;
 
 const DAY: u64 = 24 * 60 * 60;
 
-/// A Unix time as `2025-11-21 11:53:20 UTC`.
+/// Formats a Unix time as `2025-11-21 11:53:20 UTC`.
 pub(crate) fn date_and_time(unix: Duration) -> String {
     let seconds = unix.as_secs();
     let (year, month, day) = date(seconds / DAY);
@@ -12,9 +12,9 @@ pub(crate) fn date_and_time(unix: Duration) -> String {
     format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02} UTC")
 }
 
-/// Year, month and day, this many days after 1970-01-01.
+/// Returns year, month and day, this many days after 1970-01-01.
 fn date(days: u64) -> (u64, u64, u64) {
-    // Years that begin in March have the leap day as their last. The calendar repeats after 400 years.
+    // Years that begin in March end with the leap day. The calendar repeats after 400 years.
     let since_march_0 = days + 719_468;
     let (era, day_of_era) = (since_march_0 / 146_097, since_march_0 % 146_097);
     let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;

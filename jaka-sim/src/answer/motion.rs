@@ -7,17 +7,17 @@ use jaka_proto::messages::types::Pose;
 use crate::motion::{ArmPath, Jogging, Planned, Reference, small};
 use crate::world::World;
 
-/// Acceleration of a jog, in deg/s² and mm/s². That of real controllers is not known.
+/// Acceleration of a jog, in deg/s² and mm/s². The value of real controllers is unknown.
 const JOG_ACCELERATION: f64 = 180.0;
 
-/// Starts or stops a jog; false if the arm cannot make it.
+/// Starts or stops a jog; returns false if the arm cannot make it.
 pub(super) fn start_jog(jog: &Jog, world: &mut World) -> bool {
     match *jog {
         Jog::Stop { axis, .. } => {
             stop_jog(world, axis);
             true
         }
-        // The axis must be stopped before it is jogged again.
+        // A new jog requires that the previous one is stopped.
         _ if world.engine.is_busy() => false,
         Jog::Continuous { frame, axis, velocity, .. } => {
             world.engine.jog = jogging(world, frame, axis, velocity);
@@ -29,7 +29,7 @@ pub(super) fn start_jog(jog: &Jog, world: &mut World) -> bool {
         Jog::Absolute { frame, axis, velocity, position, .. } => {
             world.enqueue(planned(world, frame, axis, velocity, |_| position))
         }
-        // A jog mode that does not exist.
+        // Unknown jog mode.
         _ => false,
     }
 }
@@ -51,7 +51,7 @@ fn jogging(world: &World, frame: JogFrame, axis: i64, velocity: f64) -> Option<J
     })
 }
 
-/// A jog that ends by itself, as a planned motion; `to` gives the axis' target for its current value.
+/// Plans a jog that ends by itself; `to` maps the axis' present value to its target.
 fn planned(world: &World, frame: JogFrame, axis: i64, velocity: f64, to: impl Fn(f64) -> f64) -> Option<Planned> {
     let index = index(axis)?;
     if frame != JogFrame::Joint {
@@ -73,7 +73,7 @@ fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl F
         JogFrame::Tool => Reference::Tool { tool },
         _ => Reference::Fixed { base: Transform::identity(), tool },
     };
-    // In the tool's own frame, its pose is zero.
+    // In the tool frame, the tool's pose is zero.
     let now = match frame {
         JogFrame::Tool => 0.0,
         _ => <[f64; 6]>::from(Pose::from(flange * tool))[index],

@@ -1,4 +1,4 @@
-//! Commands that a pack adds or changes: checked and answered as the pack describes.
+//! Commands that a pack adds or changes: checks and answers by the pack's spec.
 
 use jaka_dynamic::Node;
 use jaka_proto::wire::Writer;
@@ -8,14 +8,14 @@ use serde_json::{Map, Value};
 
 use crate::spec_index::SpecIndex;
 
-/// True if the spec allows the request.
+/// Whether the spec allows the request.
 pub(super) fn allows(spec: &Spec, command: &Command, request: &str) -> bool {
     let message: Result<Map<_, _>, _> = serde_json::from_str(request);
     message.is_ok_and(|message| Node::request(spec, command, message).problems().is_empty())
 }
 
-/// Gives a reply the keys and forms that the pack describes, which the handlers do not know. False where the state has
-/// a value that the pack does not allow: then nothing is left of the reply.
+/// Converts a reply to the keys and forms of the pack, which the handlers do not know. Returns false if the state has a
+/// value that the pack does not allow; the reply is then discarded.
 pub(super) fn complete(spec_index: &SpecIndex, command: &Command, out: &mut Writer) -> bool {
     let Some(written) = accepted(out.as_str()) else { return true };
     let (spec, mut reply) = (&spec_index.spec, written.clone());
@@ -41,7 +41,7 @@ pub(crate) fn put(fields: &Map<String, Value>, out: &mut Writer) {
     rewrite(&reply, out);
 }
 
-/// The reply, if it accepts the command.
+/// Returns the reply if it accepts the command.
 fn accepted(reply: &str) -> Option<Map<String, Value>> {
     let envelope = Envelope::read(reply).ok()?;
     let is_success = envelope.code.is_ok_and(ErrorCode::is_success);

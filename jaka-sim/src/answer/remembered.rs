@@ -1,4 +1,4 @@
-//! Settings that queries give back, by `remembers` of the spec or of a pack.
+//! Settings that queries return, by `remembers` of the spec or of a pack.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::State;
 use crate::spec_index::SpecIndex;
 
-/// Notes what queries remember of a setting that was accepted. `text` is its request, in terms of the built-in spec if
+/// Records the values of an accepted setting for its query. `text` is its request, in terms of the built-in spec if
 /// that has the command.
 pub(super) fn note(spec_index: &SpecIndex, command: &str, text: &str, state: &mut State) {
     let from = spec_index.spec_of(command);
@@ -30,7 +30,7 @@ pub(super) fn note(spec_index: &SpecIndex, command: &str, text: &str, state: &mu
     }
 }
 
-/// The sample of a reply with what its query remembers.
+/// Returns the sample of a reply with the remembered values of its query.
 pub(super) fn with<'s>(spec_index: &SpecIndex, command: &str, sample: &'s str, state: &State) -> Cow<'s, str> {
     let Some(remembered) = state.remembered.get(command) else { return Cow::Borrowed(sample) };
     let Ok(mut members) = serde_json::from_str::<Map<_, _>>(sample) else { return Cow::Borrowed(sample) };

@@ -7,13 +7,13 @@ use super::Outcome;
 use crate::motion::{Joints, Servo, SetPoint, Space};
 use crate::world::World;
 
-/// Takes a set-point in joint positions.
+/// Adds a set-point of joint positions.
 pub(super) fn joint_set_point(command: &ServoJ, world: &mut World) -> Outcome {
     let target = joint_target(world, command.mode, command.joint_position);
     set_point(world, target, Space::Joints, command.step_count)
 }
 
-/// Takes a set-point as a pose; one that the arm cannot reach is refused.
+/// Adds a set-point as a pose; refuses one that the arm cannot reach.
 pub(super) fn pose_set_point(command: &ServoP, world: &mut World) -> Outcome {
     match pose_target(world, command.mode, command.pose) {
         Some(target) => set_point(world, target, Space::Pose, command.step_count),
@@ -23,7 +23,7 @@ pub(super) fn pose_set_point(command: &ServoP, world: &mut World) -> Outcome {
 
 fn set_point(world: &mut World, target: Joints, space: Space, step_count: Option<i64>) -> Outcome {
     let cycles = step_count.and_then(|count| u32::try_from(count).ok()).unwrap_or(1);
-    // A target beyond the soft limits has no effect, like one that is too fast.
+    // A target beyond the soft limits has no effect, like one beyond the speed limit.
     let is_within_range = world.model.is_within_range(target);
     let time = world.now();
     if let Some(servo) = world.engine.servo.as_mut().filter(|_| is_within_range) {
@@ -32,7 +32,7 @@ fn set_point(world: &mut World, target: Joints, space: Space, step_count: Option
     Outcome::Accepted
 }
 
-/// Joint position to which the set-points so far lead, in degrees.
+/// Returns the joint position at the last set-point, in degrees.
 fn tail(world: &World) -> Joints {
     world.engine.servo.as_ref().map_or(world.drives.commanded, Servo::tail)
 }

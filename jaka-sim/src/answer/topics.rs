@@ -11,10 +11,10 @@ use crate::motion::can_follow;
 use crate::state::{FRAMES, Frame, NetworkException};
 use crate::world::{Change, World};
 
-/// Outputs with this index and above are refused, so that clients cannot make the state grow without limit.
+/// Limit of output indices, so that clients cannot grow the state without bound.
 const MAX_OUTPUTS: i64 = 1024;
 
-/// Carries out a request. Its reply is written where the handler sets something in it.
+/// Carries out a request. Writes the reply if the handler sets a field of it.
 #[expect(clippy::too_many_lines, reason = "an arm for each command")]
 pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) -> Outcome {
     let state = &mut world.state;
@@ -62,7 +62,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::IsInServomove(command) => reply(command, out, |reply| reply.in_servo_mode = state.servo_mode),
         Request::SetServoMode(command) => {
             let on = is_on(command.servo_mode);
-            // It is acknowledged, and servo mode is not entered.
+            // Acknowledges the command without entering servo mode.
             if world.habits.servo_at_rest && world.is_moving() && on {
                 return Outcome::Accepted;
             }
@@ -75,7 +75,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::SetServoMoveFilter(command) if !can_follow(command) => Outcome::Refused,
         Request::SetServoMoveFilter(command) => set(&mut state.servo_filter, *command),
 
-        // Programs and the speed rate. Where there is nothing to pause, to resume or to stop, nothing happens.
+        // Programs and the speed rate. Pause, resume and stop without a program have no effect.
         Request::GetLoadedProgram(command) => {
             reply(command, out, |reply| reply.program_name.clone_from(&state.loaded_program))
         }
@@ -86,7 +86,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             reply.in_position = world.state.in_position;
             reply.paused = Some(world.state.program_state == ProgramState::Paused);
             reply.queue = i64::try_from(world.motions_waiting()).unwrap_or(i64::MAX);
-            // As in packets. The vendor's library reads these keys.
+            // Same values as in packets. The vendor's library reads these keys.
             (reply.motion_line, reply.error_add_line) = (Some(0.into()), Some(0.into()));
             reply.queue_full = Some(false);
         }),
@@ -181,7 +181,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::EmergencyStopStatus(command) => {
             reply(command, out, |reply| reply.emergency_stop = state.emergency_stop)
         }
-        // The levels of newer firmware.
+        // Levels of newer firmware.
         Request::SetClsnSensitivity(command) if !(0..=7).contains(&command.level) => Outcome::Refused,
         Request::SetClsnSensitivity(command) => set(&mut state.collision_level, command.level),
         Request::GetClsnSensitivity(command) => reply(command, out, |reply| reply.level = state.collision_level),
@@ -190,7 +190,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             set(&mut state.protective_stop, false)
         }
 
-        // Kinematics and current position. Poses are those of the selected tool frame in the selected user frame, so
+        // Kinematics and present position. Poses are those of the selected tool frame in the selected user frame, so
         // that the computations and `get_tcp_pos` agree.
         Request::GetJointPos(command) => {
             reply(command, out, |reply| reply.joint_position = state.joint_commanded_position)
@@ -208,7 +208,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             }
         }
 
-        // Trajectory recording. Files that do not exist are refused.
+        // Trajectory recording. Refuses files that do not exist.
         Request::SetTrajSampleMode(command) => Outcome::accepted_if(trajectory::sample(command, world)),
         Request::GetTrajSampleStatus(command) => {
             reply(command, out, |reply| reply.sampling = state.trajectory.sampling)
@@ -222,7 +222,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::RemoveTrajFile(command) => Outcome::accepted_if(trajectory::remove(world, &command.file_name)),
         Request::GenerateTrajExeFile(command) => Outcome::accepted_if(trajectory::generate(world, &command.file_name)),
 
-        // Drag mode and control that yields to forces.
+        // Drag mode and force-compliant control.
         Request::GetDragStatus(command) => reply(command, out, |reply| reply.drag_mode = Typed::Known(state.drag_mode)),
         Request::IsOnLimit(command) => {
             reply(command, out, |reply| reply.on_limit = Typed::Known(state.on_soft_limit != 0))
@@ -230,12 +230,12 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::DragStatus(command) => reply(command, out, |reply| reply.drag_status = state.drag_mode),
         Request::SetTorqueControl(command) => set(&mut state.drag_mode, is_on(command.enable_flag)),
         Request::EnableAdmittanceCtrl(command) => set(&mut state.admittance.enabled, is_on(command.enable_flag)),
-        // The document does not say whether drag mode ends as well; here it does not.
+        // The document does not say whether drag mode also ends; here it does not.
         Request::DisableForceControl(_) => {
             (state.admittance.enabled, state.admittance.compliance_type) = (false, ComplianceType::Off);
             Outcome::Accepted
         }
-        // One more level than the document's text has, as in its sample.
+        // One more level of nesting than in the document's text, as in its sample.
         Request::GetAdmitCtrlConfig(command) => {
             reply(command, out, |reply| reply.axes = Typed::Known(vec![state.admittance.axes.to_vec()]))
         }
@@ -251,7 +251,7 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         Request::SetComplianceCondition(command) => set(&mut state.admittance.condition, command.condition),
         Request::SetVelCompliantCtrl(command) => set(&mut state.admittance.velocity, command.compliance),
 
-        // The torque sensor and its payload.
+        // Torque sensor and its payload.
         Request::StartTorqSensorPayloadIdentify(command) => identify(command.joint_position, world),
         Request::SetTorqueSensorMode(command) => set(&mut state.torque_sensor.mode, command.mode),
         Request::SetTorqueSensorComm(command) => {
@@ -299,14 +299,14 @@ fn replace(state: &mut ProgramState, from: &ProgramState, to: ProgramState) -> O
     Outcome::Accepted
 }
 
-/// Chooses the frame in use, if there is one with this id.
+/// Selects the frame in use, if there is one with this id.
 fn choose_frame(used: &mut i64, id: i64) -> Outcome {
     let exists = usize::try_from(id).is_ok_and(|id| id < FRAMES);
     *used = if exists { id } else { *used };
     Outcome::accepted_if(exists)
 }
 
-/// Sets a frame, if there is one with this id: the first is fixed.
+/// Sets a frame, if there is one with this id: the first frame is fixed.
 fn set_frame(frames: &mut [Frame], id: i64, offset: Pose, name: &str) -> Outcome {
     let frame = usize::try_from(id).ok().filter(|id| *id > 0).and_then(|id| frames.get_mut(id));
     let set = frame.map(|frame| *frame = Frame { offset, name: name.to_owned() });
@@ -317,7 +317,7 @@ fn offsets(frames: &[Frame]) -> Vec<Pose> {
     frames.iter().map(|frame| frame.offset).collect()
 }
 
-/// The axes that do not exist have been refused before.
+/// Sets the parameters of an axis. Unknown axes have been refused before.
 fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) -> Outcome {
     let index = usize::try_from(i64::from(command.axis)).ok();
     if let Some(axis) = index.and_then(|index| axes.get_mut(index)) {
@@ -330,7 +330,7 @@ fn set_axis(axes: &mut [AdmittanceAxis], command: &SetAdmitCtrlConfig) -> Outcom
     Outcome::Accepted
 }
 
-/// Starts the motion after which the payload is known: what the arm carries, as set by `set_payload`.
+/// Starts the motion that identifies the payload, which is that of `set_payload`.
 fn identify(to: JointPosition, world: &mut World) -> Outcome {
     const SPEED: f64 = 30.0;
     const ACCELERATION: f64 = 60.0;

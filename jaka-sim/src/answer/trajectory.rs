@@ -6,10 +6,10 @@ use super::is_on;
 use crate::programs::replay;
 use crate::world::World;
 
-/// Greatest number of trajectory files that a controller keeps.
+/// Greatest number of trajectory files of a controller.
 const MOST_FILES: usize = 1000;
 
-/// Starts a recording, or keeps what has been recorded; false if there are too many files.
+/// Starts a recording, or ends and stores it; returns false if there are too many files.
 pub(super) fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
     let trajectory = &mut world.state.trajectory;
     let now = world.state.joint_position.0;
@@ -29,7 +29,7 @@ pub(super) fn sample(command: &SetTrajSampleMode, world: &mut World) -> bool {
     true
 }
 
-/// Removes a file; false if there is none.
+/// Removes a file; returns false if there is none.
 pub(super) fn remove(world: &mut World, name: &str) -> bool {
     world.recordings.remove(name);
     let names = &mut world.state.trajectory.file_names;
@@ -38,18 +38,18 @@ pub(super) fn remove(world: &mut World, name: &str) -> bool {
     names.len() < before
 }
 
-/// Makes a program of a file; false if there is none.
+/// Creates a program from a file; returns false if there is none.
 pub(super) fn generate(world: &mut World, name: &str) -> bool {
     let points = world.recordings.get(name).map_or(&[][..], |points| points);
     let exists = world.state.trajectory.file_names.iter().any(|own| own == name);
     if exists {
-        // As `load_program` takes it.
+        // Name for `load_program`.
         world.programs.insert(format!("track/{name}.jks"), replay(points));
     }
     exists
 }
 
-/// Renames a file; false if there is none, or one with the other name.
+/// Renames a file; returns false if there is none, or the new name is taken.
 pub(super) fn rename(world: &mut World, source: &str, destination: &str) -> bool {
     let names = &mut world.state.trajectory.file_names;
     if names.iter().any(|name| name == destination) {

@@ -16,7 +16,7 @@ use crate::replay::{Deviation, ReplaySession, Script, ScriptStep, is_same};
 use crate::request_log::RequestLog;
 use crate::shared::Shared;
 
-/// Plays the next connection of the recording, message by message.
+/// Replays the next connection of the recording, message by message.
 pub(super) fn serve(connection: &CommandConnection, session: &ReplaySession, shared: &Shared) -> NextStep {
     let Some(script) = session.next_commands() else { return NextStep::Close };
     let requests = RequestReader::new(connection.wire());
@@ -30,7 +30,7 @@ pub(super) fn serve(connection: &CommandConnection, session: &ReplaySession, sha
         last: String::new(),
     };
     let end = player.play(&script);
-    // Status packets wait no longer for requests that will not come.
+    // Releases the status packets that wait for requests that will not come.
     script.requests().skip(player.came).for_each(|at| session.request_came(&script, at));
     shared.readers.reschedule();
     end.unwrap_or_else(|deviation| {
@@ -44,7 +44,7 @@ struct Player<'p> {
     session: &'p ReplaySession,
     shared: &'p Shared,
     requests: RequestReader<'p>,
-    /// Times of the last request, or of the beginning of the connection: now and in the recording.
+    /// Times of the last request, or of the start of the connection: now and in the recording.
     since: (Instant, Duration),
     /// Number of requests received.
     came: usize,
@@ -66,7 +66,7 @@ impl Player<'_> {
                     if self.wait_until(*at) {
                         return Ok(NextStep::Close);
                     }
-                    // A client that has disconnected is noticed when its next request is missing.
+                    // A missing next request reveals a client that has disconnected.
                     self.connection.writer().write(bytes).ok();
                 }
                 ScriptStep::End { by, at } => {
@@ -100,7 +100,7 @@ impl Player<'_> {
         }
     }
 
-    /// The next request; `None` if the client has disconnected.
+    /// Returns the next request; `None` if the client has disconnected.
     fn next_request(&mut self) -> Option<String> {
         let Ok(NextRequest::Incoming(incoming)) = self.requests.next(None) else { return None };
         if let Incoming::Request(text) | Incoming::NoText(text) = &incoming {
@@ -109,8 +109,7 @@ impl Player<'_> {
         Some(incoming.to_string())
     }
 
-    /// Waits until it is time for what is so late in the recording, and says whether the connection was closed
-    /// meanwhile.
+    /// Waits until the time of a message of the recording, and returns whether the connection was closed meanwhile.
     fn wait_until(&self, recorded: Duration) -> bool {
         let (since, then) = self.since;
         let delay = self.session.delay(recorded.saturating_sub(then));
@@ -118,8 +117,8 @@ impl Player<'_> {
     }
 }
 
-/// Whether a set-point of joint positions, sent once more, holds the arm where it is. How often a program holds it
-/// until packets show it at rest depends on when they come.
+/// Whether a repeated set-point of joint positions holds the arm in its position. The number of repetitions until
+/// packets show the arm at rest depends on the times of the packets.
 fn holds(request: &str) -> bool {
     match Request::read(request) {
         Ok(Request::ServoJ(set_point)) => {
@@ -129,7 +128,7 @@ fn holds(request: &str) -> bool {
     }
 }
 
-/// Answers a request from wherever in the recording an equal one is.
+/// Answers a request from an equal one anywhere in the recording.
 pub(super) fn answer(
     incoming: &Incoming,
     connection: &CommandConnection,

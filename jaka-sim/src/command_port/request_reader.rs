@@ -9,10 +9,10 @@ use jaka_proto::framing::{FrameError, Framer};
 
 use crate::link::{Inbound, Received, Wire};
 
-/// The longest request, in bytes. Real ones have some hundred.
+/// Maximum length of a request, in bytes. Real requests have some hundred bytes.
 const MAX_REQUEST: usize = 64 << 10;
 
-/// Reads requests from a connection.
+/// Reader of requests from a connection.
 #[derive(Debug)]
 pub(super) struct RequestReader<'s> {
     inbound: Inbound<'s>,
@@ -23,9 +23,9 @@ pub(super) struct RequestReader<'s> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum NextRequest {
     Incoming(Incoming),
-    /// Nothing has come in time.
+    /// No request before the timeout.
     Silence,
-    /// The connection has ended, or no request can be made out any more.
+    /// The connection has ended, or the input cannot be split into requests.
     End,
 }
 
@@ -45,7 +45,7 @@ impl<'s> RequestReader<'s> {
         Self { inbound: Inbound::new(wire), framer: Framer::new(MAX_REQUEST) }
     }
 
-    /// Waits for the next request; at most so long, if a time is given.
+    /// Waits for the next request, up to the timeout if there is one.
     pub(super) fn next(&mut self, patience: Option<Duration>) -> io::Result<NextRequest> {
         loop {
             match self.framer.next_frame() {
@@ -65,7 +65,7 @@ impl<'s> RequestReader<'s> {
         }
     }
 
-    /// Takes about as much as a connection's buffers would, up to its end, and says whether that has come.
+    /// Discards about as much input as a connection's buffers can hold, and returns whether the connection has ended.
     pub(super) fn ignore(&mut self) -> io::Result<bool> {
         let mut space = [0; 4096];
         let mut taken = 0;
@@ -80,7 +80,7 @@ impl<'s> RequestReader<'s> {
     }
 }
 
-/// The text, or what stands for it in a log.
+/// Writes the text, or a placeholder for a log.
 impl fmt::Display for Incoming {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -98,10 +98,10 @@ impl Incoming {
         }
     }
 
-    /// The command that is asked for, where one can be made out.
+    /// Returns the command of the request, if it can be read.
     pub(super) fn command(&self) -> Option<String> {
         let (Self::Request(text) | Self::NoText(text)) = self else { return None };
-        // Requests name their command under the key under which replies do.
+        // Requests have their command under the same key as replies.
         Envelope::read(text).ok()?.command.map(std::borrow::Cow::into_owned)
     }
 }

@@ -1,5 +1,4 @@
-//! The active client of the command port, of which there is at most one, and another client, which takes the port and
-//! then does nothing.
+//! Active client of the command port, of which there is at most one, and the idle other client of a takeover.
 
 use std::io;
 use std::net::{SocketAddr, TcpStream};
@@ -11,12 +10,12 @@ use jaka_clock::{Clock, Signal, lock};
 use super::CommandConnection;
 use crate::listener::CONNECT_TIMEOUT;
 
-/// The connection of the active client, if one is connected.
+/// Connection of the active client, if one is connected.
 #[derive(Debug)]
 pub(crate) struct ActiveClient {
     connection: Mutex<Option<Arc<CommandConnection>>>,
     changed: Signal,
-    /// The connection of the other client, from its end.
+    /// Connection of the other client, at the client's end.
     other: Mutex<Option<TcpStream>>,
 }
 
@@ -29,12 +28,12 @@ impl ActiveClient {
         lock(&self.connection).clone()
     }
 
-    /// Waits until no client is active; false if one still is after the timeout.
+    /// Waits until no client is active; returns false if one is still active after the timeout.
     pub(crate) fn wait_until_none(&self, timeout: Duration) -> bool {
         self.changed.wait_until(&self.connection, timeout, Option::is_none).is_none()
     }
 
-    /// Makes no client active, if this one still is.
+    /// Removes the active client, if it is still this one.
     pub(crate) fn clear(&self, connection: &Arc<CommandConnection>) {
         let mut active = lock(&self.connection);
         if active.as_ref().is_some_and(|current| Arc::ptr_eq(current, connection)) {
@@ -43,14 +42,14 @@ impl ActiveClient {
         }
     }
 
-    /// Makes no client active, and closes the connection of the one that was.
+    /// Removes the active client, and closes its connection.
     pub(crate) fn close(&self) {
         if let Some(connection) = self.replace(None) {
             connection.close();
         }
     }
 
-    /// Sets the active client, and gives the connection of the one before.
+    /// Sets the active client, and returns the connection of the previous one.
     pub(crate) fn replace(&self, connection: Option<Arc<CommandConnection>>) -> Option<Arc<CommandConnection>> {
         let before = std::mem::replace(&mut *lock(&self.connection), connection);
         self.changed.notify_all();
@@ -59,7 +58,7 @@ impl ActiveClient {
 
     /// Connects the other client to the command port in place of the active one.
     ///
-    /// It is connected before the active one sees its end, so a client that reconnects comes after it.
+    /// It connects before the active client sees its end, so a client that reconnects comes after it.
     pub(crate) fn take_over(&self, port: SocketAddr) -> io::Result<()> {
         let before = self.replace(None);
         let stream = TcpStream::connect_timeout(&port, CONNECT_TIMEOUT);

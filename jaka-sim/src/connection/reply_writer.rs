@@ -1,4 +1,4 @@
-//! Writes replies to a command client, with their faults, and keeps those that wait.
+//! Writer of replies to a command client, with their faults and the pending replies.
 
 use std::collections::VecDeque;
 use std::io;
@@ -13,25 +13,25 @@ use crate::fault::Delivery;
 use crate::link::Wire;
 use crate::world::Wait;
 
-/// Greatest number of late replies, and of bytes held back. Without a limit, a client could fill the memory.
+/// Greatest number of delayed replies, and of bytes held back. Without a limit, a client could fill the memory.
 const MAX_LATE: usize = 10_000;
 const MAX_HELD: usize = 1 << 20;
 
-/// Time between two checks whether the wait for the arm is over.
+/// Interval of the checks whether the wait for the arm is over.
 const WAIT_CHECK: Duration = Duration::from_millis(2);
 
-/// Replies that have not been written yet.
+/// Replies not written yet.
 #[derive(Debug, Default)]
 pub(super) struct PendingReplies {
-    /// Replies that are held back.
+    /// Replies held back.
     held: Vec<u8>,
-    /// Replies that go out in one write with the next.
+    /// Replies for one write with the next reply.
     joined: Vec<u8>,
-    /// Replies that are due later, and those after them.
+    /// Delayed replies, and those after them.
     late: VecDeque<LateReply>,
 }
 
-/// A reply that is due later.
+/// Delayed reply.
 #[derive(Debug)]
 struct LateReply {
     due: Due,
@@ -39,7 +39,7 @@ struct LateReply {
     sequel: Sequel,
 }
 
-/// Time at which a late reply goes out.
+/// Due time of a delayed reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Due {
     At(Instant),
@@ -53,7 +53,7 @@ impl Due {
     }
 }
 
-/// Writes on a connection, one thread at a time.
+/// Writer on a connection, for one thread at a time.
 #[derive(Debug)]
 pub(crate) struct ReplyWriter<'l> {
     wire: &'l Arc<Wire>,
@@ -69,7 +69,7 @@ impl<'l> ReplyWriter<'l> {
         self.wire.links().time()
     }
 
-    /// Sends a reply, or lets it wait.
+    /// Sends or delays a reply.
     pub(crate) fn send_reply(&mut self, delivery: Delivery, sequel: Sequel) -> NextStep {
         let due = match (&delivery, sequel) {
             (Delivery::Later(time, _), _) => Some(Due::after(*time, self.time())),
@@ -90,7 +90,7 @@ impl<'l> ReplyWriter<'l> {
         next
     }
 
-    /// Sends the replies that are due; `is_over` says whether a wait is over.
+    /// Sends the replies that are due; `is_over` returns whether a wait is over.
     pub(crate) fn send_due(&mut self, is_over: impl Fn(Wait) -> bool) -> NextStep {
         let now = self.time().now();
         let is_due = |late: &LateReply| match late.due {
@@ -108,7 +108,7 @@ impl<'l> ReplyWriter<'l> {
         NextStep::Continue
     }
 
-    /// Time until the next check whether a late reply is due; `None` if no time makes one due.
+    /// Returns the time until the next check for a due reply; `None` if time makes none due.
     pub(crate) fn wait_for_due(&self) -> Option<Duration> {
         match self.pending.late.front()?.due {
             Due::At(time) => Some(self.time().left(time)),
@@ -117,13 +117,13 @@ impl<'l> ReplyWriter<'l> {
         }
     }
 
-    /// Sends the replies that are held back.
+    /// Sends the replies held back.
     pub(crate) fn release(&mut self) -> io::Result<()> {
         let held = std::mem::take(&mut self.pending.held);
         self.write(&held)
     }
 
-    /// Writes bytes as they are.
+    /// Writes bytes unchanged.
     pub(crate) fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         if bytes.is_empty() {
             return Ok(());
@@ -138,7 +138,7 @@ impl<'l> ReplyWriter<'l> {
             NextStep::Close
         });
         match (next, sequel) {
-            // A reply that a fault holds back keeps the connection open.
+            // A reply held back by a fault keeps the connection open.
             (NextStep::Continue, _) if !self.pending.held.is_empty() || !self.pending.joined.is_empty() => next,
             (NextStep::Continue, Sequel::SessionEnd) => NextStep::Close,
             (NextStep::Continue, Sequel::Shutdown) => NextStep::Shutdown,
@@ -150,7 +150,7 @@ impl<'l> ReplyWriter<'l> {
         match delivery {
             Delivery::Nothing => {}
             Delivery::Write(bytes, sizes) => self.send(&bytes, &sizes)?,
-            // Its time has come.
+            // The delay has passed.
             Delivery::Later(_, bytes) => self.send(&bytes, &[])?,
             Delivery::Hold(bytes) => self.pending.hold(&bytes),
             Delivery::WithNext(bytes) => self.pending.joined.extend_from_slice(&bytes),
@@ -166,8 +166,8 @@ impl<'l> ReplyWriter<'l> {
         Ok(NextStep::Continue)
     }
 
-    /// Sends the replies that are held back, and then these bytes together with those that wait for them, in pieces of
-    /// these sizes and the rest as the last piece.
+    /// Sends the replies held back, and then these bytes together with the joined replies, in pieces of these sizes and
+    /// the rest as the last piece.
     fn send(&mut self, bytes: &[u8], sizes: &[usize]) -> io::Result<()> {
         self.release()?;
         let mut all = std::mem::take(&mut self.pending.joined);

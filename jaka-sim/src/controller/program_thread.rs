@@ -8,11 +8,11 @@ use std::time::Duration;
 
 use jaka_clock::Clock;
 
-/// Thread of a program under test. It may hang: the wait for its end is by the system's clock, whatever the
-/// controller's is.
+/// Thread of a program under test. It may hang, so the wait for its end uses the system's clock, with any clock of the
+/// controller.
 pub(super) struct ProgramThread<T> {
     thread: JoinHandle<T>,
-    /// Disconnected at the program's end.
+    /// Receiver that disconnects at the end of the program.
     ended: Receiver<()>,
 }
 
@@ -28,10 +28,10 @@ impl<T: Send + 'static> ProgramThread<T> {
         Ok(Self { thread, ended })
     }
 
-    /// Result of the program, or its panic.
+    /// Returns the result of the program, or resumes its panic.
     ///
     /// # Errors
-    /// [`ErrorKind::TimedOut`]: the program takes longer. It is left to itself.
+    /// [`ErrorKind::TimedOut`] if the program takes longer; its thread continues.
     pub(super) fn join(self, limit: Duration) -> io::Result<T> {
         if self.ended.recv_timeout(limit) == Err(RecvTimeoutError::Timeout) {
             return Err(io::Error::new(ErrorKind::TimedOut, "the program under test has not ended in time"));

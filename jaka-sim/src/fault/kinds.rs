@@ -1,16 +1,16 @@
-//! Kinds of faults, trips, habits and happenings, one row each.
+//! Table macro for kinds of faults, trips, habits and happenings, one row for each kind.
 
 use std::fmt;
 use std::time::Duration;
 
 use super::tokens::Name;
 
-/// Makes an enum of a table of kinds, with the text form of each and what it does.
+/// Generates an enum from a table of kinds, with the text form and the effect of each.
 ///
-/// A row is `Kind(argument: Type as reader = example, …): "word" => effect`, where the reader is a method of
-/// [`TokenReader`](super::token_reader::TokenReader), perhaps with what it reads where nothing is written, as
-/// `reader(usual)`, the example is the one in `one_of_each`, and the effect is the value of the function that is
-/// declared before the rows. A kind whose row lacks a part does not compile.
+/// A row is `Kind(argument: Type as reader = example, …): "word" => effect`. The reader is a method of
+/// [`TokenReader`](super::token_reader::TokenReader), with the default for a missing argument as in `reader(usual)`.
+/// The example is the argument in `one_of_each`. The effect is the value of the function declared before the rows. A
+/// kind with an incomplete row does not compile.
 macro_rules! kinds {
     (
         $(#[$meta:meta])*
@@ -36,7 +36,7 @@ macro_rules! kinds {
         }
 
         impl $Kinds {
-            /// One of each kind, in their order and with usual arguments, for tests that go through all of them.
+            /// Returns one of each kind, in their order and with usual arguments, for tests of all kinds.
             pub fn one_of_each() -> Vec<Self> {
                 vec![$( Self::$Kind $(( $($example),+ ))? $({ $($field: $field_example),* })? ),*]
             }
@@ -56,7 +56,7 @@ macro_rules! kinds {
             }
         }
 
-        /// The text form, as in a script.
+        /// Writes the text form, as in a script.
         impl std::fmt::Display for $Kinds {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 use $crate::fault::Argument as _;
@@ -77,7 +77,7 @@ macro_rules! kinds {
             /// Reads the text form.
             ///
             /// # Errors
-            /// A word does not fit, or one is missing.
+            /// A word does not fit, or is missing.
             fn from_str(text: &str) -> Result<Self, $crate::ScriptError> {
                 $crate::fault::TokenReader::read_all(text, Self::read)
             }
@@ -89,7 +89,7 @@ pub(crate) use kinds;
 
 /// Argument that follows the word of a kind in its text form.
 pub(crate) trait Argument {
-    /// Writes it, after a blank.
+    /// Writes the argument after a blank.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
 }
 

@@ -6,8 +6,8 @@ use super::{Fault, SplitMix64, StatusFault};
 
 /// Plan of the faults of replies, as a script or by chance.
 ///
-/// [`Builder::faults`](crate::Builder::faults) gives a plan to a controller. Each reply takes the first of these: the
-/// next fault for its command, the next fault of the script, one by chance, the one that all have.
+/// [`Builder::faults`](crate::Builder::faults) gives a plan to a controller. Each reply takes the first available of
+/// these: the next fault for its command, the next fault of the script, a fault by chance, the fault of all replies.
 ///
 /// ```
 /// use jaka_sim::{Controller, Fault, FaultPlan};
@@ -23,8 +23,8 @@ use super::{Fault, SplitMix64, StatusFault};
 ///
 /// # As a text
 ///
-/// `Display` writes a plan as a text, and `FromStr` reads it. Faults are written as at each [`Fault`], with commas or
-/// on lines of their own. A line, which ends at its end or at a semicolon, can begin with the target of its faults:
+/// `Display` writes a plan as a text, and `FromStr` reads it. Each [`Fault`] documents its text; commas or ends of
+/// lines separate the faults. A semicolon ends a line, too. A line can begin with the target of its faults:
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -39,7 +39,7 @@ use super::{Fault, SplitMix64, StatusFault};
 /// # assert!(text.parse::<FaultPlan>().is_ok_and(|plan| plan.to_string().parse() == Ok(plan)));
 /// ```
 ///
-/// Bytes stand in quotes, with the escapes of Rust: `instead "(0, [])\r\n\x00"`. All `random` lines share one seed.
+/// Bytes are in quotes, with the escapes of Rust: `instead "(0, [])\r\n\x00"`. All `random` lines share one seed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FaultPlan {
     pub(crate) script: VecDeque<Fault>,
@@ -50,7 +50,7 @@ pub struct FaultPlan {
     pub(super) generator: Option<SplitMix64>,
 }
 
-/// Faults that strike one in this many replies.
+/// Faults of one in this many replies.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Chance {
     pub(super) one_in: u64,
@@ -58,17 +58,17 @@ pub(super) struct Chance {
 }
 
 impl FaultPlan {
-    /// A plan without faults.
+    /// Creates a plan without faults.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A plan that gives these faults to the first replies, in order.
+    /// Creates a plan with these faults for the first replies, in order.
     pub fn script(faults: impl IntoIterator<Item = Fault>) -> Self {
         Self { script: faults.into_iter().collect(), ..Self::default() }
     }
 
-    /// A plan by chance, to which [`one_in`](Self::one_in) adds faults.
+    /// Creates a plan by chance; [`one_in`](Self::one_in) adds its faults.
     ///
     /// The same seed gives the same faults to the same number of replies.
     pub fn random(seed: u64) -> Self {
@@ -89,7 +89,7 @@ impl FaultPlan {
         self
     }
 
-    /// Gives one of these faults, each as likely as the others, to one in this many replies on average.
+    /// Assigns one of these faults, each with equal probability, to one in this many replies on average.
     ///
     /// One in 1 is every reply, one in 0 none. The seed is that of [`random`](Self::random), or 0.
     #[must_use]
@@ -99,14 +99,14 @@ impl FaultPlan {
         self
     }
 
-    /// Gives this fault to all replies that have no other.
+    /// Applies this fault to all replies without another fault.
     #[must_use]
     pub fn always(mut self, fault: Fault) -> Self {
         self.inject_always(fault);
         self
     }
 
-    /// Has the status port begin with this fault.
+    /// Sets the first fault of the status port.
     #[must_use]
     pub fn status(mut self, fault: StatusFault) -> Self {
         self.status = fault;
@@ -117,12 +117,12 @@ impl FaultPlan {
         self.always = Some(fault).filter(|fault| *fault != Fault::None);
     }
 
-    /// Takes back all that concerns replies.
+    /// Removes all faults of replies.
     pub(crate) fn clear(&mut self) {
         *self = Self { status: self.status.clone(), ..Self::new() };
     }
 
-    /// Takes the fault of the next reply; `command` is the command that it answers, if it answers one.
+    /// Takes the fault of the next reply; `command` is the command of the reply, if it has one.
     pub(crate) fn next(&mut self, command: Option<&str>) -> Fault {
         let due = self.next_for(command).or_else(|| self.script.pop_front()).or_else(|| self.draw());
         due.or_else(|| self.always.clone()).unwrap_or(Fault::None)

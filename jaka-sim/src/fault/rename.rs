@@ -1,11 +1,11 @@
-//! Replies under another name.
+//! Renamed replies.
 
 use jaka_proto::wire::Writer;
 use jaka_spec::COMMAND_NAME;
 
 use crate::json_text::members;
 
-/// The reply with another name, or with none. What is not a JSON object has no name, and stays as it is.
+/// Returns the reply with another name, or without one. Text other than a JSON object has no name, and stays unchanged.
 pub(super) fn rename(reply: &str, name: Option<&str>) -> String {
     let Some(members) = members(reply) else { return reply.to_owned() };
     let mut out = Writer::new();

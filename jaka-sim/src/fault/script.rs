@@ -1,4 +1,4 @@
-//! Fault plans as a text.
+//! Text form of fault plans.
 
 use std::fmt;
 use std::str::FromStr;
@@ -13,7 +13,7 @@ impl FromStr for FaultPlan {
     /// Reads the text form of a plan.
     ///
     /// # Errors
-    /// A word does not fit, or one is missing.
+    /// A word does not fit, or is missing.
     fn from_str(script: &str) -> Result<Self, ScriptError> {
         let mut plan = Self::new();
         for tokens in tokens::lines(script)? {
@@ -54,7 +54,7 @@ impl FaultPlan {
     }
 }
 
-/// The faults that are left in a line.
+/// Reads the remaining faults of a line.
 fn faults(mut args: TokenReader<'_, '_>) -> Result<Vec<Fault>, ScriptError> {
     let mut faults = vec![Fault::read(&mut args)?];
     while !args.is_empty() {

@@ -1,10 +1,10 @@
-//! Errors of texts that say what the simulator does.
+//! Errors in texts that configure the simulator.
 
 use std::error::Error;
 use std::fmt;
 
-/// Error in a text that says what the simulator does, such as that of a [`FaultPlan`](crate::FaultPlan), a
-/// [`Trip`](crate::Trip) or a [`Habit`](crate::Habit), and its place.
+/// Error in a text that configures the simulator, such as a [`FaultPlan`](crate::FaultPlan), a [`Trip`](crate::Trip) or
+/// a [`Habit`](crate::Habit), with its position.
 ///
 /// ```
 /// # use jaka_sim::FaultPlan;
@@ -23,7 +23,7 @@ impl ScriptError {
         Self { line: Some(line), word: word.to_owned(), reason: reason.into() }
     }
 
-    /// An error of a text that is one thing alone.
+    /// Creates an error for a text with a single item.
     pub(crate) fn of_text(text: &str, reason: impl Into<String>) -> Self {
         Self { line: None, word: text.trim().to_owned(), reason: reason.into() }
     }
@@ -42,7 +42,7 @@ impl fmt::Display for ScriptError {
 
 impl Error for ScriptError {}
 
-/// Texts as errors list them.
+/// Quotes texts for a list in an error message.
 pub(crate) fn quoted(texts: &[impl fmt::Display]) -> String {
     let texts: Vec<_> = texts.iter().map(|text| format!("`{text}`")).collect();
     texts.join(", ")

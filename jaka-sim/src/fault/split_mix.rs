@@ -1,6 +1,6 @@
-//! Random numbers that can be repeated.
+//! Reproducible random numbers.
 
-/// A random number generator, `SplitMix64`, whose numbers follow from its seed.
+/// `SplitMix64` random number generator; equal seeds give equal numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct SplitMix64 {
     pub(super) seed: u64,
@@ -20,12 +20,12 @@ impl SplitMix64 {
         mixed ^ (mixed >> 31)
     }
 
-    /// True once in this many times on average; never where that is 0.
+    /// Returns true once in this many times on average; never for 0.
     pub(crate) fn one_in(&mut self, times: u64) -> bool {
         self.next_u64().checked_rem(times) == Some(0)
     }
 
-    /// One of these, if there are any.
+    /// Returns a random item; `None` for an empty list.
     pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         let count = u64::try_from(items.len()).unwrap_or(u64::MAX);
         let index = self.next_u64().checked_rem(count)?;
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn numbers_are_those_of_the_algorithm() {
-        // The first outputs that its author's program prints for this seed.
+        // First outputs of the author's program for this seed.
         let mut generator = SplitMix64::new(1_234_567);
         let rolls = [generator.next_u64(), generator.next_u64(), generator.next_u64()];
         assert_eq!(rolls, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);

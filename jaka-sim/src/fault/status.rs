@@ -8,9 +8,9 @@ use super::kinds::kinds;
 /// Counts of the packets and bytes sent to a reader since its fault was set.
 #[derive(Debug, Default)]
 pub(crate) struct Sent {
-    /// Packets, with the one that is being sent.
+    /// Packets, including the present one.
     pub(crate) packets: u64,
-    /// Bytes of the packets before.
+    /// Bytes of the previous packets.
     pub(crate) bytes: usize,
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct Sent {
 pub(crate) struct PacketWrites {
     /// Bytes of each write.
     pub(crate) pieces: Vec<Vec<u8>>,
-    /// Whether the connection is closed then.
+    /// Whether the controller closes the connection after the writes.
     pub(crate) close: bool,
 }
 
@@ -30,41 +30,41 @@ impl PacketWrites {
 }
 
 kinds! {
-    /// Something wrong with the packets of the status port, for all readers and until another fault is set.
+    /// Fault of the packets of the status port, for all readers and until another fault is set.
     ///
     /// [`Controller::status_fault`](crate::Controller::status_fault) sets it, and [`FaultPlan::status`] from the start.
     /// It applies to the periodic packets and those of [`Controller::publish`](crate::Controller::publish), and not to
-    /// the bytes of [`Controller::send_status`](crate::Controller::send_status). Counts are for each reader by itself,
-    /// from when the fault is set or the reader connects.
+    /// the bytes of [`Controller::send_status`](crate::Controller::send_status). Each reader has its own counts, from
+    /// the time at which the fault is set or the reader connects.
     ///
     /// [`FaultPlan::status`]: crate::FaultPlan::status
     #[derive(Debug, Clone, PartialEq, Eq, Default)]
     #[non_exhaustive]
     pub enum StatusFault("a fault of the status port", |_| "unknown fault of the status port");
 
-    /// Writes for a packet with this fault.
+    /// Returns the writes for a packet with this fault.
     pub(crate) fn writes(&self, packet: &[u8], sent: &Sent) -> PacketWrites;
 
-    /// Nothing: packets are as they should be. `none` in a script.
+    /// No fault: packets are correct. `none` in a script.
     #[default]
     None: "none" => PacketWrites::one(packet);
 
-    /// Connections stay open, and no packet comes. `silent` in a script.
+    /// Keeps connections open without packets. `silent` in a script.
     Silent: "silent" => PacketWrites::default();
 
-    /// Packets come with this period, in real time. `slow 2s` in a script.
+    /// Sends packets with this period, in real time. `slow 2s` in a script.
     Slow(_period: Duration as time = Duration::from_millis(80)): "slow" => PacketWrites::one(packet);
 
-    /// Each packet is written in pieces of this many bytes. `split 7` in a script.
+    /// Writes each packet in pieces of this many bytes. `split 7` in a script.
     ///
-    /// Each piece is a segment of its own; the reader's kernel may put them together again.
+    /// Each piece is a separate segment; the reader's kernel may merge them.
     Pieces(size: usize as count = 3): "split" => {
         PacketWrites { pieces: packet.chunks((*size).max(1)).map(<[u8]>::to_vec).collect(), close: false }
     };
 
-    /// Random bytes come before each packet, in the same write. `garbage 40 7` in a script.
+    /// Sends random bytes before each packet, in the same write. `garbage 40 7` in a script.
     ///
-    /// Braces and quotes among them hide the packets that follow from a reader that counts braces.
+    /// Braces and quotes among them hide later packets from a reader that counts braces.
     Garbage {
         /// Number of bytes before each packet; at most 256 MiB.
         bytes: usize as count = 300,
@@ -72,18 +72,18 @@ kinds! {
         seed: u64 as seed = 3,
     }: "garbage" => PacketWrites::one([&garbage(*bytes, seed.wrapping_add(sent.packets)), packet].concat());
 
-    /// Of each packet only this many bytes come. `cut 100` in a script.
+    /// Sends only this many bytes of each packet. `cut 100` in a script.
     ///
-    /// The next packet begins within the one before it, as the reader sees it.
+    /// The reader sees the start of the next packet within the cut one.
     Cut(count: usize as count = 100): "cut" => PacketWrites::one(&packet[..packet.len().min(*count)]);
 
-    /// These bytes come in place of each packet. `instead "joint_actual_position:(0, 0)\n"` in a script.
+    /// Sends these bytes instead of each packet. `instead "joint_actual_position:(0, 0)\n"` in a script.
     Instead(bytes: Vec<u8> as bytes = b"{}".to_vec()): "instead" => PacketWrites::one(bytes.as_slice());
 
-    /// The connection is closed after this many bytes of packets. `close-after 5000` in a script.
+    /// Closes the connection after this many bytes of packets. `close-after 5000` in a script.
     ///
-    /// The same happens to each reader that connects again, after as many. With 0 it is closed when the first packet is
-    /// due.
+    /// The same applies to each reader that reconnects. With 0 the controller closes the connection when the first
+    /// packet is due.
     CloseAfter(count: usize as count = 100): "close-after" => {
         let left = count.saturating_sub(sent.bytes);
         let part = &packet[..packet.len().min(left)];
@@ -92,7 +92,7 @@ kinds! {
 }
 
 impl StatusFault {
-    /// The time between two packets, which is `usual` if nothing is wrong with it.
+    /// Returns the period of packets, which is `usual` without a fault.
     pub(crate) fn period(&self, usual: Duration) -> Duration {
         if let Self::Slow(period) = self { *period } else { usual }
     }

@@ -1,4 +1,4 @@
-//! One line of a script, read token by token.
+//! Reader for the tokens of one script line.
 
 use std::str::FromStr;
 use std::time::Duration;
@@ -6,10 +6,10 @@ use std::time::Duration;
 use super::ScriptError;
 use super::tokens::{self, Token};
 
-/// The units of time, and how many of them are a second.
+/// Units of time, and their number in a second.
 const UNITS: [(&str, f64); 5] = [("ms", 1e3), ("us", 1e6), ("µs", 1e6), ("ns", 1e9), ("s", 1.0)];
 
-/// The tokens that have not been read yet.
+/// Remaining tokens.
 #[derive(Debug)]
 pub(crate) struct TokenReader<'w, 's> {
     rest: &'w [Token<'s>],
@@ -21,7 +21,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         Self { rest: tokens, last: None }
     }
 
-    /// Reads all of a text as one thing.
+    /// Reads a whole text as one item.
     pub(crate) fn read_all<T>(
         text: &str,
         read: impl FnOnce(&mut TokenReader<'_, '_>) -> Result<T, ScriptError>,
@@ -33,7 +33,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         read.map_err(ScriptError::without_line)
     }
 
-    /// Reads what has to be the last thing in a line.
+    /// Reads an item that must be the last one in a line.
     pub(super) fn last_item<T>(
         &mut self,
         read: impl FnOnce(&mut Self) -> Result<T, ScriptError>,
@@ -42,7 +42,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         self.rest.first().map_or(Ok(item), |token| Err(token.error("expected the end of the line")))
     }
 
-    /// Reads the word that says what the line is.
+    /// Skips the first word of the line, which gives its kind.
     pub(super) fn skip(&mut self) -> &mut Self {
         self.advance();
         self
@@ -63,7 +63,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         word.text.parse().map_err(|_| word.error(format!("expected {what}")))
     }
 
-    /// One in how many, as `1/20`.
+    /// Reads odds such as `1/20`, and returns 20.
     pub(super) fn odds(&mut self) -> Result<u64, ScriptError> {
         let word = self.word("odds such as 1/20")?;
         let times = word.text.strip_prefix("1/").and_then(|times| times.parse().ok());
@@ -76,7 +76,7 @@ impl<'w, 's> TokenReader<'w, 's> {
         String::from_utf8(bytes.clone()).map_err(|_| word.error("a name must be UTF-8"))
     }
 
-    /// An error at the word that was read last.
+    /// Returns an error at the last word read.
     pub(crate) fn unfit(&self, reason: impl Into<String>) -> ScriptError {
         match self.last {
             Some(word) => word.error(reason),
@@ -145,7 +145,7 @@ impl<'w, 's> TokenReader<'w, 's> {
     }
 }
 
-/// A time with its unit, such as `200ms`.
+/// Reads a time with its unit, such as `200ms`.
 pub(crate) fn read_time(text: &str) -> Option<Duration> {
     let (number, per_second) = UNITS.iter().find_map(|(unit, times)| Some((text.strip_suffix(unit)?, times)))?;
     Duration::try_from_secs_f64(number.parse::<f64>().ok()? / per_second).ok()

@@ -1,18 +1,18 @@
-//! The tokens of a script.
+//! Tokens of a script.
 
 use std::fmt;
 
 use super::ScriptError;
 
-/// Characters that end a token, besides white space.
+/// Characters that end a token, in addition to white space.
 const MARKS: [char; 5] = [',', ';', '#', '"', ':'];
 
-/// A word, as it is written and as it is meant.
+/// Word in its text form, with its quoted bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Token<'s> {
     pub(super) line: usize,
     pub(crate) text: &'s str,
-    /// Bytes in the quotes, without escapes.
+    /// Bytes between the quotes, with escapes replaced.
     pub(super) quoted: Option<Vec<u8>>,
 }
 
@@ -22,7 +22,8 @@ impl Token<'_> {
     }
 }
 
-/// The tokens of each line that has any; it ends at its end or at a semicolon. Commas and colons are tokens.
+/// Returns the tokens of each line that has any; a line ends at its end or at a semicolon. Commas and colons are
+/// tokens.
 pub(super) fn lines(script: &str) -> Result<Vec<Vec<Token<'_>>>, ScriptError> {
     let mut lines = Vec::new();
     for (line, text) in (1..).zip(script.lines()) {
@@ -57,7 +58,7 @@ fn next_word(line: usize, rest: &str) -> Result<Option<Token<'_>>, ScriptError> 
     Ok(Some(Token { line, text: &rest[..len], quoted }))
 }
 
-/// The length of the quoted word that the text begins with, quotes included.
+/// Returns the length of the quoted word at the start of the text, including the quotes.
 fn quoted_len(text: &str) -> Option<usize> {
     let mut escaped = false;
     let end = text.bytes().skip(1).position(|byte| {
@@ -68,7 +69,7 @@ fn quoted_len(text: &str) -> Option<usize> {
     end.map(|at| at + 2)
 }
 
-/// The bytes that a text with escapes stands for.
+/// Returns the bytes of a text with escapes.
 fn unescape(text: &str) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut rest = text.bytes();
@@ -93,7 +94,7 @@ fn hex_digit(byte: u8) -> Option<u8> {
     u8::try_from(char::from(byte).to_digit(16)?).ok()
 }
 
-/// A name as a word, which is quoted where it must be.
+/// Name as a word, quoted if necessary.
 pub(super) struct Name<'n>(pub(super) &'n str);
 
 impl fmt::Display for Name<'_> {

@@ -12,47 +12,47 @@ use crate::{Habit, State};
 #[derive(Debug)]
 pub(crate) struct Shape {
     pub(crate) name: &'static str,
-    /// Version that `get_version` answers.
+    /// Version in the reply to `get_version`.
     pub(crate) version: &'static str,
     pub(crate) status_period: Duration,
     pub(crate) writing: Writing,
     pub(crate) habits: &'static [Habit],
-    /// Whether status packets show the extension I/O modules.
+    /// Whether status packets have the extension I/O modules.
     pub(crate) extio: bool,
-    /// Whether status packets have the keys that the document does not have.
+    /// Whether status packets have keys that are not in the document.
     pub(crate) newer_keys: bool,
-    /// Digital inputs, and as many outputs.
+    /// Number of digital inputs, and of digital outputs.
     pub(crate) digital: usize,
-    /// Analog inputs, and as many outputs.
+    /// Number of analog inputs, and of analog outputs.
     pub(crate) analog: usize,
-    /// Digital inputs of the tool, and as many outputs.
+    /// Number of digital inputs of the tool, and of its digital outputs.
     pub(crate) tool_digital: usize,
-    /// Analog inputs of the tool, to begin with.
+    /// Initial values of the analog inputs of the tool.
     pub(crate) tool_analog: &'static [f64],
-    /// Functions that may have an input. The query has two fewer in the document.
+    /// Number of functions with a possible input. The query has two fewer in the document.
     pub(crate) functions: usize,
-    /// True where no function has an input to begin with.
+    /// Whether no function has an input initially.
     pub(crate) no_function_input: bool,
-    /// `task_state` of an arm that has power and is disabled.
+    /// `task_state` of a disabled arm with power.
     pub(crate) disabled: TaskState,
-    /// Decimals of poses in packets: 13 give the 13 to 17 digits of 311 packets of a newer controller.
+    /// Number of decimals of poses in packets: 13 give the 13 to 17 digits of 311 packets of a newer controller.
     pub(crate) pose_decimals: usize,
-    /// The monitor data before the joints, as JSON. Nothing is measured here: these are values of a capture, where
-    /// there is one.
+    /// Monitor data before the joints, as JSON. The values are not measured: they are those of a capture, if there is
+    /// one.
     pub(crate) monitor_head: &'static str,
-    /// The monitor data of each joint.
+    /// Monitor data of each joint.
     pub(crate) joint_row: &'static str,
-    /// The monitor data after the joints.
+    /// Monitor data after the joints.
     pub(crate) monitor_tail: &'static str,
-    /// Lists of readings that the torque sensor has.
+    /// Number of lists of readings of the torque sensor.
     pub(crate) torque_readings: usize,
-    /// Module id at the end of the setup of an extension I/O module, where the firmware sends one; the connection then
-    /// has the Modbus slave's id.
+    /// Module id at the end of the setup of an extension I/O module, if the firmware sends one; the connection then has
+    /// the id of the Modbus slave.
     pub(crate) extio_module_id: Option<&'static str>,
 }
 
 impl Firmware {
-    /// Gives a state the version and the inputs of this firmware.
+    /// Sets the version and the inputs of a state for this firmware.
     pub(crate) fn fit(self, state: &mut State) {
         let shape = self.shape();
         shape.version.clone_into(&mut state.version);

@@ -1,4 +1,5 @@
-//! Replies, and values of replies and packets, in other forms than the document's, by what the spec says they are.
+//! Conversion of replies, and of values in replies and packets, to other forms than the document's, by their types in
+//! the spec.
 
 use std::iter::{once, repeat};
 
@@ -10,16 +11,16 @@ use super::Writing;
 use super::shape::Shape as FirmwareShape;
 use crate::json_text::{elements, members, respace};
 
-/// Writes values as a firmware does. What does not fit its type stays as it is.
+/// Writer of values in the form of a firmware. A value that does not fit its type stays unchanged.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Values<'s> {
     spec: &'s Spec,
     writing: Writing,
-    /// Decimals of joint positions.
+    /// Number of decimals of joint positions.
     joint_decimals: usize,
-    /// Decimals of poses.
+    /// Number of decimals of poses.
     pose_decimals: usize,
-    /// Decimals of the position that is being written; none outside positions.
+    /// Number of decimals of the present position; `None` outside positions.
     decimals: Option<usize>,
 }
 
@@ -32,7 +33,7 @@ impl<'s> Values<'s> {
         Self { joint_decimals: 5, pose_decimals: shape.pose_decimals, ..Self::of_replies(spec, shape.writing) }
     }
 
-    /// Rewrites a reply, which was written as the document does. What is not a JSON object stays as it is.
+    /// Rewrites a reply in the document's form. Text other than a JSON object stays unchanged.
     pub(crate) fn rewrite(self, reply: &mut Writer) {
         if self.writing == Writing::Document {
             return;
@@ -89,7 +90,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// Writes the value as the firmware does; `None` where it stays as it is.
+    /// Writes the value in the form of the firmware; returns `None` if it stays unchanged.
     fn restyled(self, name: &str, ty: &Type, json: &str, out: &mut Writer) -> Option<()> {
         match self.spec.shape(ty) {
             Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out)?,
@@ -99,7 +100,7 @@ impl<'s> Values<'s> {
                 out.array(&elements(json)?, |out, json| self.value(name, element, json, out));
             }
             Shape::Object(fields) => self.object(fields, members(json)?, out),
-            // Elements beyond the fields stay as they are.
+            // Elements beyond the fields stay unchanged.
             Shape::Tuple { fields, .. } => self.elements(fields.iter().map(Some), &elements(json)?, out),
             Shape::Choice(choice) => {
                 let elements = elements(json)?;
@@ -146,11 +147,11 @@ impl<'s> Values<'s> {
         Some(())
     }
 
-    /// Forms in which false and true are written.
+    /// Returns the forms of false and true.
     fn forms<'f>(&'f self, name: &str, printed: [&'f str; 2]) -> [&'f str; 2] {
         match self.writing {
             Writing::Document | Writing::Capture => printed,
-            // The words of the document, as `robot_enabled`: a real reply has these in their place.
+            // For the document's words, such as `robot_enabled`, a real reply has these forms.
             Writing::AsPackets if printed[1].contains('_') => ["\"False\"", "\"True\""],
             Writing::AsPackets => match self.packet_forms(name) {
                 Some(forms) => forms,
@@ -164,7 +165,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// Forms of false and true of the value with this name in status packets, if packets have the value.
+    /// Returns the forms of false and true for the value of this name in status packets, if packets have it.
     fn packet_forms(&self, name: &str) -> Option<[&str; 2]> {
         match &self.spec.status_fields().iter().find(|field| field.name == name)?.ty {
             Type::Scalar(Scalar::Bool { off, on }) => Some([off, on]),
@@ -172,7 +173,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// A number that may have a fraction.
+    /// Writes a number that may have a fraction.
     fn float(self, json: &str, out: &mut Writer) {
         let Ok(number) = json.parse::<f64>() else { return out.raw(json) };
         match (self.writing, self.decimals) {
@@ -188,7 +189,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// Decimals of a joint position or a pose; none of any other type.
+    /// Returns the number of decimals of a joint position or a pose; `None` for any other type.
     fn decimals_of(self, ty: &Type) -> Option<usize> {
         let Type::Named(id) = ty else { return None };
         match &*self.spec[*id].name {
@@ -198,7 +199,7 @@ impl<'s> Values<'s> {
         }
     }
 
-    /// A whole number.
+    /// Writes a whole number.
     fn int(self, json: &str, out: &mut Writer) {
         if self.writing == Writing::Odd { with_fraction(json, out) } else { out.raw(json) }
     }

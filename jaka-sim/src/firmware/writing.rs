@@ -1,4 +1,4 @@
-//! Forms in which a firmware writes what it says.
+//! Forms in which a firmware writes messages.
 
 use jaka_proto::wire::Value;
 use jaka_proto::{ControllerEvent, ErrorCode};
@@ -6,32 +6,32 @@ use jaka_proto::{ControllerEvent, ErrorCode};
 use crate::State;
 use crate::json_text::Separators;
 
-/// A key that nobody knows, as newer firmware may add one.
+/// Unknown key, as newer firmware may add one.
 const UNKNOWN: &str = r#""oddity":[null,{"a":[]}]"#;
 
-/// Forms in which a firmware writes what it says, on both ports.
+/// Form in which a firmware writes messages on both ports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Writing {
-    /// As the document prints it, and as short as may be.
+    /// Form of the document, as short as possible.
     Document,
-    /// As captures have it: numbers that may have a fraction with one, positions with few decimals.
+    /// Form of captures: numbers that may have a fraction have one, and positions have few decimals.
     Capture,
     /// Form of captures, with the controller's event, and with truth values in replies as in packets: `"True"` and
-    /// `"False"` where the document has words as `robot_enabled`.
+    /// `"False"` instead of the document's words such as `robot_enabled`.
     AsPackets,
-    /// In the other forms that were seen, all at once.
+    /// All other known forms at once.
     Odd,
 }
 
 impl Writing {
-    /// Separators between the parts.
+    /// Returns the separators between the parts.
     pub(crate) fn separators(self) -> Separators {
         if self == Self::Document { Separators::Compact } else { Separators::Spaced }
     }
 
-    /// The controller's event as `get_robot_state` answers it; none where it does not.
+    /// Returns the controller's event in the reply to `get_robot_state`; `None` if the reply has none.
     ///
-    /// The vendor's SDK 2.1.14 reads no other form than a number.
+    /// The vendor's SDK 2.1.14 reads only a number.
     pub(crate) fn event(self, state: &State) -> Option<Value> {
         match self {
             Self::Document | Self::Capture => None,
@@ -43,12 +43,13 @@ impl Writing {
         }
     }
 
-    /// A key that nobody knows and its value, where there is one.
+    /// Returns an unknown key and its value, if this form has one.
     pub(crate) fn unknown_key(self) -> Option<&'static str> {
         (self == Self::Odd).then_some(UNKNOWN)
     }
 
-    /// An error code that is not written as the document does. Of negative codes no hexadecimal form is known.
+    /// Returns an error code in a form other than the document's, if there is one. No hexadecimal form of negative
+    /// codes is known.
     pub(super) fn code(self, code: ErrorCode) -> Option<Value> {
         match self {
             Self::Document | Self::Capture | Self::AsPackets => None,

@@ -1,4 +1,4 @@
-//! Input from a client, as its link lets it pass.
+//! Input from a client, subject to its link.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind};
@@ -9,20 +9,20 @@ use super::queue::Pace;
 use crate::Direction;
 use crate::fault::{LinkFault, Passage};
 
-/// The least time that a socket can be waited for.
+/// Shortest possible wait for a socket.
 const LEAST_WAIT: Duration = Duration::from_millis(1);
 
-/// Longest wait for a socket while something else is due: a link can change meanwhile.
+/// Longest wait for a socket while a link change may be due.
 const MOST_WAIT: Duration = Duration::from_millis(10);
 
-/// Greatest number of bytes on their way on a slow link. The client's system keeps the others.
+/// Greatest number of bytes in transit on a slow link. The client's system keeps the others.
 const MOST: usize = 4 << 20;
 
-/// Reads from a connection, as its link lets bytes pass.
+/// Reader of a connection, subject to its link.
 #[derive(Debug)]
 pub(crate) struct Inbound<'w> {
     wire: &'w Wire,
-    /// Bytes read from the socket that have not passed the link yet, with their times. Only the end is empty.
+    /// Bytes read from the socket that have not passed the link yet, with their times. An empty entry is the end.
     waiting: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
     /// Whether the end was read from the socket.
@@ -36,7 +36,7 @@ pub(crate) struct Inbound<'w> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Received {
     Bytes(usize),
-    /// Nothing in time.
+    /// No input before the timeout.
     Silence,
     End,
 }
@@ -44,11 +44,11 @@ pub(crate) enum Received {
 /// Next step on a link that has or had a fault.
 #[derive(Debug, PartialEq, Eq)]
 enum ReceiveStep {
-    /// Something arrives; at most this many bytes of it.
+    /// Bytes arrive, up to this number.
     Take(usize),
-    /// Waits for the socket; at most so long, if a time is given.
+    /// Waits for the socket, up to a timeout if there is one.
     Read(Option<Duration>),
-    /// Waits for a change of the link; at most so long, if a time is given.
+    /// Waits for a change of the link, up to a timeout if there is one.
     Wait(Option<Duration>),
 }
 
@@ -57,12 +57,12 @@ impl<'w> Inbound<'w> {
         Self { wire, waiting: VecDeque::new(), bytes: 0, ended: false, pace: Pace::default(), hurried: false }
     }
 
-    /// Waits for bytes; at most so long, if a time is given.
+    /// Waits for bytes, up to a timeout if there is one.
     pub(crate) fn receive(&mut self, space: &mut [u8], patience: Option<Duration>) -> io::Result<Received> {
         let links = self.wire.links();
         if !links.are_used() {
             let received = self.read(space, patience)?;
-            // A fault that has begun while this waited is for what has come.
+            // A fault that began during the wait applies to the received bytes.
             if !links.are_used() || received == Received::Silence {
                 return Ok(received);
             }
@@ -135,7 +135,7 @@ impl<'w> Inbound<'w> {
         }
     }
 
-    /// Lets the first of what waits arrive.
+    /// Takes the first waiting bytes.
     fn take(&mut self, space: &mut [u8], most: usize) -> Received {
         let Some((came, mut bytes)) = self.waiting.pop_front() else { return Received::Silence };
         if bytes.is_empty() {
@@ -157,7 +157,7 @@ impl<'w> Inbound<'w> {
                 Ok(0) => Ok(Received::End),
                 Ok(count) => Ok(Received::Bytes(count)),
                 Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                // Systems differ in what they call it.
+                // Systems differ in the error kind.
                 Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
                     Ok(Received::Silence)
                 }
@@ -175,7 +175,7 @@ impl<'w> Inbound<'w> {
     }
 }
 
-/// The shorter of two times, of which none is the longest.
+/// Returns the shorter of two optional times; `None` is unlimited.
 fn shorter(a: Option<Duration>, b: Option<Duration>) -> Option<Duration> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a.min(b)),
@@ -204,7 +204,7 @@ mod tests {
         let links = Arc::new(Links::new(&time));
         links.set(LinkSelector::default(), LinkFault::Hold);
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has ports");
-        // One attempt finds the defect if the reader comes as far as to the lock meanwhile.
+        // One attempt finds the defect if the reader reaches the lock meanwhile.
         for _ in 0..20 {
             let _client = TcpStream::connect(listener.local_addr().expect("it is bound")).expect("it listens");
             let (stream, peer) = listener.accept().expect("a client has connected");
@@ -223,7 +223,7 @@ mod tests {
             wire.close_before_others_lock();
             drop(state);
 
-            // Time goes on once the reader waits or has ended.
+            // Time advances once the reader waits or has ended.
             simulated.sleep(Duration::from_secs(1));
             assert!(has_ended.load(Ordering::SeqCst), "the reader waits for the link of a connection that has closed");
             drop(reader.join());

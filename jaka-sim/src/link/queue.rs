@@ -1,4 +1,4 @@
-//! Queue of the bytes to be sent on a connection.
+//! Queue of outgoing bytes of a connection.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -10,31 +10,31 @@ use crate::fault::{LinkFault, Passage};
 /// Greatest number of bytes in the queue.
 const MOST: usize = 16 << 20;
 
-/// Queue of the bytes to be sent, in order.
+/// Queue of outgoing bytes, in order.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     time: Clock,
-    /// Writes that wait, each with the time at which it was queued.
+    /// Waiting writes, each with the time at which it was queued.
     writes: VecDeque<(Instant, Vec<u8>)>,
     bytes: usize,
     /// End of the connection after the last byte, with the time at which it was requested.
     end: Option<(Instant, End)>,
     pace: Pace,
-    /// Whether a thread sends what waits.
+    /// Whether a thread sends the queued bytes.
     pub(super) has_sender: bool,
     /// Whether that thread is about to write.
     is_sending: bool,
     fate: Fate,
 }
 
-/// Fate of a connection.
+/// State of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Fate {
     #[default]
     Open,
     /// Nothing more can be written.
     Lost,
-    /// It ends at once, whatever is wrong with its link.
+    /// The connection ends at once, regardless of link faults.
     Aborted,
 }
 
@@ -42,15 +42,15 @@ enum Fate {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
     Close,
-    /// As dropping the socket does: by a reset, where that has been set.
+    /// Drops the socket: with a reset, if that is set.
     Drop,
 }
 
-/// Next step of the thread that sends.
+/// Next step of the sending thread.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum SendStep {
     Send(Vec<u8>),
-    /// Waits for a change; at most so long, if a time is given.
+    /// Waits for a change, up to a timeout if there is one.
     Wait(Option<Duration>),
     End(End),
 }
@@ -60,17 +60,17 @@ impl Queue {
         Self { time: time.clone(), ..Self::default() }
     }
 
-    /// Whether all has been sent that was to be.
+    /// Whether all bytes have been sent.
     pub(super) fn is_idle(&self) -> bool {
         self.writes.is_empty() && !self.is_sending
     }
 
-    /// Whether the connection takes nothing more.
+    /// Whether the connection accepts no more bytes.
     pub(super) fn is_over(&self) -> bool {
         self.fate != Fate::Open || self.end.is_some()
     }
 
-    /// Adds bytes; false where there are too many.
+    /// Adds bytes; returns false if there are too many.
     pub(super) fn push(&mut self, bytes: &[u8]) -> bool {
         if self.bytes.saturating_add(bytes.len()) > MOST {
             return false;
@@ -80,12 +80,12 @@ impl Queue {
         true
     }
 
-    /// Says how the connection ends, unless that has been said.
+    /// Sets the end of the connection, unless it is already set.
     pub(super) fn end(&mut self, end: End) {
         self.end.get_or_insert((self.time.now(), end));
     }
 
-    /// Nothing more can be written.
+    /// Marks the connection as lost: nothing more can be written.
     pub(super) fn lose(&mut self) {
         self.fate = Fate::Lost;
         self.clear();
@@ -130,7 +130,7 @@ impl Queue {
         step
     }
 
-    /// The next write, or as much of it.
+    /// Takes the next write, or at most this much of it.
     fn take(&mut self, most: usize) -> SendStep {
         let Some((sent, mut bytes)) = self.writes.pop_front() else {
             return self.end.map_or(SendStep::Wait(None), |(_, end)| SendStep::End(end));
@@ -155,28 +155,28 @@ impl Queue {
     }
 }
 
-/// The pace of a slow link.
+/// Pace of a slow link.
 #[derive(Debug, Default)]
 pub(super) struct Pace {
     free_at: Option<Instant>,
 }
 
 impl Pace {
-    /// By how much a write may be late and still be caught up with.
+    /// Greatest delay of a write that the pace still makes up for.
     const SLACK: Duration = Duration::from_millis(100);
 
-    /// Number of bytes that pass at once: those of 10 ms, or a single one.
+    /// Returns the number of bytes that pass at once: those of 10 ms, or a single one.
     pub(super) fn portion(per_second: u64) -> usize {
         usize::try_from(per_second / 100).unwrap_or(usize::MAX).max(1)
     }
 
-    /// Time for which nothing more passes; `None` where something does.
+    /// Returns the time until more bytes pass; `None` if bytes pass now.
     pub(super) fn left(&self, now: Instant) -> Option<Duration> {
         let left = self.free_at?.saturating_duration_since(now);
         (!left.is_zero()).then_some(left)
     }
 
-    /// So many bytes have passed.
+    /// Records that this many bytes have passed.
     pub(super) fn passed(&mut self, bytes: usize, per_second: u64, now: Instant) {
         let from = self.free_at.filter(|free_at| now.duration_since(*free_at) < Self::SLACK).unwrap_or(now);
         let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
@@ -210,7 +210,7 @@ mod tests {
         assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"one".to_vec()));
         assert!(!queue.is_idle());
         assert_eq!(queue.next(LinkFault::None), SendStep::Send(b"two".to_vec()));
-        // Written only when the thread comes for more.
+        // Counts as written only when the thread asks for the next step.
         assert!(!queue.is_idle());
         assert_eq!(queue.next(LinkFault::Hold), SendStep::Wait(None));
         assert!(queue.is_idle());

@@ -4,29 +4,29 @@ use crate::fault::LinkFault;
 use crate::link_selector::LinkSelector;
 use crate::{Direction, Port};
 
-/// The faults of each port in each direction.
+/// Faults of each port in each direction.
 #[derive(Debug, Default)]
 pub(super) struct LinkStates {
     links: [[LinkState; 2]; 2],
 }
 
-/// One port in one direction.
+/// State of one port in one direction.
 #[derive(Debug, Default)]
 pub(super) struct LinkState {
     fault: LinkFault,
-    /// Number of times that the link has been cut. A connection that is older than the last cut is cut.
+    /// Number of cuts of the link. A connection older than the last cut is cut.
     cuts: u64,
 }
 
 impl LinkStates {
-    /// Sets what is wrong with these links from now on.
+    /// Sets the fault of these links from now on.
     pub(super) fn set(&mut self, selector: LinkSelector, fault: LinkFault) {
         for (port, direction) in selector.each() {
             self.links[port as usize][direction as usize].set(fault);
         }
     }
 
-    /// The link of a port in a direction.
+    /// Returns the link of a port in a direction.
     pub(super) fn link(&self, port: Port, direction: Direction) -> &LinkState {
         &self.links[port as usize][direction as usize]
     }
@@ -40,12 +40,12 @@ impl LinkState {
         }
     }
 
-    /// Generation of a connection that is made now, which tells later whether it has been cut.
+    /// Returns the generation of a connection opened now, which shows later whether it has been cut.
     pub(super) fn generation(&self) -> u64 {
         if self.fault == LinkFault::Cut { self.cuts.saturating_sub(1) } else { self.cuts }
     }
 
-    /// Fault of the link for a connection of this generation.
+    /// Returns the fault of the link for a connection of this generation.
     pub(super) fn fault(&self, generation: u64) -> LinkFault {
         if self.cuts > generation { LinkFault::Cut } else { self.fault }
     }

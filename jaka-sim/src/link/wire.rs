@@ -1,4 +1,4 @@
-//! A connection, with whatever is wrong with its link.
+//! Connection with the faults of its link.
 
 use std::io::{self, ErrorKind};
 use std::net::Shutdown;
@@ -17,23 +17,23 @@ use crate::clock;
 use crate::fault::LinkFault;
 use crate::{Direction, Port};
 
-/// A connection, with whatever is wrong with its link.
+/// Connection with the faults of its link.
 ///
-/// One thread writes at a time, and one reads: by [`Inbound`](super::Inbound).
+/// One thread writes at a time, and one reads through [`Inbound`](super::Inbound).
 #[derive(Debug)]
 pub(crate) struct Wire {
     socket: Socket,
     port: Port,
     links: Arc<Links>,
-    /// Generations of the links when this was connected, by direction.
+    /// Generations of the links at the time of connecting, by direction.
     generations: [u64; 2],
     closed: AtomicBool,
-    /// True while a thread writes to the socket past the queue.
+    /// Whether a thread writes to the socket past the queue.
     is_writing: AtomicBool,
     queue: Mutex<Queue>,
 }
 
-/// Time that a write of a port may take, if that is limited. The connection of a status reader holds packets of many
+/// Returns the write timeout of a port, if there is one. The connection of a status reader holds packets of many
 /// seconds.
 fn write_timeout(port: Port) -> Option<Duration> {
     match port {
@@ -42,7 +42,7 @@ fn write_timeout(port: Port) -> Option<Duration> {
     }
 }
 
-/// Milliseconds after which a write waits for its client.
+/// Milliseconds after which a write counts as blocked by its client.
 const WRITE_ENDS_MS: u32 = 1000;
 
 impl Wire {
@@ -70,18 +70,18 @@ impl Wire {
 
     /// Whether the controller has ended the connection. The client may not know yet.
     ///
-    /// The thread that ends it locks the state of the links afterwards, and then gives the signal. So a thread that has
-    /// the state locked while it asks, and waits by that lock, does not miss the signal.
+    /// The thread that ends it locks the state of the links afterwards, and then signals. So a thread that holds the
+    /// lock of the state during this check, and then waits with that lock, does not miss the signal.
     pub(super) fn is_closed(&self, _locked: &LinkStates) -> bool {
         self.closed.load(Ordering::SeqCst)
     }
 
-    /// Fault in a direction.
+    /// Returns the fault in a direction.
     pub(super) fn fault(&self, state: &LinkStates, direction: Direction) -> LinkFault {
         state.link(self.port, direction).fault(self.generations[direction as usize])
     }
 
-    /// Writes bytes, or lets them wait where something is wrong.
+    /// Writes bytes, or queues them if the link has a fault.
     pub(crate) fn send(self: &Arc<Self>, bytes: &[u8]) -> io::Result<()> {
         if !self.begins_to_write() && self.put_off(bytes)? {
             return Ok(());
@@ -91,8 +91,8 @@ impl Wire {
         written
     }
 
-    /// Marks a write as begun; false where the links have been used. The mark comes before the look at the links: a
-    /// thread that ends the connection by links that have been used sees it.
+    /// Marks a write as begun; returns false if any link has had a fault. The mark precedes the second check of the
+    /// links, so that a thread that ends the connection after a fault sees it.
     fn begins_to_write(&self) -> bool {
         if self.links.are_used() {
             return false;
@@ -105,7 +105,7 @@ impl Wire {
         begins
     }
 
-    /// Lets bytes wait; false where they can be written at once, and the write is marked as begun.
+    /// Queues bytes; returns false if they can be written at once, and the write is marked as begun.
     fn put_off(self: &Arc<Self>, bytes: &[u8]) -> io::Result<bool> {
         let state = self.links.state();
         let fault = self.fault(&state, Direction::ToClient);
@@ -130,8 +130,8 @@ impl Wire {
         Ok(true)
     }
 
-    /// Has a thread send what waits. The state of the links must not be locked: another connection may have to end for
-    /// this.
+    /// Starts a thread that sends the queued bytes. The state of the links must not be locked, since another connection
+    /// may have to end for this.
     fn have_sender(self: &Arc<Self>, mut queue: MutexGuard<'_, Queue>) -> io::Result<()> {
         if !queue.has_sender {
             let this = Arc::clone(self);
@@ -143,7 +143,7 @@ impl Wire {
         Ok(())
     }
 
-    /// Sends what waits, to the end of the connection.
+    /// Sends the queued bytes, up to the end of the connection.
     fn send_all(&self) {
         let mut state = self.links.state();
         loop {
@@ -164,7 +164,7 @@ impl Wire {
         }
     }
 
-    /// Ends the connection; the client sees it when its link lets it pass. Wakes the thread that reads.
+    /// Ends the connection; the client sees it when its link passes it. Wakes the thread that reads.
     pub(crate) fn close(self: &Arc<Self>) {
         self.closed.store(true, Ordering::SeqCst);
         if !self.end_later(End::Close) {
@@ -175,7 +175,7 @@ impl Wire {
         }
     }
 
-    /// Has the connection reset when the last one drops it, and not before its link lets that pass. It must not be
+    /// Makes the last drop of the connection reset it, and not before its link passes that. The connection must not be
     /// closed before.
     pub(crate) fn reset_on_drop(self: &Arc<Self>) {
         if let Err(error) = SockRef::from(self.socket.system()).set_linger(Some(Duration::ZERO)) {
@@ -188,9 +188,8 @@ impl Wire {
         }
     }
 
-    /// Leaves the end to the thread that sends; false where there is none, and nothing to wait for. Also false where a
-    /// thread goes on writing past the queue: it waits for a client that does not read, and only the end of the socket
-    /// wakes it.
+    /// Leaves the end to the sending thread; returns false without one if nothing has to wait. Also returns false if a
+    /// thread still writes past the queue: its client does not read, and only the end of the socket wakes it.
     fn end_later(self: &Arc<Self>, end: End) -> bool {
         if !self.links.are_used() {
             return false;
@@ -207,16 +206,16 @@ impl Wire {
         if is_writing {
             return false;
         }
-        // To the client, this is as if nothing had been done.
+        // This has no effect for the client.
         self.shut_down(Shutdown::Read);
         drop(state);
         self.have_sender(queue).is_ok()
     }
 
-    /// Waits for the end of a write past the queue, unless it has a client that does not read. Its bytes can be with
-    /// the client long before its thread goes on.
+    /// Waits for the end of a write past the queue, unless its client does not read. The client can have the bytes long
+    /// before the thread continues.
     fn let_write_end(&self) {
-        // Counted, so that a process that stands still as a whole does not count.
+        // Counts sleeps instead of time, so that a pause of the whole process does not count.
         for _ in 0..WRITE_ENDS_MS {
             if !self.is_writing.load(Ordering::SeqCst) {
                 return;
@@ -225,7 +224,7 @@ impl Wire {
         }
     }
 
-    /// Ends the connection at once, whatever is wrong with its link.
+    /// Ends the connection at once, regardless of link faults.
     pub(crate) fn abort(&self) {
         self.closed.store(true, Ordering::SeqCst);
         lock(&self.queue).abort();
@@ -233,7 +232,7 @@ impl Wire {
         self.links.notify();
     }
 
-    /// Ends the connection as a thread does that locked the state of the links before the caller did.
+    /// Ends the connection like a thread that locked the state of the links before the caller.
     #[cfg(test)]
     pub(super) fn close_before_others_lock(&self) {
         self.closed.store(true, Ordering::SeqCst);
@@ -241,7 +240,7 @@ impl Wire {
     }
 
     fn shut_down(&self, how: Shutdown) {
-        // An error says that it has ended already.
+        // An error means that it has already ended.
         self.socket.shutdown(how).ok();
     }
 }

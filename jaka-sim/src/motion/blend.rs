@@ -1,4 +1,4 @@
-//! The way around a corner, from one motion into the next.
+//! Blend from one motion into the next.
 
 use jaka_motion::Model;
 
@@ -6,10 +6,10 @@ use super::path::Joints;
 use super::running::Running;
 use super::vector::minus;
 
-/// A motion that goes on to its end while the next has begun.
+/// Motion that continues to its end after the start of the next one.
 ///
-/// What it still has to do is taken off from the next one's place. So the arm leaves it slowing down as planned, and
-/// neither its place nor its speed jumps.
+/// Its remaining distance is subtracted from the position of the next motion. So the motion slows down as planned, and
+/// neither position nor speed jumps.
 #[derive(Debug, Clone)]
 pub(super) struct Leaving {
     running: Running,
@@ -22,7 +22,7 @@ impl Leaving {
         Self { running, at, ended: false }
     }
 
-    /// One cycle: how far its place is from its end.
+    /// Computes one cycle, and returns the offset of the position from the end of the motion.
     pub(super) fn cycle(&mut self, rate: f64, model: &Model) -> Joints {
         let (share, ended) = self.running.cycle(rate);
         self.at = self.running.planned.path.at(share, model, self.at).unwrap_or(self.at);
@@ -30,7 +30,7 @@ impl Leaving {
         self.offset()
     }
 
-    /// Brakes, and says where that ends, from the end of the motion.
+    /// Brakes, and returns the offset of the stop position from the end of the motion.
     pub(super) fn brake(&mut self, model: &Model) -> Joints {
         self.running.brake();
         let stop = self.running.stop(model, self.at);
@@ -45,7 +45,7 @@ impl Leaving {
         self.ended
     }
 
-    /// True where it has come to its end and not been stopped before.
+    /// Whether it has reached its end without braking.
     pub(super) fn is_done(&self) -> bool {
         self.ended && self.running.brake.is_none()
     }

@@ -1,4 +1,4 @@
-//! The drives: the joints as commanded, and where they are.
+//! Drives: commanded and actual joint positions.
 
 use std::time::Duration;
 
@@ -6,13 +6,13 @@ use super::path::Joints;
 use super::vector::minus;
 use crate::clock::CYCLE;
 
-/// A joint that is as near as this to where it is commanded, in degrees, is there. Packets show less.
+/// Tolerance within which a joint is at its commanded position, in degrees. Packets have a lower resolution.
 const NEAR: f64 = 1e-6;
 
-/// The joints, which follow their commanded positions with a first-order lag.
+/// Joints that follow their commanded positions with a first-order lag.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Drives {
-    /// The time constant, in seconds.
+    /// Time constant, in seconds.
     lag: f64,
     /// Commanded positions of the joints, in degrees.
     pub(crate) commanded: Joints,
@@ -25,34 +25,34 @@ pub(crate) struct Drives {
 }
 
 impl Drives {
-    /// Drives at rest.
+    /// Creates drives at rest.
     pub(crate) fn new(lag: Duration, at: Joints) -> Self {
         let rest = [0.0; 6];
         Self { lag: lag.as_secs_f64(), commanded: at, actual: at, commanded_speed: rest, speed: rest }
     }
 
-    /// Commanded positions of the joints minus their actual ones, in degrees.
+    /// Returns the commanded positions of the joints minus the actual ones, in degrees.
     pub(crate) fn deviation(&self) -> Joints {
         minus(self.commanded, self.actual)
     }
 
-    /// Commanded speeds of the joints minus their actual ones in the last cycle, in deg/s.
+    /// Returns the commanded speeds of the joints minus the actual ones in the last cycle, in deg/s.
     pub(crate) fn speed_deviation(&self) -> Joints {
         minus(self.commanded_speed, self.speed)
     }
 
-    /// True where the joints are where they are to be.
+    /// Whether the joints are at their commanded positions.
     pub(crate) fn is_settled(&self) -> bool {
         self.commanded.iter().zip(&self.actual).all(|(commanded, actual)| (commanded - actual).abs() < NEAR)
     }
 
-    /// Stands still at once, at a place.
+    /// Stops at once at a position.
     pub(crate) fn place(&mut self, at: Joints) {
         (self.commanded, self.actual) = (at, at);
         (self.commanded_speed, self.speed) = ([0.0; 6], [0.0; 6]);
     }
 
-    /// One cycle, in which the commanded joints move evenly to a place.
+    /// Computes one cycle, in which the commanded joints move at constant speed to a position.
     pub(crate) fn follow(&mut self, to: Joints) {
         let (from, before) = (self.commanded, self.actual);
         self.commanded = to;
@@ -61,10 +61,10 @@ impl Drives {
         self.speed = minus(self.actual, before).map(|way| way / CYCLE.as_secs_f64());
     }
 
-    /// Position of a joint after a cycle in which it is commanded evenly from one position to another.
+    /// Returns the position of a joint after a cycle with a constant commanded speed.
     fn lagged(&self, from: f64, to: f64, actual: f64) -> f64 {
         let cycle = CYCLE.as_secs_f64();
-        // The response of a first-order lag to a ramp: in the end it is behind by the speed times the time constant.
+        // Response of a first-order lag to a ramp: in the end it is behind by the speed times the time constant.
         let behind = (to - from) / cycle * self.lag;
         let next = to - behind + (actual - from + behind) * (-cycle / self.lag).exp();
         let is_there = self.lag == 0.0 || (to - from).abs().max((next - to).abs()) < NEAR;

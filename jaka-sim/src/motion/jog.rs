@@ -6,33 +6,33 @@ use jaka_proto::messages::types::Pose;
 use super::path::Joints;
 use crate::clock::CYCLE;
 
-/// A jog that goes on until it is stopped, or the arm can go no further.
+/// Jog that continues until a stop or the end of the arm's range.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Jogging {
     /// One joint, by index, at a velocity in deg/s.
     Joint { index: usize, velocity: f64 },
-    /// The tool centre point along or about one axis of a frame, at a velocity in mm/s or deg/s.
+    /// Tool centre point along or about one axis of a frame, at a velocity in mm/s or deg/s.
     Axis { index: usize, velocity: f64, reference: Reference },
 }
 
-/// The frame whose axes a jog follows.
+/// Frame for the axes of a jog.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Reference {
-    /// A fixed frame, and the tool on the flange.
+    /// Fixed frame, and the tool frame relative to the flange.
     Fixed { base: Transform, tool: Transform },
-    /// The tool's own.
+    /// Tool frame.
     Tool { tool: Transform },
 }
 
 impl Jogging {
-    /// The axis that is jogged, from 0 to 5.
+    /// Returns the index of the jogged axis, from 0 to 5.
     pub(crate) fn index(&self) -> usize {
         match self {
             Self::Joint { index, .. } | Self::Axis { index, .. } => *index,
         }
     }
 
-    /// One cycle: where the arm is, and whether the jog goes on.
+    /// Computes one cycle; returns the joint position and whether the jog continues.
     pub(super) fn cycle(&self, joints: Joints, rate: f64, model: &Model) -> (Joints, bool) {
         let step = CYCLE.as_secs_f64() * rate;
         let next = match *self {
@@ -54,7 +54,7 @@ impl Jogging {
 }
 
 impl Reference {
-    /// The flange after a displacement along this frame's axes.
+    /// Returns the flange after a displacement along this frame's axes.
     pub(crate) fn moved(self, flange: Transform, by: Transform) -> Transform {
         match self {
             Self::Tool { tool } => flange * tool * by * tool.inverse(),
@@ -63,7 +63,7 @@ impl Reference {
     }
 }
 
-/// A displacement along, or a turn about, one of the axes x, y, z, rx, ry, rz.
+/// Returns a displacement along, or a rotation about, one of the axes x, y, z, rx, ry, rz.
 pub(crate) fn small(index: usize, amount: f64) -> Transform {
     let mut pose = [0.0; 6];
     pose[index] = amount;

@@ -1,18 +1,18 @@
 //! Trapezoidal speed profiles.
 
-/// Speed over time on the way along a path: up at an acceleration, along at a speed, and down again.
+/// Speed over time along a path: acceleration, constant speed, deceleration.
 ///
 /// Lengths are in the path's unit, degrees or millimetres; times in seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Profile {
     length: f64,
     acceleration: f64,
-    /// The greatest speed reached: less than the speed asked for where the path is too short for it.
+    /// Greatest speed reached: less than the requested speed if the path is too short for it.
     peak: f64,
 }
 
 impl Profile {
-    /// The profile along `length`; speed and acceleration must be positive.
+    /// Creates the profile along `length`; speed and acceleration must be positive.
     pub(crate) fn new(length: f64, speed: f64, acceleration: f64) -> Self {
         Self { length, acceleration, peak: speed.min((length * acceleration).sqrt()) }
     }
@@ -21,12 +21,12 @@ impl Profile {
         self.peak / self.acceleration
     }
 
-    /// Duration of the motion along the path, in seconds.
+    /// Returns the duration of the motion along the path, in seconds.
     pub(crate) fn duration(&self) -> f64 {
         if self.length > 0.0 { self.length / self.peak + self.ramp() } else { 0.0 }
     }
 
-    /// Distance covered after `time`, and the speed there.
+    /// Returns the distance after `time`, and the speed at that point.
     pub(crate) fn at(&self, time: f64) -> Along {
         let left = self.duration() - time;
         if left <= 0.0 {
@@ -44,14 +44,14 @@ impl Profile {
     }
 }
 
-/// A place on the way, and the speed there.
+/// Point on the path, and the speed there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Along {
     pub(crate) distance: f64,
     pub(crate) speed: f64,
 }
 
-/// Slowing down to a stop from a place on the way.
+/// Deceleration to a stop from a point on the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Brake {
     from: Along,
@@ -59,17 +59,17 @@ pub(crate) struct Brake {
 }
 
 impl Brake {
-    /// Slowing down from a place and its speed; the deceleration must be positive.
+    /// Creates a deceleration from a point and its speed; the deceleration must be positive.
     pub(crate) fn new(from: Along, deceleration: f64) -> Self {
         Self { from, deceleration }
     }
 
-    /// Duration of the braking, in seconds.
+    /// Returns the duration of the braking, in seconds.
     pub(crate) fn duration(&self) -> f64 {
         self.from.speed / self.deceleration
     }
 
-    /// The place after `time`.
+    /// Returns the point after `time`.
     pub(crate) fn at(&self, time: f64) -> Along {
         let time = time.clamp(0.0, self.duration());
         let speed = self.from.speed - self.deceleration * time;
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn a_long_way_has_a_part_of_even_speed() {
-        // Up in 2 s over 20, along 60 at 20 for 3 s, down in 2 s over 20.
+        // Accelerates for 2 s over 20, moves 60 at 20 for 3 s, and decelerates for 2 s over 20.
         let profile = Profile::new(100.0, 20.0, 10.0);
         assert!(close(profile.duration(), 7.0));
         for (time, distance, speed) in

@@ -1,4 +1,4 @@
-//! A planned motion, and the one that runs.
+//! Planned and running motions.
 
 use jaka_motion::{Model, Transform};
 
@@ -6,33 +6,33 @@ use super::path::{ArmPath, Joints};
 use super::profile::{Along, Brake, Profile};
 use crate::clock::CYCLE;
 
-/// A motion that has been accepted.
+/// Accepted motion.
 #[derive(Debug, Clone)]
 pub(crate) struct Planned {
     pub(crate) path: ArmPath,
     pub(crate) profile: Profile,
     pub(crate) deceleration: f64,
     pub(crate) end: Joints,
-    /// Zone in which the next motion may begin before this one has ended; it begins at the end if there is none.
+    /// Zone in which the next motion may begin before the end of this one; without it, the next one begins at the end.
     pub(crate) zone: Option<Zone>,
 }
 
-/// Zone in which a motion may go over into the next one.
+/// Zone in which a motion may blend into the next one.
 #[derive(Debug, Clone)]
 pub(crate) struct Zone {
-    /// The tool on the flange.
+    /// Tool frame relative to the flange.
     tool: Transform,
-    /// Pose of the tool at the end of the motion, and the distance from it at which the next may begin, in millimetres.
+    /// Pose of the tool at the end of the motion, and the radius around it in which the next may begin, in millimetres.
     end: Transform,
     radius: f64,
 }
 
-/// The motion that runs.
+/// Running motion.
 #[derive(Debug, Clone)]
 pub(super) struct Running {
     pub(super) planned: Planned,
     length: f64,
-    /// Time on the profile, or on the brake: it stands still in a pause, and goes slowly at a low rate.
+    /// Time on the profile, or of the braking: it stops in a pause, and passes slowly at a low rate.
     time: f64,
     pub(super) brake: Option<Brake>,
 }
@@ -52,10 +52,10 @@ impl Running {
         Self { length: planned.path.length(), planned, time: 0.0, brake: None }
     }
 
-    /// The share of the way done at the end of a cycle, and whether the motion has ended there.
+    /// Returns the share of the path at the end of a cycle, and whether the motion ends there.
     pub(super) fn cycle(&mut self, rate: f64) -> (f64, bool) {
         let (along, ended) = if let Some(brake) = self.brake {
-            // Braking is not slowed down.
+            // The rate does not slow down braking.
             self.time += CYCLE.as_secs_f64();
             (brake.at(self.time), self.time >= brake.duration())
         } else {
@@ -65,7 +65,7 @@ impl Running {
         (self.share(along), ended)
     }
 
-    /// Begins to brake, unless it does already.
+    /// Starts braking, unless it has already started.
     pub(super) fn brake(&mut self) {
         if self.brake.is_none() {
             let along = self.planned.profile.at(self.time);
@@ -74,7 +74,7 @@ impl Running {
         }
     }
 
-    /// Joint position at the end of the motion, or at the end of its braking if it brakes.
+    /// Returns the joint position at the end of the motion, or at the end of its braking.
     pub(super) fn stop(&self, model: &Model, reference: Joints) -> Joints {
         let Some(brake) = self.brake else { return self.planned.end };
         self.planned.path.at(self.share(brake.at(brake.duration())), model, reference).unwrap_or(reference)

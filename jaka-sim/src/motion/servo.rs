@@ -17,58 +17,58 @@ use crate::clock::CYCLE;
 use crate::trips::{self, Observed, Trip};
 use crate::underrun::Underrun;
 
-/// The greatest speed of a joint in servo mode, in deg/s (4.15).
+/// Greatest speed of a joint in servo mode, in deg/s (4.15).
 const MAX_SPEED: f64 = 180.0;
 
-/// Greatest number of set-points that may wait. A client that keeps the pace has one or two.
+/// Greatest number of waiting set-points. A client with the correct period has one or two.
 const MOST: usize = 1000;
 
-/// The acceleration of a set-point that comes this long after the one before is that from rest. No period is as long.
+/// Time between set-points beyond which the acceleration counts from rest. No period is as long.
 const GAP: Duration = Duration::from_millis(100);
 
-/// A joint that is slower than this stands still, in deg/s.
+/// Speed below which a joint is at rest, in deg/s.
 const STILL: f64 = 1e-6;
 
-/// The error of a controller that cannot compute joint positions for a pose.
+/// Error code of a controller that cannot compute joint positions for a pose.
 const NO_INVERSE: u32 = 0x0f_0004;
 
-/// Servo mode, from where it was entered: the set-points that wait, and the one that is under way.
+/// Servo mode since its entry: the waiting set-points, and the active one.
 #[derive(Debug, Clone)]
 pub(crate) struct Servo {
     waiting: VecDeque<SetPoint>,
-    /// The cycles left of the set-point that is under way.
+    /// Remaining cycles of the active set-point.
     left: u32,
     reference: ServoReference,
     filter: Filter,
     /// Commanded joint positions, in degrees.
     commanded: Joints,
     underrun: Underrun,
-    /// For how long set-points have been missing while there was speed.
+    /// Time without set-points after one with speed.
     dry: Duration,
     trips: Vec<Trip>,
     /// Time of arrival of the last set-point.
     last: Duration,
-    /// Error that has ended servo mode, as a code of the vendor's table.
+    /// Error that ended servo mode, as a code of the vendor's table.
     error: Option<u32>,
 }
 
-/// Position and speed to which the set-points have led by now.
+/// Present position and speed along the set-points.
 #[derive(Debug, Clone, Copy)]
 struct ServoReference {
     joints: Joints,
-    /// Over the period of the last set-point, or after a run-out the last cycle, in deg/s.
+    /// Speed over the period of the last set-point, or after a run-out over the last cycle, in deg/s.
     speed: Joints,
     space: Space,
 }
 
-/// Space in which a set-point is given.
+/// Space of a set-point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Space {
     Joints,
     Pose,
 }
 
-/// A set-point that has been received.
+/// Received set-point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SetPoint {
     pub(crate) target: Joints,
@@ -88,7 +88,7 @@ pub(crate) struct ServoOptions<'a> {
 }
 
 impl Servo {
-    /// Servo mode of an arm that is at rest.
+    /// Creates the servo mode of an arm at rest.
     pub(crate) fn new(at: Joints, options: ServoOptions<'_>, model: &Model) -> Self {
         Self {
             waiting: VecDeque::new(),
@@ -104,12 +104,12 @@ impl Servo {
         }
     }
 
-    /// Joint position to which the set-points lead, in degrees.
+    /// Returns the joint position at the last set-point, in degrees.
     pub(crate) fn tail(&self) -> Joints {
         self.waiting.back().map_or(self.reference.joints, |last| last.target)
     }
 
-    /// Takes a set-point. One that asks more than 180 deg/s of a joint has no effect, unless the drives trip on it.
+    /// Adds a set-point. A set-point with more than 180 deg/s for a joint has no effect, unless the drives trip on it.
     pub(crate) fn push(&mut self, set_point: SetPoint) {
         let speed = set_point.speed(self.tail());
         let within = speed.iter().all(|speed| speed.abs() <= MAX_SPEED + 1e-6);
@@ -124,7 +124,7 @@ impl Servo {
         }
     }
 
-    /// Forgets the set-points that wait.
+    /// Discards the waiting set-points.
     pub(super) fn stop(&mut self) {
         self.waiting.clear();
         self.left = 0;
@@ -136,12 +136,12 @@ impl Servo {
         !self.waiting.is_empty() || is_dry || !self.filter.is_settled(self.commanded, &self.reference)
     }
 
-    /// Takes the error that has ended servo mode, as a code of the vendor's table.
+    /// Takes the error that ended servo mode, as a code of the vendor's table.
     pub(crate) fn take_error(&mut self) -> Option<u32> {
         self.error.take()
     }
 
-    /// One cycle: where the joints are commanded to be.
+    /// Computes one cycle, and returns the commanded joint position.
     pub(super) fn cycle(&mut self, model: &Model) -> Joints {
         if !self.waiting.is_empty() {
             self.approach();
@@ -157,7 +157,7 @@ impl Servo {
         self.commanded
     }
 
-    /// An even share of the way to the set-point.
+    /// Moves an equal share of the distance to the set-point.
     fn approach(&mut self) {
         let Some(next) = self.waiting.front().copied() else { return };
         if self.left == 0 {
@@ -175,12 +175,12 @@ impl Servo {
         }
     }
 
-    /// The event of a set-point that asks for these speeds and accelerations, if there is one.
+    /// Returns the event for a set-point with these speeds and accelerations, if there is one.
     fn trip(&self, command_speed: Joints, command_acceleration: Joints) -> Option<u32> {
         trips::error(&self.trips, &Observed { command_speed, command_acceleration, ..Observed::default() })
     }
 
-    /// Judges a set-point by the one before, each over its period.
+    /// Checks a set-point against the previous one, each over its period.
     fn begin(&mut self, next: SetPoint) {
         let ServoReference { joints, speed: before, .. } = self.reference;
         let speed = next.speed(joints);
@@ -191,7 +191,7 @@ impl Servo {
         self.dry = Duration::ZERO;
     }
 
-    /// A cycle without a set-point after one that had speed.
+    /// Computes a cycle without a set-point after one with speed.
     fn run_dry(&mut self, model: &Model) {
         self.dry += CYCLE;
         match self.underrun {
@@ -202,7 +202,8 @@ impl Servo {
         }
     }
 
-    /// Goes on at the last speed, which all joints lose at the same rate, at most as far as the joints' ranges.
+    /// Continues at the last speed, which decreases at the same rate for all joints, up to the end of the joints'
+    /// ranges.
     fn run_out(&mut self, deceleration: f64, model: &Model) {
         let ServoReference { joints, speed, .. } = &mut self.reference;
         let cycle = CYCLE.as_secs_f64();
@@ -225,12 +226,12 @@ impl ServoReference {
 }
 
 impl SetPoint {
-    /// Its nominal period, in seconds.
+    /// Returns the nominal period, in seconds.
     fn period(&self) -> f64 {
         CYCLE.as_secs_f64() * f64::from(self.cycles.max(1))
     }
 
-    /// Speeds of the joints on the path from a position to the set-point, in deg/s.
+    /// Returns the speeds of the joints on the path from a position to the set-point, in deg/s.
     fn speed(&self, from: Joints) -> Joints {
         std::array::from_fn(|i| (self.target[i] - from[i]) / self.period())
     }

@@ -1,4 +1,4 @@
-//! Writes status packets to a reader, with their fault.
+//! Writer of status packets with a fault.
 
 use std::io::{self, ErrorKind};
 use std::sync::Arc;
@@ -8,19 +8,19 @@ use crate::StatusFault;
 use crate::fault::{PacketWrites, Sent};
 use crate::link::Wire;
 
-/// The least time between two packets.
+/// Shortest period of packets.
 pub(super) const LEAST_PERIOD: Duration = Duration::from_millis(1);
 
-/// Writes packets to a reader, with their fault.
+/// Writer of packets to a reader, with the present fault.
 #[derive(Debug)]
 pub(super) struct PacketWriter<'s> {
     wire: &'s Arc<Wire>,
     fault: StatusFault,
-    /// Since the fault was set.
+    /// Counts since the fault was set.
     sent: Sent,
 }
 
-/// The time between two packets, which is `usual` if nothing is wrong.
+/// Returns the period of packets, which is `usual` without a fault.
 pub(super) fn period(fault: &StatusFault, usual: Duration) -> Duration {
     fault.period(usual).max(LEAST_PERIOD)
 }
@@ -34,12 +34,12 @@ impl<'s> PacketWriter<'s> {
         &self.fault
     }
 
-    /// Writes bytes as they are.
+    /// Writes bytes unchanged.
     pub(super) fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.wire.send(bytes)
     }
 
-    /// Writes a packet as its fault says. An error says that the connection ends.
+    /// Writes a packet with the present fault. An error means that the connection ends.
     pub(super) fn send_packet(&mut self, packet: &[u8]) -> io::Result<()> {
         self.sent.packets = self.sent.packets.wrapping_add(1);
         let PacketWrites { pieces, close } = self.fault.writes(packet, &self.sent);

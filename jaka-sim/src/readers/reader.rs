@@ -1,4 +1,4 @@
-//! One reader of status packets.
+//! Reader of status packets.
 
 use std::collections::VecDeque;
 use std::io;
@@ -13,7 +13,7 @@ use crate::link::{Links, Wire};
 use crate::replay::ReplaySession;
 use crate::{Port, StatusFault};
 
-/// One reader, which is sent a packet each period and messages in between.
+/// Reader that gets a packet each period and messages in between.
 #[derive(Debug)]
 pub(crate) struct Reader {
     wire: Arc<Wire>,
@@ -26,7 +26,7 @@ pub(crate) struct Reader {
 
 #[derive(Debug, Default)]
 struct Outbox {
-    /// Each caller that has something written waits for it, so there are never many.
+    /// Messages to write; never many, since each caller waits for its message.
     messages: VecDeque<Message>,
     posted: u64,
     done: u64,
@@ -36,11 +36,11 @@ struct Outbox {
 /// Message to a reader's thread, which the thread handles between the periodic packets.
 #[derive(Debug, Clone)]
 pub(super) enum Message {
-    /// Packets are written with this from now on.
+    /// Sets the fault of all later packets.
     Fault(StatusFault),
-    /// Writes a packet, with what is wrong with packets.
+    /// Writes a packet with the present fault.
     Packet(Arc<[u8]>),
-    /// Writes bytes as they are.
+    /// Writes bytes unchanged.
     Bytes(Arc<[u8]>),
     /// The time of the next packet may have changed.
     Reschedule,
@@ -59,12 +59,12 @@ impl Reader {
         Ok(Self { wire, fault, outbox: Mutex::default(), changed, time })
     }
 
-    /// Writes a packet at once, and then one each period if a period is given, until the connection ends.
+    /// Writes a packet at once, and then one each period if there is a period, until the connection ends.
     pub(crate) fn run(&self, period: Option<Duration>, packet: impl Fn() -> Vec<u8>) {
         self.end(self.write(period, packet));
     }
 
-    /// Writes the packets of a recording, until it or the connection ends.
+    /// Writes the packets of a recording, until the recording or the connection ends.
     pub(crate) fn replay(&self, packets: RecordedPackets, session: &ReplaySession) {
         self.end(self.write_recorded(packets, session));
     }
@@ -113,7 +113,7 @@ impl Reader {
             match self.next(due) {
                 NextTask::Packet => {
                     writer.send_packet(&packet())?;
-                    // One period after the last was due, unless that time has passed.
+                    // One period after the last due time, unless that time has passed.
                     last = due.filter(|due| Some(self.time.elapsed(*due)) < period).unwrap_or_else(|| self.time.now());
                 }
                 NextTask::Message(message) => self.handle(message, &mut writer)?,
@@ -132,7 +132,7 @@ impl Reader {
         outbox.messages.pop_front().map_or(NextTask::Packet, NextTask::Message)
     }
 
-    /// Has the thread do something, and gives its number to wait for.
+    /// Posts a message to the thread, and returns its number to wait for.
     pub(super) fn post(&self, message: Message) -> u64 {
         let mut outbox = lock(&self.outbox);
         if !outbox.closed {
@@ -143,13 +143,13 @@ impl Reader {
         outbox.posted
     }
 
-    /// Waits until what has this number is done, or never will be.
+    /// Waits until the message with this number is done or discarded.
     pub(super) fn wait_for(&self, number: u64) {
         let done = |outbox: &Outbox| outbox.closed || outbox.done >= number;
         drop(self.changed.wait_until(&self.outbox, Duration::MAX, done));
     }
 
-    /// Ends the connection, as its link lets it, and wakes the thread.
+    /// Ends the connection, subject to its link, and wakes the thread.
     pub(super) fn close(&self) {
         let mut outbox = lock(&self.outbox);
         outbox.closed = true;

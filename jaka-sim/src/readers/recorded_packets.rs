@@ -1,4 +1,4 @@
-//! Packets from a recording.
+//! Packets of a recording.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -8,7 +8,7 @@ use jaka_clock::Clock;
 use super::packet_writer::LEAST_PERIOD;
 use crate::replay::{ReplaySession, Script, ScriptStep};
 
-/// The packets of one connection of a recording, each with its time.
+/// Packets of one connection of a recording, with their times.
 #[derive(Debug)]
 pub(crate) struct RecordedPackets {
     script: Arc<Script>,
@@ -38,7 +38,7 @@ impl RecordedPackets {
         }
     }
 
-    /// Time at which the next step is due; `None` if that is not known yet, or there is none.
+    /// Returns the time at which the next step is due; `None` if it is unknown, or there is no step.
     pub(super) fn due(&self, session: &ReplaySession) -> Option<Instant> {
         let next = match self.last {
             Some(last) => last.checked_add(self.period)?,
@@ -49,12 +49,12 @@ impl RecordedPackets {
                 session.packet_due(&self.script, *at, self.began, next)
             }
             Some(ScriptStep::Expect { .. } | ScriptStep::Gap { .. }) => Some(self.began),
-            // After the last packet, it is repeated each period.
+            // Repeats the last packet each period.
             None => self.script.last.as_ref().map(|_| next),
         }
     }
 
-    /// Takes the step that is due; `None` if there is nothing to do in it.
+    /// Takes the step that is due; `None` if it sends nothing.
     pub(super) fn take(&mut self) -> Option<RecordedStep> {
         let step = self.script.steps.get(self.position);
         self.position += 1;

@@ -2,24 +2,23 @@
 
 use jaka_proto::wire::{Decode, Reader, Value};
 
-/// Up to here every whole number has a float of its own.
+/// Limit up to which every whole number has an exact float.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
-/// True if two messages are the same JSON, or, where one is not JSON, the same text.
+/// Whether two messages are the same JSON, or, if one is not JSON, the same text.
 pub(crate) fn is_same(a: &str, b: &str) -> bool {
     a == b || canonical(a) == canonical(b)
 }
 
-/// The one text for all that is the same JSON: no blanks, keys in order, whole numbers without their form. What is not
-/// JSON stays as it is.
+/// Returns a text that is equal for equal JSON: no blanks, keys in order, whole numbers in one form. Text other than
+/// JSON stays unchanged.
 pub(super) fn canonical(text: &str) -> String {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
     value.map_or_else(|_| text.to_owned(), |value| with_float_numbers(value).to_string())
 }
 
-/// The value with each number as a float, unless it is a whole number that no float is equal to. Keys are in order in
-/// any case.
+/// Converts each number to a float, except whole numbers without an equal float. Keys are always in order.
 fn with_float_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) => match number.as_f64() {

@@ -1,4 +1,4 @@
-//! Arrival of requests: status packets wait for the requests that were sent before them in the recording.
+//! Arrival of requests: status packets wait for the requests recorded before them.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use jaka_clock::{Clock, lock};
 use jaka_proto::recording::{Event, Port, Recording};
 
-/// The requests of all command connections, in the order of their recorded times.
+/// Requests of all command connections, in the order of their recorded times.
 #[derive(Debug)]
 pub(super) struct Dependencies {
     recorded: Vec<Duration>,
@@ -18,18 +18,18 @@ pub(super) struct Dependencies {
 struct Arrivals {
     /// Time of arrival of each request.
     came: Vec<Option<Instant>>,
-    /// So many have come without one missing between them.
+    /// Number of requests that have come without a gap.
     whole: usize,
 }
 
-/// Request for which a packet waits.
+/// Request on which a packet waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dependency {
-    /// Nothing: no request was sent before it.
+    /// No request was recorded before the packet.
     None,
-    /// The last request before it has come, then, and was recorded at this time.
+    /// The last request before the packet came at this instant, and was recorded at this time.
     Came(Instant, Duration),
-    /// A request that has not come yet.
+    /// A request has not come yet.
     Awaited,
 }
 
@@ -43,7 +43,7 @@ impl Dependencies {
         Self { recorded, arrivals: Mutex::new(Arrivals { came, whole: 0 }), time: time.clone() }
     }
 
-    /// The request that was recorded at this time has come, or never will.
+    /// Records that the request of this recorded time has come or never will.
     pub(super) fn came(&self, recorded: Duration) {
         let first = self.recorded.partition_point(|time| *time < recorded);
         let mut arrivals = lock(&self.arrivals);
@@ -55,7 +55,7 @@ impl Dependencies {
         }
     }
 
-    /// Dependency of a message that was recorded at this time.
+    /// Returns the dependency of a message recorded at this time.
     pub(super) fn before(&self, recorded: Duration) -> Dependency {
         let count = self.recorded.partition_point(|time| *time < recorded);
         let Some(last) = count.checked_sub(1) else { return Dependency::None };

@@ -7,36 +7,37 @@ jaka_proto::worded! {
     #[derive(Debug, Clone, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum Deviation {
-        /// Another request came than the recorded one. The connection was closed.
+        /// The client sent another request than the recorded one. The controller closed the connection.
         OtherRequest {
-            /// The recorded request.
+            /// Recorded request.
             expected: String,
-            /// The request that came.
+            /// Received request.
             received: String,
         } => "expected the recorded request `{expected}`, but received `{received}`",
-        /// A request came where the recorded client sent nothing more. The connection was closed.
+        /// The client sent a request after the last recorded one. The controller closed the connection.
         FurtherRequest {
-            /// The request that came.
+            /// Received request.
             received: String,
         } => "received `{received}`, but no further request was recorded",
-        /// The client ended its connection before it sent what the recorded one sent.
+        /// The client disconnected before it sent a recorded request.
         MissingRequest {
-            /// The recorded request.
+            /// Recorded request.
             expected: String,
         } => "expected the recorded request `{expected}`, but the client disconnected",
-        /// A request came to which no reply is left. It was refused.
+        /// The recording has no reply left for a request. The controller refused it.
         NoReplyLeft {
-            /// The request that came.
+            /// Received request.
             received: String,
         } => "the recording has no unused reply to `{received}`",
-        /// The recording lacks entries, since its file could not be written as fast. The connection was closed there.
+        /// The recording lacks entries, since writing the file was too slow. The controller closed the connection
+        /// there.
         Gap {
             /// Number of missing entries.
             count: u64,
         } => "{count} entries are missing in the recording at this point",
-        /// A connection was made that the recording does not have. It was closed.
+        /// The client opened a connection that the recording does not have. The controller closed it.
         Connection {
-            /// The port.
+            /// Port.
             port: Port,
             /// Number of connections to the port in the recording.
             recorded: usize,

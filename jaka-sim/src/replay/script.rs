@@ -9,14 +9,14 @@ use jaka_proto::recording::{Ending, Entry, Event, Message, Port, Recording};
 /// Events on one connection of a recording, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Script {
-    /// Beginning of the connection in the recording.
+    /// Start of the connection in the recording.
     pub(crate) start: Duration,
     pub(crate) steps: Vec<ScriptStep>,
-    /// The last of the messages that are JSON objects: the status that stays.
+    /// Last message that is a JSON object, which is the final status.
     pub(crate) last: Option<Message>,
 }
 
-/// One step; times count from the beginning of the connection.
+/// Step of a script; times count from the start of the connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum ScriptStep {
     /// The client sends a request.
@@ -25,15 +25,15 @@ pub(crate) enum ScriptStep {
     Send { bytes: Vec<u8>, at: Duration },
     /// The controller ends the connection.
     End { by: Ending, at: Duration },
-    /// So many entries are missing.
+    /// This many entries are missing.
     Gap { count: u64 },
 }
 
-/// The connections to a port.
+/// Returns the scripts of the connections to a port.
 pub(super) fn scripts(recording: &Recording, port: Port) -> Vec<Arc<Script>> {
     let mut numbers = Vec::new();
     for entry in recording.entries.iter().filter(|entry| entry.port == port) {
-        // An error alone is that of a connection that was not made; what happened to motions is the program's own.
+        // A connection with only an error was never opened; events of motions belong to the program.
         if !matches!(entry.event, Event::Error { .. } | Event::Motion { .. }) && !numbers.contains(&entry.connection) {
             numbers.push(entry.connection);
         }
@@ -52,7 +52,7 @@ fn script<'e>(entries: impl Iterator<Item = &'e Entry>) -> Script {
 }
 
 impl Script {
-    /// The times of the requests.
+    /// Returns an iterator over the times of the requests.
     pub(crate) fn requests(&self) -> impl Iterator<Item = Duration> {
         self.steps.iter().filter_map(|step| match step {
             ScriptStep::Expect { at, .. } => Some(*at),
@@ -77,7 +77,7 @@ impl Script {
         }
     }
 
-    /// Adds bytes to send. Bytes that were recorded at the same time form one piece.
+    /// Adds bytes to send. Merges bytes with the same recorded time into one piece.
     fn send(&mut self, more: &[u8], time: Duration) {
         match self.steps.last_mut() {
             Some(ScriptStep::Send { bytes, at }) if *at == time => bytes.extend_from_slice(more),

@@ -1,4 +1,4 @@
-//! The state in which a controller starts: that of the document's example replies, where it prints one.
+//! Initial state of a controller: that of the document's example replies, if it prints them.
 
 use std::collections::{BTreeMap, HashMap};
 use std::{array, io};
@@ -13,11 +13,11 @@ use jaka_proto::wire::Typed;
 use super::{AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, State, TorqueSensor, Trajectory};
 use crate::spec_index::SpecIndex;
 
-/// Joint positions at the start: the arm bent, its flange down, and no joint near its end.
+/// Initial joint positions: the arm is bent, its flange points down, and no joint is near its end.
 const HOME: [f64; 6] = [0.0, 90.0, 90.0, 90.0, -90.0, 0.0];
 
 impl State {
-    /// The state in which a controller starts.
+    /// Returns the initial state of a controller.
     pub(crate) fn initial(spec_index: &SpecIndex, model: &Model) -> io::Result<Self> {
         let power = spec_index.example::<power::GetRobotState>()?;
         let program = spec_index.example::<program::GetLoadedProgram>()?;
@@ -31,7 +31,7 @@ impl State {
             on_soft_limit: 0,
             error_code: NO_ERROR.to_owned(),
             error_message: String::new(),
-            // The version and the inputs follow from the firmware.
+            // The firmware sets the version and the inputs.
             version: String::new(),
             joint_position: HOME.into(),
             // The pose follows from the joints.
@@ -69,7 +69,7 @@ impl State {
             admittance: admittance(spec_index)?,
             remembered: BTreeMap::new(),
         };
-        // The document answers that servo mode is on, and that the arm has no power.
+        // The document's replies have servo mode on, and the arm without power.
         state.make_consistent();
         Ok(state)
     }

@@ -1,4 +1,4 @@
-//! Parts of the state that belong together.
+//! Parts of the state.
 
 use jaka_proto::messages::force::{
     AdmittanceAxis, ComplianceType, GetToolPayloadReply, GetTorqSensorPayloadIdentifyResultReply, IdentifyStatus,
@@ -7,7 +7,7 @@ use jaka_proto::messages::force::{
 use jaka_proto::messages::network::NetworkExceptionAction;
 use jaka_proto::messages::types::Pose;
 
-/// A tool frame or a user frame.
+/// Tool frame or user frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// Offset of the frame.
@@ -35,17 +35,17 @@ pub struct Trajectory {
     pub file_names: Vec<String>,
 }
 
-/// The torque sensor at the end of the arm.
+/// Torque sensor at the end of the arm.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct TorqueSensor {
-    /// Raw switch of the sensor, 0 or 1: sources contradict each other on which of them is on.
+    /// Raw switch of the sensor, 0 or 1. Sources contradict each other on the value for on.
     pub mode: i64,
     /// Whether the sensor works. No command sets it, since sources contradict each other on the mode that is on.
     pub working: bool,
-    /// The contact force that it measures while it works, as packets show it: along the axes of the tool frame in use,
-    /// N and Nm, of which the document says nothing. Follows from a [`Contact`](crate::Contact), and stays as it is set
-    /// without one.
+    /// Contact force of a working sensor, as in packets: along the axes of the tool frame in use, in N and Nm. The
+    /// document does not define the axes and units. A [`Contact`](crate::Contact) sets it; without one it keeps its
+    /// value.
     pub contact_force: [f64; 6],
     /// Connection to the sensor.
     pub communication: TorqueSensorCommunication,
@@ -57,11 +57,11 @@ pub struct TorqueSensor {
     pub payload: GetToolPayloadReply,
     /// Progress of the identification of the payload.
     pub identify_status: IdentifyStatus,
-    /// Result of the identification, past or to come.
+    /// Result of the identification, past or future.
     pub identified: GetTorqSensorPayloadIdentifyResultReply,
 }
 
-/// Control that yields to forces.
+/// Force-compliant control.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AdmittanceControl {
@@ -73,7 +73,7 @@ pub struct AdmittanceControl {
     pub compliance_type: ComplianceType,
     /// Whether sensor compensation is on.
     pub sensor_compensation: bool,
-    /// Forces and torques that are the condition for compliant control, as last set.
+    /// Forces and torques of the condition for compliant control, as last set.
     pub condition: [f64; 6],
     /// Parameters of compliance in velocity, as last set.
     pub velocity: VelocityCompliance,

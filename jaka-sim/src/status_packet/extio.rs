@@ -1,4 +1,4 @@
-//! Extension I/O modules in the shape of port 10000, which is not that of their query.
+//! Extension I/O modules in their form on port 10000, which differs from the form in their query.
 
 use jaka_proto::messages::io::{ExtioModule, ExtioPins, ExtioSetup, ExtioStatus};
 use jaka_proto::messages::status::ExtioReport;
@@ -7,14 +7,14 @@ use serde_json::json;
 
 use super::json;
 
-/// The modules as a status packet shows them; `report` is one to fill in. None where a value does not fit.
+/// Returns the modules for a status packet; `report` is a report to fill in. `None` if a value does not fit.
 pub(super) fn filled(mut report: ExtioReport, status: &ExtioStatus, id: Option<&str>) -> Option<ExtioReport> {
     let ExtioStatus { modules, state, .. } = status;
     report.pin_states.digital_inputs = state.digital_inputs.clone().unwrap_or_default();
     report.pin_states.digital_outputs = state.digital_outputs.clone().unwrap_or_default();
     report.pin_states.analog_inputs = state.analog_inputs.clone().unwrap_or_default();
     report.pin_states.analog_outputs = state.analog_outputs.clone().unwrap_or_default();
-    // With newer firmware a module has the states of all of its pins, also where nothing was set.
+    // With newer firmware a module has the states of all of its pins, also without any set.
     if id.is_some() {
         let (counts, pins) = (pin_counts(modules), &mut report.pin_states);
         pins.digital_inputs.resize(counts[0].max(pins.digital_inputs.len()), false);
@@ -25,15 +25,15 @@ pub(super) fn filled(mut report: ExtioReport, status: &ExtioStatus, id: Option<&
     report.setup = modules.iter().map(|module| decoded(&setup(module, id))).collect::<Option<_>>()?;
     report.count = status.count;
     report.pin_maps = modules.iter().map(|module| decoded(&pin_map(module))).collect::<Option<_>>()?;
-    // By the document's words on this key.
+    // Follows the document's description of this key.
     report.mode = i64::from(!state.running);
     Some(report)
 }
 
-/// Pins of a module of one kind that are shown at most.
+/// Greatest number of shown pins of a module, of each kind.
 const MOST_PINS: usize = 256;
 
-/// Numbers of digital inputs, digital outputs, analog inputs and analog outputs of all modules.
+/// Returns the numbers of digital inputs, digital outputs, analog inputs and analog outputs of all modules.
 fn pin_counts(modules: &[ExtioModule]) -> [usize; 4] {
     let mut counts = [0; 4];
     for module in modules {
@@ -46,7 +46,7 @@ fn pin_counts(modules: &[ExtioModule]) -> [usize; 4] {
     counts
 }
 
-/// A value of a type that only its codec makes.
+/// Decodes a value of a type without a public constructor.
 fn decoded<T: Decode>(json: &str) -> Option<T> {
     T::decode(&mut Reader::new(json)).ok()
 }

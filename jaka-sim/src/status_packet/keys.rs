@@ -1,10 +1,10 @@
-//! The keys of status packets.
+//! Keys of status packets.
 
 use std::iter::once;
 
 use jaka_spec::{Field, Spec};
 
-/// The keys that newer firmware sends among the others, by their names in the spec, after the one that is before them.
+/// Additional keys of newer firmware, by their names in the spec, after the key that precedes them.
 const NEWER: &[(&str, &[&str])] = &[
     ("torque_sensor", &["joint_velocities"]),
     ("joint_actual_position", &["joint_commanded_position"]),
@@ -31,7 +31,7 @@ const NEWER: &[(&str, &[&str])] = &[
     ("point_key", &["motion_line", "error_add_line", "tool_rs_signals"]),
 ];
 
-/// All keys in the order in which controllers send them. Firmware leaves some out; none that is known has another
+/// Returns all keys in the order in which controllers send them. Some firmware omits keys; none is known with another
 /// order.
 pub(super) fn in_order(spec: &Spec) -> impl Iterator<Item = &Field> {
     let fields = spec.status_fields();

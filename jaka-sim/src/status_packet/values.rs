@@ -1,4 +1,4 @@
-//! Contents of status packets by the state.
+//! Contents of status packets for a state.
 
 use std::iter::repeat_n;
 
@@ -14,13 +14,13 @@ use crate::State;
 use crate::firmware::Shape;
 use crate::state::TorqueSensor;
 
-/// Serial signals at the tool, of which there can be eight; none is set.
+/// Number of serial signals at the tool (up to eight), none of which is set.
 const RS_SIGNALS: usize = 8;
-/// Six values of which none is measured.
+/// Six values without a measurement.
 const NO_READINGS: [f64; 6] = [0.0; 6];
 
-/// The contents of a packet, with the keys of the firmware: what the state has, and the values of a captured packet
-/// where no part of the state determines them.
+/// Returns the contents of a packet, with the keys of the firmware: the values of the state, and those of a captured
+/// packet where the state does not determine them.
 ///
 /// `extio` is a report on extension I/O modules to fill in.
 pub(super) fn status(state: &State, shape: &Shape, extio: Option<&ExtioReport>) -> RobotStatus {
@@ -89,7 +89,7 @@ fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
     status.function_inputs = Some(Typed::Raw(functions.chain(repeat_n(json!([-1, -1]), unassigned)).collect()));
 }
 
-/// The keys of newer firmware but those of fieldbuses.
+/// Sets the keys of newer firmware, except those of fieldbuses.
 fn newer(state: &State, status: &mut RobotStatus) {
     status.joint_velocities = Some(NO_READINGS.to_vec().into());
     status.joint_commanded_position = Some(state.joint_commanded_position);
@@ -100,8 +100,8 @@ fn newer(state: &State, status: &mut RobotStatus) {
     (status.motion_line, status.error_add_line) = (Some(0.into()), Some(0.into()));
 }
 
-/// The inputs and outputs of fieldbuses, with the lengths of a captured packet. Nothing sets the inputs. Analog outputs
-/// are taken to count their places as digital ones do.
+/// Sets the inputs and outputs of fieldbuses, with the lengths of a captured packet. The simulator never sets the
+/// inputs. It assumes that analog outputs count their places as digital ones do.
 fn fieldbuses(state: &State, status: &mut RobotStatus) {
     let inputs = |count| Some(vec![false; count].into());
     let values = |count| Some(vec![0.0; count].into());
@@ -123,21 +123,21 @@ fn fieldbuses(state: &State, status: &mut RobotStatus) {
     status.ethernet_ip_adapter_analog_outputs = analog(DigitalOutputKind::EthernetIp, 48);
 }
 
-/// The first outputs of a place; those that have not been set are off.
+/// Returns the first outputs of a place; outputs not set are off.
 fn digital_outputs(state: &State, kind: DigitalOutputKind, count: usize) -> Vec<bool> {
     (0..).map(|index| state.digital_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// The first outputs of a place; those that have not been set are 0.
+/// Returns the first outputs of a place; outputs not set are 0.
 fn analog_outputs(state: &State, kind: AnalogOutputKind, count: usize) -> Vec<f64> {
     (0..).map(|index| state.analog_outputs.get(&(kind, index)).copied().unwrap_or_default()).take(count).collect()
 }
 
-/// Value of the torque sensor. The raw reading is taken to be the contact force. The sensor's mode does not tell that
-/// it works, since sources disagree on the mode that is on.
+/// Returns the value of the torque sensor. The raw reading is assumed to be the contact force. The sensor's mode does
+/// not show whether it works, since sources disagree on the mode that is on.
 fn torque_sensor(sensor: &TorqueSensor, readings: usize) -> Value {
     let payload = json!([sensor.payload.mass, <[f64; 3]>::from(sensor.payload.centroid)]);
-    // No command sets the parameters of a serial line, and nothing prints any.
+    // No command sets the parameters of a serial line, and no source shows any.
     let connection = match sensor.communication {
         TorqueSensorCommunication::Rs485 => json!([]),
         _ => json!([sensor.address, sensor.port]),

@@ -1,4 +1,4 @@
-//! List of what happens at a time or on a condition.
+//! Schedule of events and conditions.
 
 use std::io;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use super::World;
 use crate::happening::{Happening, Scheduled};
 use crate::trigger::Condition;
 
-/// Happenings in the order of their times, and conditions that do not hold yet.
+/// Events in the order of their times, and conditions that do not hold yet.
 #[derive(Debug, Default)]
 pub(super) struct Schedule {
     happenings: Vec<Scheduled>,
@@ -15,28 +15,28 @@ pub(super) struct Schedule {
 }
 
 impl World {
-    /// Has something happen at once.
+    /// Applies an event at once.
     pub(crate) fn happen(&mut self, happening: &Happening) {
         happening.happen(&mut self.state, &self.links);
         self.make_consistent();
     }
 
-    /// Has something happen at its time, or at once where that has passed.
+    /// Schedules an event for its time; at once if that has passed.
     pub(crate) fn schedule(&mut self, scheduled: Scheduled) -> io::Result<()> {
         scheduled.happening.check(&self.state)?;
         self.schedule.happenings.push(scheduled);
-        // What is for the same time stays in its order.
+        // The sort is stable: events of the same time keep their order.
         self.schedule.happenings.sort_by_key(|scheduled| scheduled.at);
         self.run_schedule();
         Ok(())
     }
 
-    /// Time of what happens next.
+    /// Returns the time of the next event.
     pub(crate) fn next_due(&self) -> Option<Duration> {
         self.schedule.happenings.first().map(|scheduled| scheduled.at)
     }
 
-    /// Has happen what is due.
+    /// Applies the events that are due.
     pub(super) fn run_schedule(&mut self) {
         let due = self.schedule.happenings.partition_point(|scheduled| scheduled.at <= self.now);
         if due == 0 {
@@ -48,13 +48,13 @@ impl World {
         self.make_consistent();
     }
 
-    /// Waits for a condition, which may hold already.
+    /// Adds a condition, which may hold already.
     pub(crate) fn watch(&mut self, condition: Condition) {
         self.schedule.conditions.push(condition);
         self.ask_conditions();
     }
 
-    /// Number of conditions that do not hold yet.
+    /// Returns the number of conditions that do not hold yet.
     pub(super) fn conditions(&self) -> usize {
         self.schedule.conditions.len()
     }

@@ -1,4 +1,4 @@
-//! Halves of a connection, each of which one thread at a time takes out of the state.
+//! Halves of a connection. One thread at a time takes a half out of the state.
 
 use std::any::Any;
 use std::io;
@@ -16,7 +16,7 @@ use crate::Disconnect;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
 
-/// About how much goes out in one write: after it a stop can go out.
+/// Approximate number of bytes in one write, after which a stop can be sent.
 const PIECE: usize = 4096;
 
 /// Longest time for which a write blocks. Afterwards the thread checks its deadline and the connection.
@@ -56,12 +56,12 @@ impl Outbound {
     }
 }
 
-/// The write timeout that the socket has, so that it is set only where it must change.
+/// Current write timeout of the socket, so that it is set only if it must change.
 #[derive(Debug, Default)]
 pub(super) struct WriteTimeout(Duration);
 
 impl WriteTimeout {
-    /// Sets a timeout that is no longer than the time left. A shorter one does, too: a thread that waits to the end
+    /// Sets a timeout that is no longer than the time left. A shorter one is kept: a thread that waits to the end
     /// writes a few times more.
     pub(super) fn set(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
         if !self.0.is_zero() && self.0 <= left.max(SHORTEST) {
@@ -70,7 +70,7 @@ impl WriteTimeout {
         self.change(stream, (left / 8 * 7).clamp(SHORTEST, SLICE))
     }
 
-    /// Sets a longer one after a write that had to wait, where there is time for it.
+    /// Sets a longer timeout after a write that had to wait, if there is time for it.
     pub(super) fn lengthen(&mut self, stream: &Socket, left: Duration) -> io::Result<()> {
         if self.0 < SLICE && left >= SLICE { self.change(stream, SLICE) } else { Ok(()) }
     }
@@ -90,8 +90,8 @@ type Panic = Box<dyn Any + Send>;
 pub(super) struct Inbound {
     pub(super) framer: Framer,
     timeout: receive::ReadTimeout,
-    /// A panic of a logger, or of what reads a reply for its caller. It goes on once the receiving half is back in its
-    /// place.
+    /// Panic of a logger, or of the code that reads a reply for its caller. It resumes once the receiving half is back
+    /// in the state.
     pub(super) panic: Option<Panic>,
 }
 
@@ -104,7 +104,7 @@ impl Inbound {
         receive::chunk(stream, tap, &mut self.framer, &mut self.timeout, left)
     }
 
-    /// Attributes all messages that have been read, up to the waiter's own reply, and says how many there were.
+    /// Attributes all messages that have been read, up to the waiter's own reply, and returns their number.
     pub(super) fn attribute(
         &mut self,
         tap: &Tap,
@@ -122,14 +122,14 @@ impl Inbound {
         Ok(count)
     }
 
-    /// The bytes that belong to no message yet.
+    /// Bytes that belong to no message yet.
     pub(super) fn partial(&self) -> &[u8] {
         self.framer.partial()
     }
 }
 
-/// Attributes a reply, also where a logger, or what reads the reply for its waiter, panics: whose it is has nothing to
-/// do with them.
+/// Attributes a reply, even if a logger, or the code that reads the reply for its waiter, panics: the attribution does
+/// not depend on them.
 fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> Result<Option<Panic>, Disconnect> {
     let read = panic::catch_unwind(AssertUnwindSafe(|| {
         log::trace!(target: WIRE, "<- {text}");

@@ -15,7 +15,7 @@ use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
 
 impl Link {
-    /// Puts the receiving half back, and lets a panic go on that was held up.
+    /// Puts the receiving half back, and resumes a panic that it holds.
     pub(super) fn put_back(&self, state: &mut LinkState, mut inbound: Box<Inbound>) {
         let payload = inbound.panic.take();
         state.inbound = Some(inbound);
@@ -25,13 +25,13 @@ impl Link {
         }
     }
 
-    /// Attributes what has been read and not attributed. Where another thread reads, it attributes all that it has
-    /// read.
+    /// Attributes the messages that have been read and not attributed. While another thread reads, that thread
+    /// attributes all that it has read.
     pub(super) fn attribute_read(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| self.attribute_all(inbound, state))
     }
 
-    /// The state, once what has come is read, without waiting.
+    /// Returns the state after the bytes that have come are read, without waiting.
     pub(super) fn arrived(&self) -> MutexGuard<'_, LinkState> {
         let mut state = self.state.lock();
         if let Err(cause) = self.attribute_arrived(&mut state) {
@@ -40,11 +40,11 @@ impl Link {
         state
     }
 
-    /// Reads what has come, without waiting, and attributes it.
+    /// Reads the bytes that have come, without waiting, and attributes their messages.
     pub(super) fn attribute_arrived(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         self.with_inbound(state, |inbound, state| {
-            // No other thread reads. A thread that sends may be waiting in the socket, which must block then: what was
-            // read has to do.
+            // No other thread reads. A thread that sends may be waiting in the socket, which must block then: only
+            // bytes that were read are attributed.
             if state.mode == Mode::Blocking && state.outbound.is_none() {
                 return self.attribute_all(inbound, state);
             }
@@ -60,9 +60,9 @@ impl Link {
         })
     }
 
-    /// Finds out whether the controller has ended the connection, without waiting, where no thread sends or reads. A
-    /// reply that nobody waits for is not read where nothing is outstanding: it breaks the connection, and a stop may
-    /// have to go out first. An end behind it is not seen then.
+    /// Detects an end of the connection by the controller, without waiting, if no thread sends or reads. While nothing
+    /// is outstanding, it does not read a reply that nobody waits for: such a reply breaks the connection, and a stop
+    /// may have to be sent first. It does not see an end behind such a reply.
     pub(super) fn notice_end(&self, state: &mut LinkState) -> Result<(), Disconnect> {
         if state.outbound.is_none() {
             return Ok(());
@@ -101,7 +101,7 @@ impl Link {
         done
     }
 
-    /// Waits for the reply to a command that was sent, puts its text into `text`, and has `reader` read it. A refusal
+    /// Waits for the reply to a command that was sent, puts its text into `text`, and lets `reader` read it. A refusal
     /// is an error.
     pub(crate) fn wait(&self, sent: &Sent<'_>, text: &mut String, reader: &mut dyn ReadReply) -> Result<(), Error> {
         let mut waiter = Waiter::new(sent.request, text, reader);
@@ -111,7 +111,7 @@ impl Link {
         outcome.map_err(|error| self.attach(error))
     }
 
-    /// The outcome of the request that a waiter waits for; `None` if nothing has within `timeout`.
+    /// Outcome of the request that a waiter waits for; `None` without one within `timeout`.
     pub(super) fn outcome<'l>(
         &'l self,
         mut state: MutexGuard<'l, LinkState>,
@@ -136,7 +136,7 @@ impl Link {
         }
     }
 
-    /// Reads once for all, or sleeps while another thread does.
+    /// Reads once for all threads, or sleeps while another thread reads.
     pub(super) fn turn<'l>(
         &'l self,
         mut state: MutexGuard<'l, LinkState>,
@@ -148,7 +148,7 @@ impl Link {
             drop(stream);
             return self.state.wait(state, left);
         };
-        // Bytes that have been read before come first: they may be all that anybody waits for.
+        // Bytes that were read before come first: they may be the only ones that a thread waits for.
         let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
         if matches!(attributed, Ok(0)) {
             attributed = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
@@ -181,8 +181,7 @@ impl Link {
     }
 
     /// Sends a command whose reply is polled for, without a deadline: see [`poll`](Self::poll).
-    /// [`forget`](Self::forget) gives up a reply that is no longer wanted. A send that takes longer than the reply
-    /// timeout fails.
+    /// [`forget`](Self::forget) gives up the reply. A send that takes longer than the reply timeout fails.
     pub fn ask(
         &self,
         by: Handle,
@@ -193,9 +192,9 @@ impl Link {
         self.send(&outgoing.in_forms_of(self.firmware()), write)
     }
 
-    /// Waits for the reply to a question at most `slice`, puts its text into `text` and has `reader` read it; false if
-    /// it has not come by then, and it can be polled for again. A slice of zero looks at what has come. A refusal is an
-    /// error, which answers the question too.
+    /// Waits for the reply to a question for at most `slice`, puts its text into `text` and lets `reader` read it.
+    /// Returns false if it has not come by then, and the caller can poll again. A slice of zero checks the bytes that
+    /// have come. A refusal is an error, which answers the question too.
     pub fn poll(
         &self,
         question: &Sent<'_>,

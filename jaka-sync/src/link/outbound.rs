@@ -27,7 +27,7 @@ impl Drop for Unawaited<'_> {
     }
 }
 
-/// Commands that went out.
+/// Commands that were sent.
 #[derive(Debug)]
 pub(crate) struct Dispatched {
     /// The last of the commands.
@@ -40,11 +40,11 @@ pub(crate) struct Dispatched {
 
 impl Link {
     /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with
-    /// an index; of long ones, not all go out at once.
+    /// an index. Of long requests, only some are sent at once.
     ///
-    /// The gate is asked, and the commands are entered, under the lock by the thread whose turn it is: the exchange has
-    /// the order of the wire, and nothing goes out after a stop that the gate knows of. Between the gate and the write
-    /// no code of the program's own runs; the logger gets its lines afterwards, when others can send again.
+    /// The thread whose turn it is asks the gate and enters the commands under the lock: the exchange has the order of
+    /// the wire, and nothing is sent after a stop that the gate knows of. Between the gate and the write no code of the
+    /// program runs. The logger gets its lines afterwards, when other threads can send again.
     pub(super) fn transmit<R>(
         &self,
         outgoing: &Outgoing<'_>,
@@ -55,7 +55,7 @@ impl Link {
         let mut lines = log::log_enabled!(target: WIRE, log::Level::Trace).then(Vec::new);
         let dispatched = self.dispatch(outgoing, gate, count, write, lines.as_mut())?;
         if let Some(lines) = lines {
-            // After a panic of the logger no thread waits for the reply.
+            // If the logger panics, no thread waits for the reply.
             let unawaited = (!outgoing.is_posted).then(|| Unawaited { link: self, request: dispatched.last });
             for line in lines {
                 log::trace!(target: WIRE, "-> {line}");
@@ -65,7 +65,7 @@ impl Link {
         Ok(dispatched)
     }
 
-    /// Sends without logging; `lines` gets what was sent.
+    /// Sends without logging; `lines` gets the requests that were sent.
     fn dispatch<R>(
         &self,
         outgoing: &Outgoing<'_>,
@@ -81,7 +81,7 @@ impl Link {
         };
         outgoing.check_firmware().map_err(|error| self.attach(error))?;
         outbound.out.set_firmware(outgoing.firmware);
-        // After a panic in code that writes, nothing that was not sent is left.
+        // A panic of the writing code leaves no request: none is entered yet, and the next call clears the buffer.
         outbound.compose(count, write);
         state.check_reserved(outgoing).map_err(|error| self.attach(error))?;
         gate.map_or(Ok(()), |gate| gate()).map_err(SendError::KeptBack)?;
@@ -101,7 +101,7 @@ impl Link {
         Ok(sent.map_err(|error| self.attach(error))?)
     }
 
-    /// Enters what is to go out into the exchange.
+    /// Enters the composed requests into the exchange.
     fn enter(&self, state: &mut LinkState, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
         outbound.texts().for_each(|text| self.tap.sent(text));
         let now = outgoing.is_posted.then(|| self.clock.now());
@@ -116,7 +116,7 @@ impl Link {
         }
     }
 
-    /// Writes what is to go out until its deadline, and says how many bytes the system has taken.
+    /// Writes the composed requests until the deadline, and returns the number of bytes that the system has taken.
     fn write(&self, outbound: &mut Outbound, stream: &Socket, outgoing: &Outgoing<'_>) -> io::Result<usize> {
         let (bytes, mut written) = (outbound.out.as_str().as_bytes(), 0);
         while written < bytes.len() {
@@ -141,7 +141,7 @@ impl Link {
         Ok(written)
     }
 
-    /// Has the socket block, so that the next write waits in it.
+    /// Makes the socket blocking, so that the next write waits in it.
     fn wait_in_writes(&self) -> io::Result<()> {
         let mut state = self.state.lock();
         if state.broken.is_some() {
@@ -150,7 +150,7 @@ impl Link {
         Self::switch(&mut state, Mode::Blocking)
     }
 
-    /// The outcome of a write. A request written in part cannot be taken back, and nothing can be sent after it.
+    /// Outcome of a write. A request written in part cannot be taken back, and nothing can be sent after it.
     fn written(
         &self,
         state: &mut LinkState,
@@ -178,14 +178,14 @@ impl Link {
         Err(self.disconnected(outgoing.command, Transmission::Sent, self.break_off(state, cause)))
     }
 
-    /// Waits until no other thread sends, and no stop waits to.
+    /// Waits until no other thread sends, and no stop waits for the turn.
     pub(super) fn take_turn<'l>(
         &'l self,
         outgoing: &Outgoing<'_>,
     ) -> Result<(Turn<'l>, MutexGuard<'l, LinkState>), Error> {
         let mut state = self.state.lock();
         loop {
-            // None of what has been read and not attributed is a reply to a command that goes out now.
+            // No message that has been read and not attributed is a reply to a command that is sent now.
             if let Err(cause) = self.attribute_read(&mut state) {
                 self.break_off(&mut state, cause);
             }
@@ -203,13 +203,14 @@ impl Link {
     }
 }
 
-/// Takes back what was entered and not sent at all. It is the last that was entered: no other thread had the turn.
+/// Withdraws the entered requests of which nothing was sent. They are the last entered ones: no other thread had the
+/// turn.
 fn withdraw(state: &mut LinkState, outbound: &Outbound) -> Result<(), Disconnect> {
     let mut requests = outbound.requests.iter().rev();
     requests.try_for_each(|(_, request)| state.exchange.withdraw(*request)).map_err(Disconnect::OutOfSync)
 }
 
-/// The turn to send, which the next one has when this is dropped.
+/// Turn to send. Dropping it passes the turn to the next thread.
 #[derive(Debug)]
 pub(super) struct Turn<'l> {
     link: &'l Link,
@@ -226,7 +227,7 @@ impl Drop for Turn<'_> {
     }
 }
 
-/// A stop that is on its way: until it is dropped, no other command begins to go out.
+/// Stop that is being sent. Until it is dropped, no thread starts to send another command.
 #[derive(Debug)]
 pub(super) struct Passing<'l>(&'l Link);
 

@@ -12,11 +12,11 @@ use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
 use super::not_sent_in_time;
 use crate::{Error, ErrorKind};
 
-/// Right of way where several threads wait for their turn to send.
+/// Priority among threads that wait for their turn to send.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Right {
     Usual,
-    /// A stop passes all others.
+    /// A stop, which precedes all others.
     Stop,
 }
 
@@ -34,17 +34,17 @@ impl Handle {
 pub struct Reservation {
     /// Reason for the error of a command that is kept back.
     pub because: &'static str,
-    /// Decides whether a command passes; none for a command that neither the spec nor its caller knows.
+    /// Decides whether a command passes; `None` for a command that neither the spec nor its caller knows.
     pub lets_pass: fn(Option<&CommandInfo>) -> bool,
 }
 
-/// Question that the thread whose turn it is to send asks as the last thing before a command goes out: its error, the
-/// reason, keeps the command back. What another thread sends meanwhile goes out after it, or has gone out before.
+/// Check by the sending thread, immediately before it sends a command: an error, the reason, keeps the command back.
+/// Another thread's command is sent either before the check or after this command.
 ///
-/// The question is asked under the lock of the connection: it must not use the connection.
+/// The check runs under the lock of the connection: it must not use the connection.
 pub type Gate<'g, R> = Option<&'g dyn Fn() -> Result<(), R>>;
 
-/// Gate of commands that nothing keeps back.
+/// Gate that keeps no command back.
 pub(crate) const OPEN: Gate<'static, Infallible> = None;
 
 /// Error of a command that was not sent, or failed.
@@ -71,7 +71,7 @@ impl From<SendError<Infallible>> for Error {
     }
 }
 
-/// Request of any type, as it goes out.
+/// Request of any type that can be sent.
 pub trait Written {
     /// Checks it against the spec, as [`Command::check`].
     ///
@@ -79,7 +79,7 @@ pub trait Written {
     /// As [`Command::check`].
     fn check(&self, rules: Rules) -> Result<(), NotSent>;
 
-    /// Writes it as it goes over the wire.
+    /// Writes it in its wire form.
     fn write(&self, out: &mut Writer);
 }
 
@@ -97,28 +97,28 @@ impl<C: Command> Written for C {
 pub(crate) struct Outgoing<'o> {
     /// The command as its caller names it.
     pub(super) command: &'o str,
-    /// The name that replies to it have.
+    /// Name of the command in its replies.
     pub(super) name: Cow<'static, str>,
-    /// Start of the timeout: the wait for the turn, and the sending, count towards it.
+    /// Start of the timeout, which includes the wait for the turn and the sending.
     pub(super) since: Stopwatch,
     pub(super) timeout: Duration,
     pub(super) right: Right,
-    /// Whether the outcomes are counted, with no thread waiting for one in particular.
+    /// Whether the outcomes are counted, and no thread waits for one in particular.
     pub(super) is_posted: bool,
     pub(super) by: Handle,
-    /// Facts of the command; none for one that neither the spec nor its caller knows.
+    /// Facts of the command; `None` for one that neither the spec nor its caller knows.
     pub(super) info: Option<&'static CommandInfo>,
     /// Firmware in whose forms it is written, and its reply is read.
     pub(super) firmware: Option<FirmwareVersion>,
 }
 
 impl<'o> Outgoing<'o> {
-    /// A command of the spec, whose time begins now.
+    /// Command of the spec, whose time begins now.
     pub(crate) fn of(clock: &Clock, info: &'static CommandInfo, timeout: Duration) -> Self {
         Self { info: Some(info), ..Self::unknown(clock, info.name, Cow::Borrowed(info.name), timeout) }
     }
 
-    /// Any command, whose time begins now; `name` is the name that its reply has, and by which the spec knows it.
+    /// Any command, whose time begins now. `name` is its name in the reply and in the spec.
     pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
         Self { info: CommandInfo::of(&name), ..Self::unknown(clock, command, name, timeout) }
     }
@@ -142,7 +142,7 @@ impl<'o> Outgoing<'o> {
         Self { firmware, ..self }
     }
 
-    /// Fails where the firmware decides its form and is not known.
+    /// Fails if the form depends on the firmware and the firmware is unknown.
     pub(super) fn check_firmware(&self) -> Result<(), Error> {
         match self.info {
             Some(info) if info.needs_firmware && self.firmware.is_none() => {
@@ -157,17 +157,17 @@ impl<'o> Outgoing<'o> {
         Self { by, ..self }
     }
 
-    /// Sets the right of way of the command.
+    /// Sets the priority of the command.
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
     }
 
-    /// True where it changes nothing. A command that is not known may change anything.
+    /// True if the command changes nothing. An unknown command may change anything.
     pub(super) fn is_query(&self) -> bool {
         self.info.is_some_and(|info| info.effect == Effect::Query)
     }
 
-    /// True where poses may mean something else after it.
+    /// True if the meaning of poses may change with the command.
     pub(super) fn changes_frames(&self) -> bool {
         self.info.is_none_or(|info| info.changes.iter().any(|change| change.concerns_poses()))
     }

@@ -1,5 +1,5 @@
-//! Commands whose outcomes are counted, and that no thread waits for in particular: set-points and the commands of a
-//! pipeline.
+//! Posted commands: set-points and the commands of a pipeline. Their outcomes are counted; no thread waits for a
+//! particular one.
 
 use std::time::Duration;
 
@@ -13,25 +13,25 @@ use crate::{Disconnect, Error};
 /// given up. A stop after more requests would be of little use, since the controller processes them first.
 pub(crate) const MOST_OUTSTANDING: usize = 256;
 
-/// The outcomes of commands that were posted, since this was last asked for.
+/// Outcomes of posted commands, since they were last taken.
 #[derive(Debug, Default)]
 pub struct Answers {
     /// Number of accepted commands.
     pub accepted: u64,
-    /// The outcomes of the others, in the order in which they were learnt.
+    /// Outcomes of the others, in the order in which they became known.
     pub failed: Vec<Error>,
 }
 
 impl Link {
-    /// Reads what has come, without waiting, and takes the outcomes of posted commands; and an error if the connection
-    /// is broken. Where another thread is reading, what it has read so far has to do.
+    /// Reads the bytes that have come, without waiting, and returns the outcomes of posted commands, and an error if
+    /// the connection is broken. While another thread reads, only the bytes that it has read so far count.
     pub fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
         (self.take_answers(&mut state), self.check(&state, command, Transmission::Sent))
     }
 
-    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent, and
-    /// takes their outcomes; and an error if the connection is broken.
+    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent.
+    /// Returns their outcomes, and an error if the connection is broken.
     pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
         let mut state = self.state.lock();
         let mut checked = Ok(());
@@ -50,7 +50,7 @@ impl Link {
         (self.take_answers(&mut state), checked)
     }
 
-    /// Number of further commands that may be posted: zero where too many requests are outstanding, including requests
+    /// Number of further commands that may be posted: zero if too many requests are outstanding, including requests
     /// that were given up.
     pub(crate) fn room(&self) -> usize {
         MOST_OUTSTANDING.saturating_sub(self.state.lock().exchange.outstanding())
@@ -76,21 +76,21 @@ impl Link {
         self.state.lock().exchange.posted_outstanding()
     }
 
-    /// True if nothing is outstanding, also nothing that was given up.
+    /// True if no request is outstanding, including requests that were given up.
     pub(crate) fn is_idle(&self) -> bool {
         self.state.lock().exchange.outstanding() == 0
     }
 
-    /// For how long the oldest posted command has been outstanding; none if none is.
+    /// Time for which the oldest posted command has been outstanding; `None` if none is.
     pub fn oldest_posted(&self) -> Option<Duration> {
         self.state.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
-    /// Abandons all posted commands that are outstanding: their replies are discarded when they come. Takes the
-    /// outcomes of the others, and says how many were abandoned.
+    /// Abandons all outstanding posted commands: their replies are discarded when they come. Returns the outcomes of
+    /// the others and the number of abandoned commands.
     pub fn forget_posted(&self) -> (Answers, u64) {
         let mut state = self.state.lock();
-        // A pipeline is dropped also while a panic unwinds, which a logger's must not meet.
+        // A pipeline may be dropped during a panic: then no logger must run, which may panic, too.
         let arrived = if std::thread::panicking() { Ok(()) } else { self.attribute_arrived(&mut state) };
         if let Err(cause) = arrived {
             self.break_off(&mut state, cause);

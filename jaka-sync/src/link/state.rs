@@ -14,10 +14,10 @@ use crate::{Disconnect, Error, ErrorKind};
 
 #[derive(Debug)]
 pub(super) struct LinkState {
-    /// The socket; none once the connection was reset. A thread that reads or writes holds a clone only as long as it
-    /// does, so that a reset closes the socket at once.
+    /// The socket; `None` once the connection was reset. A thread holds a clone only while it reads or writes, so that
+    /// a reset closes the socket at once.
     pub(super) stream: Option<Arc<Socket>>,
-    /// The requests, and their outcomes.
+    /// Requests and their outcomes.
     pub(super) exchange: Exchange,
     /// The sending half; none while a thread sends.
     pub(super) outbound: Option<Box<Outbound>>,
@@ -68,7 +68,7 @@ impl LinkState {
         self.last_number
     }
 
-    /// Fails where the reservation of another handle keeps this back.
+    /// Fails if the reservation of another handle keeps this command back.
     pub(super) fn check_reserved(&self, outgoing: &Outgoing<'_>) -> Result<(), Error> {
         let keeps_back = |by: Handle, reservation: &Reservation| {
             outgoing.right != Right::Stop && outgoing.by != by && !(reservation.lets_pass)(outgoing.info)
@@ -81,7 +81,7 @@ impl LinkState {
         }
     }
 
-    /// Counts what has been entered.
+    /// Counts an entered command, unless it is a query.
     pub(super) fn count_change(&mut self, outgoing: &Outgoing<'_>) {
         if !outgoing.is_query() {
             self.changes += 1;
@@ -105,7 +105,8 @@ impl Drop for Reserved {
 }
 
 impl Link {
-    /// Keeps back what other handles than this one send, but for what passes. Stops of stop handles always do.
+    /// Keeps back the commands of other handles than this one, unless the reservation lets them pass. Stops of stop
+    /// handles always pass.
     pub fn reserve(self: &Arc<Self>, by: Handle, reservation: Reservation) -> Reserved {
         let mut state = self.state.lock();
         let number = state.next_number();
@@ -113,7 +114,7 @@ impl Link {
         Reserved { link: Arc::clone(self), number }
     }
 
-    /// Another handle of the connection.
+    /// Creates another handle of the connection.
     pub(crate) fn new_handle(&self) -> Handle {
         Handle(self.state.lock().next_number())
     }

@@ -1,7 +1,7 @@
 //! Interleavings of threads that share a monitor's board: a thread that waits is always woken.
 //!
-//! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a wake-up that is lost is a deadlock,
-//! which it reports with the schedule that leads to it.
+//! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a lost wake-up is a deadlock, which
+//! shuttle reports with its schedule.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -25,7 +25,7 @@ fn check(test: fn()) {
     shuttle::check_pct(test, SCHEDULES, SWITCHES);
 }
 
-/// A monitor without a connection, and what its thread would be.
+/// Monitor without a connection, and the worker of its thread.
 fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
     let board = Arc::new(Board::new(&config.clock, BoardState::new(None, Tap::default(), None)));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
@@ -52,7 +52,7 @@ fn each_waiter_is_woken_by_its_packet_or_by_the_end() {
         };
         let (second, never) = (waiting(2), waiting(3));
         two_packets(worker);
-        // The newest packet may have been looked at too late, when the connection had ended.
+        // The connection may have ended before the thread looked at the newest packet.
         match second.join().expect("it does not panic") {
             Ok(found) => assert_eq!((found.status, found.number), (2, 2)),
             Err(error) => assert!(error.is_disconnected(), "{error:?}"),

@@ -10,21 +10,21 @@ use jaka_proto::wire::DecodeError;
 
 use crate::{Disconnect, Snapshot};
 
-/// News of a status port, in the order in which they come.
+/// News of a status port, in their order of arrival.
 #[derive(Debug)]
 pub enum StatusNews<'n, S> {
     /// A packet.
     Packet {
         /// The packet.
         packet: &'n Arc<Snapshot<S>>,
-        /// False where a newer one had come by the time at which it could be told.
+        /// False if a newer packet had come before this one could be passed on.
         is_newest: bool,
     },
-    /// The monitor shows the news from now on: a listener that takes its time does so now.
+    /// The monitor shows the news from now on: a slow listener does its work now.
     Shown,
     /// The newest packet cannot be decoded.
     Unreadable(&'n DecodeError),
-    /// The connection is lost, and is being made again.
+    /// The connection is lost, and the monitor reconnects.
     Reconnecting,
     /// The connection has ended for good.
     Ended(&'n Arc<Disconnect>),
@@ -45,7 +45,8 @@ pub(super) type UserCallback<S> = Box<dyn FnMut(&Arc<Snapshot<S>>) -> ControlFlo
 
 /// Listeners and observers.
 pub(super) struct Observers<S> {
-    /// Listeners of another layer, which are short and keep the arm from moving: no user's observer may delay them.
+    /// Listeners of another layer, which are short and keep the arm from moving: an observer of the user must not delay
+    /// them.
     pub(super) listeners: Vec<Listener<S>>,
     pub(super) users: Vec<UserCallback<S>>,
 }
@@ -55,15 +56,15 @@ impl<S> Observers<S> {
         self.listeners.is_empty() && self.users.is_empty()
     }
 
-    /// Tells the listeners, and forgets those that break. Those that panic leave nothing half done.
+    /// Calls the listeners, and removes those that break. A panic of a listener leaves no state incomplete.
     pub(super) fn tell(&mut self, news: StatusNews<'_, S>) {
         let flow = |listener: &mut Listener<S>| catch_unwind(AssertUnwindSafe(|| listener(news)));
         self.listeners.retain_mut(|listener| flow(listener).map_or(true, |flow| flow.is_continue()));
     }
 
-    /// Calls the users' observers, and forgets those that break or panic.
+    /// Calls the user's observers, and removes those that break or panic.
     pub(super) fn call(&mut self, snapshot: &Arc<Snapshot<S>>) {
-        // Only the observer's own state can be left half done by a panic.
+        // A panic can leave only the observer's own state incomplete.
         let flow = |call: &mut UserCallback<S>| catch_unwind(AssertUnwindSafe(|| call(snapshot)));
         self.users.retain_mut(|call| flow(call).is_ok_and(|flow| flow.is_continue()));
     }
@@ -73,12 +74,12 @@ impl<S> Observers<S> {
         Self { listeners: mem::take(&mut self.listeners), users: Vec::new() }
     }
 
-    /// Takes the users' observers out.
+    /// Takes the user's observers out.
     pub(super) fn take_users(&mut self) -> Self {
         Self { listeners: Vec::new(), users: mem::take(&mut self.users) }
     }
 
-    /// Takes over the observers of another list.
+    /// Adds the observers of another list.
     pub(super) fn join(&mut self, others: Self) {
         self.listeners.extend(others.listeners);
         self.users.extend(others.users);

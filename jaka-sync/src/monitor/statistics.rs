@@ -10,8 +10,8 @@ pub struct MonitorStatistics {
     /// Packets that could be read, including those with fields that do not fit.
     pub packets: u64,
     /// Packets with at least one field that does not fit ([`Snapshot::unfit`](crate::Snapshot::unfit)), which
-    /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: those that are not a JSON
-    /// object, or that a [`Decode`](jaka_proto::wire::Decode) of your own refuses.
+    /// [`packets`](Self::packets) counts, too; and packets that could not be read at all: they are not a JSON object,
+    /// or your own [`Decode`](jaka_proto::wire::Decode) refuses them.
     pub unfit: u64,
     /// Packets that were never the newest, because a newer one had come already. Queues and observers get them; if
     /// there are none, they are not decoded.
@@ -50,7 +50,7 @@ const RECENT: usize = 32;
 const ENOUGH: usize = 10;
 
 impl Counters {
-    /// A packet came that can be read.
+    /// Counts a packet that can be read.
     pub(super) fn packet(&mut self, now: Instant) {
         self.counted.packets += 1;
         let Some((last, last_gap)) = self.last else {
@@ -71,7 +71,7 @@ impl Counters {
         self.last = Some((now, gap));
     }
 
-    /// The time that follows is not a gap between packets: the connection was lost.
+    /// Ends the series of gaps after a loss of the connection: the time that follows is not a gap between packets.
     pub(super) fn interrupted(&mut self) {
         self.last = None;
         self.recent.clear();
@@ -118,7 +118,7 @@ mod tests {
         let gaps = [0, 50, 8, 8, 8, 8, 8, 8, 8, 8];
         assert!(gaps.into_iter().all(|ms| after(&mut counters, ms).is_none()));
         assert_eq!(after(&mut counters, 8), Some(Duration::from_millis(50)));
-        // 50 ms are forgotten when 32 others have come.
+        // 50 ms are forgotten when 32 other gaps have come.
         let found: Vec<_> = (0..23).map(|_| after(&mut counters, 9)).collect();
         assert_eq!(found[21], Some(Duration::from_millis(50)));
         assert_eq!(found[22], Some(Duration::from_millis(9)));

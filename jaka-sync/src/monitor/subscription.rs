@@ -9,7 +9,7 @@ use crate::sync::Watched;
 
 /// Packets in the order in which they came, from [`Monitor::subscribe`](super::Monitor::subscribe).
 ///
-/// A reader that is too slow loses the oldest packets, and can see how many.
+/// A reader that is too slow loses the oldest packets; [`dropped`](Self::dropped) is their number.
 #[derive(Debug)]
 #[must_use = "packets are queued only as long as the subscription lives"]
 pub struct Subscription<S> {
@@ -44,7 +44,7 @@ impl<S> Queue<S> {
         self.wake();
     }
 
-    /// No more packets will come.
+    /// Marks the end: no more packets will come.
     pub(super) fn close(&self) {
         self.lock().closed = true;
         self.wake();
@@ -52,13 +52,13 @@ impl<S> Queue<S> {
 }
 
 impl<S> Subscription<S> {
-    /// The next packet of the queue; `None` if it is empty.
+    /// Returns the next packet of the queue; `None` if it is empty.
     pub fn try_next_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.queue.lock().waiting.pop_front()
     }
 
-    /// The next packet of the queue, or the one that comes within `timeout`; `None` if none has come, or no more will
-    /// come.
+    /// Returns the next packet of the queue, or waits for one for at most `timeout`; `None` if none has come, or no
+    /// more will come.
     pub fn next_packet_within(&self, timeout: Duration) -> Option<Arc<Snapshot<S>>> {
         let next = self.queue.wait_for(timeout, |items| match items.waiting.pop_front() {
             None if !items.closed => None,
@@ -72,7 +72,7 @@ impl<S> Subscription<S> {
         self.queue.lock().dropped
     }
 
-    /// True if no more packets will come than those in the queue.
+    /// True if no packets will come after those in the queue.
     pub fn is_closed(&self) -> bool {
         self.queue.lock().closed
     }

@@ -13,13 +13,13 @@ use crate::packets::{Between, Packets, Silence};
 use crate::receive::Chunk;
 use crate::{Config, Disconnect, ErrorKind, Snapshot};
 
-/// A read waits at most this long; the end of the connection and of the monitor end it at once.
+/// Longest wait of a read; an end of the connection or of the monitor ends it at once.
 const READ: Duration = Duration::from_secs(1);
 
 /// Longest wait of a read while packets wait to be posted.
 const REST: Duration = Duration::from_millis(1);
 
-/// For how long packets are passed over for newer ones that have come already.
+/// Longest time for which packets are skipped if newer ones have already come.
 const BEHIND: Duration = Duration::from_millis(50);
 
 /// The reader of the status port.
@@ -28,10 +28,10 @@ pub(super) struct Worker<S> {
     address: String,
     config: Config,
     pub(super) number: u64,
-    /// The packet before the latest, whose memory is used again.
+    /// The packet before the latest, whose memory is reused.
     spare: Option<Arc<Snapshot<S>>>,
-    /// Packets that are not the newest any more. They are handed out once the newest is posted: an observer that takes
-    /// its time over an old packet must not delay the newest.
+    /// Packets that were overtaken by the newest. They are handed out once the newest is posted: a slow observer of an
+    /// old packet must not delay the newest.
     passed: Vec<Arc<Snapshot<S>>>,
     silence: Silence,
 }
@@ -41,7 +41,7 @@ impl<S: Decode> Worker<S> {
         Self { board, address, config, number: 0, spare: None, passed: Vec::new(), silence: Silence::default() }
     }
 
-    /// Reads until the monitor is dropped, or the connection ends and is not made again.
+    /// Reads until the monitor is dropped, or until the connection ends and no reconnect follows.
     pub(super) fn run(mut self, packets: Packets) {
         let mut connected = Some(packets);
         while let Some(mut packets) = connected.take() {
@@ -66,9 +66,9 @@ impl<S: Decode> Worker<S> {
         self.board.tell(state);
     }
 
-    /// Reads until the connection ends, and says why it did.
+    /// Reads until the connection ends, and returns the cause.
     fn read(&mut self, packets: &mut Packets) -> Disconnect {
-        // The newest packet, until it is posted, and when the first came of those that have not been.
+        // The newest packet until it is posted, and the time since the first unposted packet came.
         let (mut newest, mut waiting) = (String::new(), None::<Stopwatch>);
         loop {
             let chunk = packets.read(if waiting.is_some() { REST } else { READ });
@@ -77,8 +77,8 @@ impl<S: Decode> Worker<S> {
             match taken {
                 Ok(chunk) => {
                     waiting = waiting.or((!newest.is_empty()).then(|| self.config.clock.stopwatch()));
-                    // Of what has accumulated, all but the end is old. A controller that floods the port never lets
-                    // this catch up.
+                    // All accumulated packets but the last are old. This never catches up with a controller that floods
+                    // the port.
                     let is_behind =
                         chunk == Chunk::Part && waiting.as_ref().is_some_and(|since| since.passed() < BEHIND);
                     if !is_behind && waiting.take().is_some() {
@@ -102,7 +102,7 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Keeps the text of the newest packet that has arrived in full; those before it are passed over.
+    /// Keeps the text of the newest packet that has arrived in full, and skips the packets before it.
     fn take_newest(&mut self, packets: &mut Packets, newest: &mut String) -> Result<(), Disconnect> {
         while packets.next()? {
             if !newest.is_empty() {
@@ -114,7 +114,7 @@ impl<S: Decode> Worker<S> {
         Ok(())
     }
 
-    /// Keeps a packet for queues and observers that is not the newest any more: it may show a stop.
+    /// Keeps an overtaken packet for queues and observers: it may show a stop.
     fn pass_over(&mut self, packet: &str) {
         let mut state = self.board.lock();
         state.counters.counted.skipped += 1;
@@ -136,14 +136,14 @@ impl<S: Decode> Worker<S> {
         }
     }
 
-    /// Decodes a packet. A panic of the user's own decoder is an error like any other.
+    /// Decodes a packet. A panic of the user's own decoder becomes an error.
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
         let (spare, number, clock) = (self.spare.take(), self.number, &self.config.clock);
         let reader = Reader::of_firmware(packet, self.board.lock().firmware);
         let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, reader, number, clock)));
         let mut decoded = decoded
             .unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))?;
-        // Nobody else has it yet.
+        // No other thread has it yet.
         if let Some(snapshot) = Arc::get_mut(&mut decoded) {
             snapshot.follows_silence = self.silence.is_followed_by(snapshot.received, self.config.stale_after);
         }
@@ -190,8 +190,8 @@ impl<S: Decode> Worker<S> {
         self.board.tell(self.board.lock());
     }
 
-    /// Tells the listeners, and then changes the board: who sees the change there comes after them. One that is added
-    /// meanwhile is told, too.
+    /// Calls the listeners, and then changes the board: a thread that sees the change there comes after them. A
+    /// listener that is added meanwhile is called, too.
     fn tell_then<T>(&self, tell: impl Fn(&mut Observers<S>), change: impl FnOnce(&mut BoardState<S>) -> T) -> T {
         let mut told: Option<Observers<S>> = None;
         let mut state = self.board.lock();
@@ -212,10 +212,10 @@ impl<S: Decode> Worker<S> {
         change(&mut state)
     }
 
-    /// To the queues and the observers.
+    /// Hands a packet to the queues and the observers.
     fn hand_out(&self, snapshot: &Arc<Snapshot<S>>) {
         let mut state = self.board.lock();
-        // The subscription of a queue that is not shared any more has been dropped.
+        // A queue that is not shared belongs to a dropped subscription.
         state.queues.retain(|queue| Arc::strong_count(queue) > 1);
         for queue in &state.queues {
             queue.push(Arc::clone(snapshot));
@@ -232,7 +232,7 @@ impl<S: Decode> Worker<S> {
         state.observers.users = users.users;
     }
 
-    /// Reconnects as the policy says; `None` if the monitor has ended.
+    /// Reconnects by the policy; `None` if the monitor has ended.
     pub(super) fn reconnect(&self, mut cause: Disconnect) -> Option<Packets> {
         for attempt in 0.. {
             let Some(delay) = self.config.reconnect.delay(attempt).filter(|_| !self.board.lock().closing) else {
@@ -258,7 +258,7 @@ impl<S: Decode> Worker<S> {
         None
     }
 
-    /// Waits, and says whether the monitor was dropped meanwhile.
+    /// Waits, and returns whether the monitor was dropped meanwhile.
     fn pause(&self, delay: Duration) -> bool {
         self.tell_then(
             |observers| observers.tell(StatusNews::Reconnecting),
@@ -283,7 +283,7 @@ impl<S: Decode> Worker<S> {
     }
 }
 
-/// Decodes a packet, into the memory of an earlier one that is no longer in use if there is one.
+/// Decodes a packet, into the memory of an unused earlier one if there is one.
 fn decode_over<S: Decode>(
     mut spare: Option<Arc<Snapshot<S>>>,
     mut reader: Reader<'_>,

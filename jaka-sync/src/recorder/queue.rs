@@ -1,4 +1,4 @@
-//! The entries that wait for the writer.
+//! Queue of the entries that wait for the writer.
 
 use std::collections::VecDeque;
 use std::io;
@@ -18,7 +18,7 @@ const GATHERING: Duration = Duration::from_millis(5);
 /// Size of an entry without its message, in bytes.
 const OVERHEAD: usize = 128;
 
-/// The entries that wait for the writer. Adding one never waits for the file.
+/// Queue of the entries that wait for the writer. Adding one never waits for the file.
 #[derive(Debug)]
 pub(super) struct EntryQueue {
     state: Mutex<QueueState>,
@@ -44,7 +44,7 @@ impl EntryQueue {
         Self { state: Mutex::default(), changed: Condvar::new(), limit }
     }
 
-    /// Adds an entry, or counts it as dropped where there is no room.
+    /// Adds an entry, or counts it as dropped if there is no room.
     pub(super) fn push(&self, entry: &Arc<Entry>) {
         let mut state = lock(&self.state);
         if state.closed {
@@ -62,7 +62,7 @@ impl EntryQueue {
         }
     }
 
-    /// All entries that wait, some milliseconds after the first of them; `None` once the recording has ended.
+    /// Returns all entries that wait, some milliseconds after the first of them; `None` once the recording has ended.
     pub(super) fn next_batch(&self) -> Option<VecDeque<Arc<Entry>>> {
         let mut state = lock(&self.state);
         while state.waiting.is_empty() {
@@ -84,7 +84,7 @@ impl EntryQueue {
         Some(batch)
     }
 
-    /// Runs the writer, and notes how it has ended, also by a panic.
+    /// Runs the writer, and notes its outcome, even after a panic.
     pub(super) fn serve(&self, write: impl FnOnce(&Self) -> io::Result<()>) {
         let written = catch_unwind(AssertUnwindSafe(|| write(self)));
         let ended = written.unwrap_or_else(|_| Err(io::Error::other("the writer panicked")));
@@ -95,7 +95,7 @@ impl EntryQueue {
         self.changed.notify_all();
     }
 
-    /// Ends the recording: what waits is still written.
+    /// Ends the recording. The entries that wait are still written.
     pub(super) fn close(&self) {
         lock(&self.state).closed = true;
         self.changed.notify_all();

@@ -23,7 +23,7 @@ pub(super) struct Sampler {
 }
 
 impl Sampler {
-    /// Says whether the packet that has come at this time is recorded.
+    /// Decides whether the packet that has come at this time is recorded.
     pub(super) fn takes(&mut self, sampling: StatusSampling, now: Duration) -> bool {
         let number = self.packets;
         self.packets += 1;

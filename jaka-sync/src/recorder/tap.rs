@@ -15,7 +15,7 @@ use crate::{Disconnect, Error};
 /// Number of messages that an error keeps.
 const KEPT: usize = 8;
 
-/// A connection's address, for errors, and what it reports to its recorder; nothing where there is none.
+/// Address of a connection, for errors, and its reports to its recorder, if it has one.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tap {
     address: Arc<str>,
@@ -58,7 +58,7 @@ impl Tap {
         self.address.as_ref().to_owned()
     }
 
-    /// The connection is made.
+    /// Records that the connection is made.
     pub(crate) fn connected(&self, stream: &Socket) {
         let Some(connection) = &self.connection else { return };
         lock(&connection.state).is_open = true;
@@ -66,21 +66,21 @@ impl Tap {
         connection.track.record(Event::Connected { address });
     }
 
-    /// A request goes out.
+    /// Records a request that is sent.
     pub(crate) fn sent(&self, text: &str) {
         if let Some(connection) = &self.connection {
             connection.message(connection.track.now(), Event::Sent(Message::new(text)));
         }
     }
 
-    /// Bytes have come, in which there may be messages.
+    /// Notes the arrival of bytes, which may contain messages.
     pub(crate) fn arrived(&self) {
         if let Some(connection) = &self.connection {
             lock(&connection.state).arrived = connection.track.now();
         }
     }
 
-    /// A message was found in the bytes that came.
+    /// Records a message from the bytes that came.
     pub(crate) fn received(&self, message: &[u8]) {
         if let Some(connection) = &self.connection {
             let time = lock(&connection.state).arrived;
@@ -88,7 +88,7 @@ impl Tap {
         }
     }
 
-    /// A status packet was found in the bytes that came.
+    /// Records a status packet from the bytes that came.
     pub(crate) fn packet(&self, packet: &[u8]) {
         let Some(connection) = &self.connection else { return };
         let time = lock(&connection.state).arrived;
@@ -97,19 +97,19 @@ impl Tap {
         connection.track.push_packet(&entry);
     }
 
-    /// Bytes that do not form a message, or come after the last that will be read.
+    /// Records bytes that do not form a message, or come after the last message that will be read.
     pub(crate) fn stray(&self, bytes: &[u8]) {
         if !bytes.is_empty() {
             self.received(bytes);
         }
     }
 
-    /// A copy of bytes that may have to be recorded later; nothing where nothing is recorded.
+    /// Copy of bytes that may have to be recorded later; empty if nothing is recorded.
     pub(crate) fn copy(&self, bytes: &[u8]) -> Vec<u8> {
         if self.connection.is_some() { bytes.to_vec() } else { Vec::new() }
     }
 
-    /// The connection is broken for good.
+    /// Records that the connection is broken for good.
     pub(crate) fn broken(&self, cause: &Disconnect) {
         let by = match cause {
             Disconnect::Closed { .. } => Ending::Controller,
@@ -119,12 +119,12 @@ impl Tap {
         self.closed(by, || with_source(cause));
     }
 
-    /// This side ends the connection.
+    /// Records that this side ends the connection.
     pub(crate) fn left(&self) {
         self.closed(Ending::Client, || "the program has closed it".to_owned());
     }
 
-    /// Only the first end counts.
+    /// Records the end of the connection. Only the first end counts.
     fn closed(&self, by: Ending, why: impl FnOnce() -> String) {
         let Some(connection) = &self.connection else { return };
         if std::mem::take(&mut lock(&connection.state).is_open) {
@@ -132,7 +132,7 @@ impl Tap {
         }
     }
 
-    /// Something happened to a motion.
+    /// Records an event of a motion.
     pub(crate) fn motion(&self, step: MotionStep, text: impl FnOnce() -> String) {
         if let Some(connection) = &self.connection {
             connection.track.record(Event::Motion { step, text: text() });
@@ -176,7 +176,7 @@ impl Connection {
     }
 }
 
-/// An error's text and its source's.
+/// Text of an error and of its source.
 fn with_source(error: &dyn StdError) -> String {
     error.source().map_or_else(|| error.to_string(), |source| format!("{error}: {source}"))
 }

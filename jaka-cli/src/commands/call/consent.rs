@@ -1,4 +1,4 @@
-//! Asking before something happens to the robot.
+//! Confirmation before a request is sent to the robot.
 
 use jaka_spec::{Command, Effect, Role, words};
 use serde_json::Value;
@@ -13,10 +13,10 @@ use crate::target::packs::Protocol;
 use crate::target::seat;
 use crate::terminal::output;
 
-/// Makes sure that the user wants the request to be sent to the robot of this title.
+/// Asks whether the user wants to send the request to the robot of this title, if necessary.
 ///
 /// # Errors
-/// The user does not, or cannot be asked.
+/// The user declines, or there is no terminal.
 pub(super) fn obtain(
     protocol: &Protocol,
     request: &Request<'_>,
@@ -27,7 +27,7 @@ pub(super) fn obtain(
         return Ok(());
     }
     if is_harmless(protocol, request) {
-        // A stop does not wait for a terminal either.
+        // A stop is not delayed by a warning.
         if !stops(protocol, request) {
             seat::warn(&options.robot);
         }
@@ -46,14 +46,14 @@ pub(super) fn obtain(
     consent::obtain(request, &fields.unwrap_or_default(), title)
 }
 
-/// True for commands that are sent without a question: those that only read, that concern the connection alone, or that
-/// stop the arm, since a stop must not wait.
+/// Whether a command is sent without a question: it only reads, concerns the connection alone, or stops the arm, since
+/// a stop must not wait.
 pub(super) fn is_harmless(protocol: &Protocol, request: &Request<'_>) -> bool {
     let effect = request.command.map(|command| command.effect);
     matches!(effect, Some(Effect::Query | Effect::Session)) || stops(protocol, request)
 }
 
-/// Says at the start which stops of packs are sent with `--yes` alone, since nobody has confirmed their packs.
+/// Warns at the start about stops of packs that need `--yes`, since nobody has confirmed their packs.
 pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
     if protocol.is_confirmed || options.robot.is_simulated() {
         return;
@@ -70,8 +70,8 @@ pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
     }
 }
 
-/// True for a stop or a pause of the built-in spec, and for a stop of a pack that the user has confirmed. What a pack
-/// says of its commands is its author's claim.
+/// Whether the request is a stop or a pause of the built-in spec, or a stop of a pack that the user has confirmed. The
+/// facts in a pack are its author's claim.
 fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
     let Some(command) = request.command else { return false };
     match role(request) {
@@ -81,12 +81,12 @@ fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
     }
 }
 
-/// True for a command of the built-in spec whose request no pack has changed.
+/// Whether this is a command of the built-in spec with a request unchanged by packs.
 fn is_built_in(command: &Command) -> bool {
     builtin::spec().command(&command.wire).is_some_and(|known| known.request == command.request)
 }
 
-/// Role of the request, which may be that of its variant.
+/// Returns the role of the request, which may be that of its variant.
 fn role(request: &Request<'_>) -> Option<Role> {
     let command = request.command?;
     let tag = || {

@@ -1,4 +1,4 @@
-//! Sending a request, and showing what comes back.
+//! Sending of a request, and output of its reply.
 
 use jaka_dynamic::{Departure, Node, Reading, not_in_firmware};
 use jaka_robot::Explanation;
@@ -20,15 +20,15 @@ use crate::target::Target;
 use crate::target::packs::Protocol;
 use crate::terminal::output;
 
-/// Sends the request and prints the reply; with `--dry-run`, prints the bytes alone.
+/// Sends the request and prints the reply; with `--dry-run`, only prints the bytes.
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
     if options.dry_run {
-        // The bytes that would be sent, which are the user's own.
+        // Prints the user's own bytes as they would be sent.
         forms::must_be_known(protocol, request)?;
         return output::write(format!("{}\n", request.text).as_bytes());
     }
     if options.wait {
-        // The text that goes out may have another form.
+        // The outgoing text may have another form.
         drop(wait::must_be_motion(protocol, request, &request.text)?);
     }
     let under_way = UnderWay::begin();
@@ -64,7 +64,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     }
 }
 
-/// Asks the controller for its version, and refuses what that firmware does not have.
+/// Queries the controller's version, and refuses a request that its firmware does not have.
 fn check_firmware(client: &mut Client, spec: &Spec, request: &Request<'_>) -> Result<(), Failure> {
     let firmware = client.check_firmware()?;
     let Some(command) = request.command else { return Ok(()) };
@@ -73,10 +73,10 @@ fn check_firmware(client: &mut Client, spec: &Spec, request: &Request<'_>) -> Re
     missing.map_or(Ok(()), |missing| Err(Error::from(missing).into()))
 }
 
-/// The connection for requests.
+/// Connection for requests.
 pub(super) enum Connection {
     Client(Box<Client>),
-    /// Motions are waited for.
+    /// Robot, for waits for the end of motions.
     Robot(Box<PackedRobot>),
 }
 
@@ -97,7 +97,7 @@ impl Connection {
     }
 }
 
-/// The reply's text; none where the controller may go away instead of replying, and did.
+/// Returns the reply's text; `None` if the controller went away where it may do so instead of replying.
 pub(super) fn send(
     client: &mut Client,
     (request, text): (&Request<'_>, &str),
@@ -115,18 +115,18 @@ pub(super) fn send(
     }
 }
 
-/// True if the controller closed the connection after the request was sent.
+/// Whether the controller closed the connection after the request was sent.
 fn has_ended(error: &Error) -> bool {
     let ErrorKind::Disconnected { sent: true, cause, .. } = error.kind() else { return false };
     matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
 }
 
-/// True if the error is about a reply that came.
+/// Whether the error is about a received reply.
 fn answered(error: &Error) -> bool {
     matches!(error.kind(), ErrorKind::Refused { .. } | ErrorKind::UnexpectedReply { .. })
 }
 
-/// The error with what the spec or a pack says about the controller's code, and what the robot's status says.
+/// Returns the error with the meaning of the controller's code in the spec or a pack, and with the robot's status.
 pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robot::Error>) -> Failure {
     let mut failure = Failure::explained(spec, error);
     if let Failure::Refused { refusal, explanation, .. } = &mut failure {
@@ -137,7 +137,7 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     failure
 }
 
-/// Prints a reply, which is given in the spec's own forms, unless it was printed as it came.
+/// Prints a reply in the spec's own forms, unless it was printed as received.
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
     let reply = Node::reply(spec, request.command, reply::json(text));
     match options.json {
@@ -151,12 +151,12 @@ fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str
     must_fit(request, &reply)
 }
 
-/// The controller's own JSON in one line, with escapes for what cannot be seen.
+/// Prints the controller's own JSON in one line, with escapes for invisible characters.
 fn json_line(text: &str) -> Result<(), Failure> {
     output::line(&visible_json_line(text))
 }
 
-/// Fails if the reply cannot be read as the spec has it.
+/// Returns an error if the reply is unreadable by the spec.
 pub(super) fn must_fit(request: &Request<'_>, reply: &Node<'_>) -> Result<(), Failure> {
     let is_unreadable = |departure: &Departure| departure.reading == Reading::Unreadable;
     let Some((command, first)) = request.command.zip(reply.departures().into_iter().find(is_unreadable)) else {

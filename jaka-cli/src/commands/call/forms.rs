@@ -10,22 +10,22 @@ use super::request::Request;
 use crate::failure::Failure;
 use crate::target::packs::Protocol;
 
-/// Forms of the firmware, where the protocol has several: the controller is asked for its version before the first
-/// request that needs them, and never before another, such as a stop.
+/// Forms of the firmware, if the protocol has several. The first request that needs them queries the controller's
+/// version; other requests, such as a stop, never do.
 #[derive(Debug, Default)]
 pub(super) struct FirmwareForms(Option<Forms>);
 
-/// A request as it goes out.
+/// Request in its outgoing form.
 #[derive(Debug)]
 pub(super) struct Outgoing<'f, 'r> {
     pub(super) text: Cow<'r, str>,
     command: Option<&'r Command>,
-    /// Forms of its reply, if that has several.
+    /// Forms of its reply, if there are several.
     forms: Option<&'f Forms>,
 }
 
 impl FirmwareForms {
-    /// The request in the forms of the controller's firmware.
+    /// Returns the request in the forms of the controller's firmware.
     pub(super) fn of<'f, 'r>(
         &'f mut self,
         protocol: &Protocol,
@@ -50,7 +50,7 @@ impl FirmwareForms {
 }
 
 impl Outgoing<'_, '_> {
-    /// The text of the reply in the spec's own forms.
+    /// Returns the text of the reply in the spec's own forms.
     pub(super) fn reply<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Failure> {
         let (Some(forms), Some(command)) = (self.forms, self.command) else { return Ok(Cow::Borrowed(text)) };
         let own = forms
@@ -60,13 +60,13 @@ impl Outgoing<'_, '_> {
     }
 }
 
-/// True for a command whose request or reply has forms.
+/// Whether the request or the reply of a command has forms.
 fn varies(protocol: &Protocol, command: &Command) -> bool {
     let fields: Vec<_> = command.request.fields().cloned().collect();
     protocol.spec.has_forms(&fields) || protocol.spec.has_forms(protocol.spec.reply_fields(command))
 }
 
-/// Fails for a request whose bytes depend on the firmware, which a dry run does not ask for.
+/// Returns an error for a request with bytes that depend on the firmware, which a dry run does not query.
 pub(super) fn must_be_known(protocol: &Protocol, request: &Request<'_>) -> Result<(), Failure> {
     let fields: Vec<_> = request.command.iter().flat_map(|command| command.request.fields()).cloned().collect();
     if !protocol.spec.has_forms(&fields) {

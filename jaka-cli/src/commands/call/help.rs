@@ -1,4 +1,4 @@
-//! Texts of the list of commands and of the help of one command, from the spec.
+//! Texts of the command list and of the help of one command, from the spec.
 
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -13,17 +13,17 @@ use crate::arm::consent::effect;
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// Description of a command, in one sentence.
+/// Returns the description of a command, in one sentence.
 pub(super) fn about(command: &Command) -> Cow<'_, str> {
     visible_lines(first_sentence(&command.doc).0)
 }
 
-/// Description of a command with its facts, such as its effect and the states that it needs, its errata and its
+/// Returns the description of a command with its facts, such as its effect and required states, its errata and its
 /// evidence.
 pub(super) fn long_about(command: &Command) -> String {
     let mut text = format!("{}\n\n{}", command.doc, facts(command).join("\n"));
     for erratum in &command.errata {
-        // A string takes all that is written.
+        // Writing to a string cannot fail.
         let _ = write!(text, "\n\nErratum: {erratum}");
     }
     if let Some(evidence) = evidence_sentence(&command.evidence) {
@@ -47,9 +47,9 @@ fn facts(command: &Command) -> Vec<String> {
     facts
 }
 
-/// Meaning of the reply's fields.
+/// Returns the meaning of the reply's fields.
 pub(super) fn notes(spec: &Spec, command: &Command) -> String {
-    // What describes the fields of a request describes those of a reply as well.
+    // The description of request fields applies to reply fields as well.
     let as_request = Command { request: Request::Fields(spec.reply_fields(command).to_vec()), ..command.clone() };
     let fields = arguments(spec, &as_request);
     if command.reply == Reply::Raw {
@@ -63,7 +63,7 @@ pub(super) fn notes(spec: &Spec, command: &Command) -> String {
     visible_lines(format!("Reply:\n{}", output::aligned(&rows)).trim_end()).into_owned()
 }
 
-/// A field's help: its meaning, and the variants to which it belongs.
+/// Returns a field's help: its meaning, and its variants.
 pub(super) fn field(argument: &Argument) -> String {
     let mut help = visible(&argument.help.replace('\n', " ")).into_owned();
     if !argument.variants.is_empty() {
@@ -72,7 +72,7 @@ pub(super) fn field(argument: &Argument) -> String {
     if argument.required { help + " [required]" } else { help }
 }
 
-/// Usage line of a command: its required fields, and a placeholder for the rest.
+/// Returns the usage line of a command: its required fields, and a placeholder for the rest.
 pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String]) -> String {
     let mut usage = format!("jaka call {}", command.wire);
     for (argument, long) in arguments.iter().zip(longs) {
@@ -84,10 +84,10 @@ pub(super) fn usage(command: &Command, arguments: &[Argument], longs: &[String])
     usage + if has_more { " [FIELDS] [OPTIONS]" } else { " [OPTIONS]" }
 }
 
-/// The commands by topic, each with one sentence; only those of a topic if it is named.
+/// Returns the commands by topic, with one sentence each; those of one topic if it is named.
 ///
 /// # Errors
-/// There is no such topic; the message lists those that exist.
+/// The topic is unknown; the message lists the topics.
 pub(super) fn list(spec: &Spec, topic: &str) -> Result<String, Failure> {
     let all: Vec<_> = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).collect();
     let wanted: Vec<_> = all.iter().filter(|known| topic.is_empty() || known.name == topic).collect();
@@ -104,7 +104,7 @@ fn section(topic: &Topic) -> String {
     format!("{}: {}\n{}", topic.name, visible(&topic.title), output::aligned(&rows))
 }
 
-/// The names that a command can be called by.
+/// Returns the names of a command.
 fn names(command: &Command) -> String {
     if command.name == command.wire { command.wire.clone() } else { format!("{}, {}", command.wire, command.name) }
 }

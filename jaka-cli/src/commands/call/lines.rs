@@ -1,4 +1,4 @@
-//! Lines of JSON on standard input, each a request, over one connection.
+//! Lines of JSON on standard input, one request each, over one connection.
 
 use std::borrow::Cow;
 use std::io::{BufRead, stdin};
@@ -21,8 +21,8 @@ use crate::target::seat;
 use crate::terminal::exit;
 use crate::terminal::output;
 
-/// Carries out the request of each line, and prints a line for each. Ends at the first that fails, unless it is to go
-/// on.
+/// Carries out the request of each line, and prints a line for each. Ends at the first failure, except with
+/// `--keep-going`.
 ///
 /// # Errors
 /// The first failure.
@@ -66,7 +66,7 @@ struct LineSession<'s> {
 }
 
 impl LineSession<'_> {
-    /// Carries out a line. Returns the value that is printed for it, and the failure, if there is one.
+    /// Carries out a line. Returns the value to print for it, and the failure, if there is one.
     fn answer(&mut self, line: &str) -> (Value, Option<Failure>) {
         let mut answer = json!({});
         if let Some(name) = named_in(line) {
@@ -110,7 +110,7 @@ impl LineSession<'_> {
         }
     }
 
-    /// Fails if the request needs a yes, which cannot be asked for.
+    /// Returns an error if the request needs a confirmation, which this mode cannot ask for.
     fn allow(&self, request: &Request<'_>) -> Result<(), Failure> {
         if self.options.yes || self.options.robot.is_simulated() || consent::is_harmless(self.protocol, request) {
             return Ok(());
@@ -123,7 +123,7 @@ impl LineSession<'_> {
     }
 }
 
-/// The command that a line names, also if it is not sent.
+/// Returns the command named in a line, also if it is not sent.
 fn named_in(line: &str) -> Option<Value> {
     let request: Value = serde_json::from_str(line).ok()?;
     request.get(COMMAND_NAME).filter(|name| name.is_string()).cloned()

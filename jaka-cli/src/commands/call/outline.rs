@@ -1,4 +1,4 @@
-//! Command and packs of a line, which must be known before it can be parsed.
+//! Command and packs of a line, which must be known before parsing.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::words::Words;
 /// Command, packs and rest of a line.
 #[derive(Debug)]
 pub(super) struct Outline {
-    /// Command, as it was typed.
+    /// Command, as typed.
     pub(super) command: Option<String>,
     /// Values of `--pack`.
     pub(super) packs: Vec<PathBuf>,
@@ -20,16 +20,16 @@ pub(super) struct Outline {
     pub(super) config: Option<PathBuf>,
     /// Value of `--robot`.
     pub(super) robot: Option<PathBuf>,
-    /// True if `--raw` is given.
+    /// Whether `--raw` is given.
     pub(super) raw: bool,
-    /// True if `--quiet` is given.
+    /// Whether `--quiet` is given.
     pub(super) quiet: bool,
     /// Line without the command.
     pub(super) rest: Vec<OsString>,
 }
 
 impl Outline {
-    /// Outline of the words of a line. Errors are left to the parser.
+    /// Reads the outline from the words of a line. The parser reports errors.
     pub(super) fn of(mut words: Vec<OsString>) -> Self {
         let known = parser::bare();
         let line = Words::of(&known, &words);
@@ -44,7 +44,7 @@ impl Outline {
         Self { command, packs, config, robot, raw, quiet, rest: words }
     }
 
-    /// Protocol with these packs, or else with those of the environment or the config file.
+    /// Loads the protocol with these packs, or else with those of the environment or the config file.
     pub(super) fn protocol(&self) -> Result<Protocol, Failure> {
         let robot = self.robot.as_deref().and_then(Path::to_str);
         SpecArgs::of(self.packs.clone()).load(Lookup { config: self.config.as_deref(), robot })

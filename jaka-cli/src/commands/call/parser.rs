@@ -1,4 +1,4 @@
-//! clap's description of a command, made from the spec.
+//! clap's description of a command, generated from the spec.
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
@@ -15,10 +15,10 @@ use super::help;
 use super::options::Options;
 use crate::failure::Failure;
 
-/// The usage of `jaka call` where no command is named.
+/// Usage of `jaka call` without a command.
 pub(super) const USAGE: &str = "jaka call [OPTIONS] <COMMAND> [--FIELD <VALUE>]...";
 
-/// Parses lines of one command.
+/// Parser for lines of one command.
 #[derive(Debug)]
 pub(super) struct Parser<'s> {
     spec: &'s Spec,
@@ -26,15 +26,15 @@ pub(super) struct Parser<'s> {
     clap: clap::Command,
 }
 
-/// A parsed line.
+/// Parsed line.
 #[derive(Debug)]
 pub(super) struct CommandLine {
     pub(super) options: Options,
-    /// The fields that are given, as [`jaka_dynamic::request`] takes them.
+    /// Given fields, in the form for [`jaka_dynamic::request`].
     pub(super) fields: Map<String, Value>,
 }
 
-/// The parser of a line without fields.
+/// Returns the parser of a line without fields.
 pub(super) fn bare() -> clap::Command {
     let about = "Send one command of the protocol, and print the reply";
     with_options(clap::Command::new("jaka call"))
@@ -43,19 +43,19 @@ pub(super) fn bare() -> clap::Command {
         .after_help("`jaka call --list` lists the commands, `jaka call COMMAND --help` describes one and its fields.")
 }
 
-/// Adds the options that every command has, after those that are there.
+/// Adds the options of every command, after the existing ones.
 fn with_options(parser: clap::Command) -> clap::Command {
     let help = Arg::new("help").short('h').long("help").action(ArgAction::Help);
     let help = help.help("Print help; -h for a summary").help_heading("Options");
     Options::augment_args(parser.disable_help_flag(true).next_help_heading("Options")).arg(help)
 }
 
-/// A description of `jaka call` without its commands, for the manual.
+/// Returns a description of `jaka call` without its commands, for the manual.
 pub(crate) fn page() -> clap::Command {
     bare().name("call")
 }
 
-/// A description of all commands as subcommands, for the completions of shells.
+/// Returns a description of all commands as subcommands, for the completions of shells.
 pub(crate) fn all(spec: &Spec) -> clap::Command {
     let commands = spec.commands().map(|command| {
         let parser = described(spec, command, &arguments(spec, command));
@@ -66,15 +66,15 @@ pub(crate) fn all(spec: &Spec) -> clap::Command {
 }
 
 impl<'s> Parser<'s> {
-    /// The parser of a command's lines; without a command, of options alone.
+    /// Creates the parser of a command's lines; without a command, of options alone.
     pub(super) fn of(spec: &'s Spec, command: Option<&Command>) -> Self {
         let arguments = command.map(|command| arguments(spec, command)).unwrap_or_default();
         let clap = command.map_or_else(bare, |command| described(spec, command, &arguments));
         Self { spec, arguments, clap }
     }
 
-    /// Explains an option of every command that seems to stand for the field of its name; empty where there is none.
-    /// In a line that can be parsed, that is one whose field is required and not given.
+    /// Explains a given common option that has the name of a field, whose own option is not given; empty if there is
+    /// none. In a valid line, explains it only for a required field.
     pub(super) fn explanation(&self, words: &[OsString], is_parsed: bool) -> String {
         let is_given = |long: &str| {
             let options = words.iter().filter_map(|word| word.to_str()?.strip_prefix("--"));
@@ -84,7 +84,7 @@ impl<'s> Parser<'s> {
         for (argument, long) in self.arguments.iter().zip(longs(&self.arguments)) {
             let name = &argument.name;
             if *name != long && is_given(name) && !is_given(&long) && (argument.required || !is_parsed) {
-                // A string takes all that is written.
+                // Writing to a string cannot fail.
                 let _ = write!(
                     text,
                     "\nhint: `--{name}` is an option of `jaka call`; the field `{}` is given by `--{long}`, or by --params",
@@ -98,7 +98,7 @@ impl<'s> Parser<'s> {
     /// Parses a line without its command.
     ///
     /// # Errors
-    /// It cannot be parsed, or asks for help; or every value that does not have its field's type.
+    /// The line is invalid, or asks for help; or all values that do not have the type of their field.
     pub(super) fn parse(&self, words: Vec<OsString>) -> Result<CommandLine, Failure> {
         let Self { spec, arguments, clap } = self;
         let matches = clap.clone().try_get_matches_from(iter::once("jaka call".into()).chain(words))?;
@@ -122,7 +122,7 @@ fn fields(spec: &Spec, arguments: &[Argument], matches: &ArgMatches) -> Result<M
     if wrong.is_empty() { Ok(fields) } else { Err(Failure::Usage(wrong.join("\n"))) }
 }
 
-/// The id of a field, which differs from those of all options.
+/// Returns the id of a field, which differs from those of all options.
 fn id(argument: &Argument) -> String {
     format!("field {}", argument.name)
 }
@@ -149,19 +149,19 @@ fn described(spec: &Spec, command: &Command, arguments: &[Argument]) -> clap::Co
         .after_long_help(help::notes(spec, command))
 }
 
-/// The options that every command has.
+/// Returns the names of the common options.
 fn common() -> impl Iterator<Item = String> {
     let bare = bare();
     bare.get_arguments().filter_map(Arg::get_long).map(str::to_owned).collect::<Vec<_>>().into_iter()
 }
 
-/// The option of each field.
+/// Returns the option name of each field.
 fn longs(arguments: &[Argument]) -> Vec<String> {
     let mut taken = common().collect();
     arguments.iter().map(|argument| long(&argument.name, &mut taken)).collect()
 }
 
-/// The option of a field; its name must differ from those that all commands have.
+/// Returns the option name of a field, which must differ from the common options.
 fn long(name: &str, taken: &mut BTreeSet<String>) -> String {
     let mut long = name.to_owned();
     while !taken.insert(long.clone()) {
@@ -194,7 +194,7 @@ fn field(argument: &Argument, long: &str) -> Arg {
         .value_parser(Listed::of(argument))
 }
 
-/// Takes any text, and shows the listed values in help.
+/// Value parser that accepts any text, and shows the listed values in help.
 #[derive(Debug, Clone)]
 struct Listed(Vec<PossibleValue>);
 

@@ -1,4 +1,4 @@
-//! Replies and requests as tables: the fields by their names in Rust, with units.
+//! Replies and requests as tables: fields by their names in Rust, with units.
 
 use itertools::Itertools as _;
 use jaka_dynamic::Node;
@@ -12,14 +12,15 @@ use crate::packets::value_rows::Row;
 use crate::terminal::output;
 use crate::text::number::fixed;
 
-/// A reply's JSON; its text as a JSON string where it is not JSON, as a bare Python tuple, or where a key comes twice.
+/// Reads a reply's JSON; returns its text as a JSON string if it is not JSON, such as a bare Python tuple, or has a
+/// duplicate key.
 pub(crate) fn json(text: &str) -> Value {
     let mut reader = Reader::new(text);
     let value = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
     value.unwrap_or_else(|_| text.trim().into())
 }
 
-/// A row for each field that the reply has; `accepted` where it has none.
+/// Returns a row for each field of the reply; `accepted` if it has none.
 pub(super) fn table(reply: &Node<'_>) -> String {
     if reply.is_leaf() {
         return aligned(&[("reply".to_owned(), plain(&reply.found()))]);
@@ -28,7 +29,7 @@ pub(super) fn table(reply: &Node<'_>) -> String {
     if rows.is_empty() { "accepted\n".to_owned() } else { aligned(&rows) }
 }
 
-/// A row for each field of a request.
+/// Returns a row for each field of a request.
 pub(super) fn of_request(spec: &Spec, command: &Command, text: &str) -> String {
     let Value::Object(request) = json(text) else { return String::new() };
     aligned(&rows(&Node::request(spec, command, request)))
@@ -46,7 +47,7 @@ fn rows(message: &Node<'_>) -> Vec<Row> {
     rows
 }
 
-/// Adds the parts, those without a description last.
+/// Adds the parts, with those without a description last.
 fn add_parts(place: &str, node: &Node<'_>, rows: &mut Vec<Row>) {
     let (described, others): (Vec<_>, Vec<_>) = node.parts().iter().partition(|part| part.is_described());
     for part in described.into_iter().chain(others).filter(|part| !part.is_absent()) {
@@ -62,14 +63,14 @@ fn add(place: String, node: &Node<'_>, rows: &mut Vec<Row>) {
             with_unit(node.parts().iter().map(text).join(", "), node.unit())
         }
         _ if !node.is_leaf() => return add_parts(&place, node, rows),
-        // Only numbers have units, not a word in place of a list.
+        // Only numbers have units; a word in place of a list has none.
         Some(Shape::Scalar(scalar)) if scalar.is_number() => with_unit(text(node), node.unit()),
         _ => text(node),
     };
     rows.push((place, text));
 }
 
-/// A single value in the spec's form, whatever form the controller used; a number with up to six decimals.
+/// Formats a single value in the spec's form, for any form of the controller; a number with up to six decimals.
 fn text(node: &Node<'_>) -> String {
     leaf_text(node, |number| {
         let text = fixed(number, 6);

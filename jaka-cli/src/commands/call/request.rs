@@ -1,4 +1,4 @@
-//! The request, from fields or as a whole.
+//! Request, from fields or as a whole.
 
 use std::{fs, io};
 
@@ -11,10 +11,10 @@ pub(super) use crate::arm::consent::Intent as Request;
 use crate::arm::units::other_unit;
 use crate::failure::Failure;
 
-/// The request that a line asks for; none if it names no command.
+/// Returns the request of a line; `None` if it names no command.
 ///
 /// # Errors
-/// Everything that the spec forbids.
+/// All violations of the spec.
 pub(super) fn of_line<'s>(
     spec: &'s Spec,
     command: Option<&'s Command>,
@@ -34,10 +34,10 @@ pub(super) fn of_line<'s>(
     }
 }
 
-/// The request of a JSON object, which names the command if that is not known.
+/// Returns the request of a JSON object, which names the command if that is not known.
 ///
 /// # Errors
-/// Everything that the spec forbids.
+/// All violations of the spec.
 pub(super) fn of_text<'s>(
     spec: &'s Spec,
     command: Option<&'s Command>,
@@ -66,7 +66,7 @@ fn of_fields<'s>(
     Ok(Request { command: Some(command), name: command.wire.clone(), text })
 }
 
-/// The text of `--params`.
+/// Reads the text of `--params`.
 fn read(params: &str) -> Result<String, Failure> {
     let text = match params.strip_prefix('@') {
         Some(path) => fs::read_to_string(path)
@@ -78,14 +78,14 @@ fn read(params: &str) -> Result<String, Failure> {
     Ok(text.trim().to_owned())
 }
 
-/// The fields of a whole request, without its `cmdName`.
+/// Splits a whole request into its `cmdName` and its fields.
 fn object(text: &str) -> Result<(Option<Value>, Map<String, Value>), Failure> {
     let mut fields: Map<String, Value> = serde_json::from_str(text)
         .map_err(|error| Failure::Usage(format!("the request is not a JSON object: {error}")))?;
     Ok((fields.remove(COMMAND_NAME), fields))
 }
 
-/// A request as it is given, with the command's name if that is not in it.
+/// Returns a request unchecked, with the command's name added if it has none.
 fn unchecked<'s>(name: Option<&str>, text: &str) -> Result<Request<'s>, Failure> {
     let (own, fields) = object(text)?;
     let (name, text) = match (name, own) {
@@ -116,7 +116,7 @@ fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     } else {
         ""
     };
-    // In settings, numbers with these units may be something else.
+    // In settings, numbers with these units may have another meaning.
     let mut of_motion = problems.iter().filter(|_| command.effect == Effect::Motion);
     let unit = of_motion.find_map(|problem| other_unit(problem.value.parse().ok()?, &problem.allowed));
     Failure::Usage(format!("`{}` was not sent:{}{}{hint}", command.wire, lines.concat(), unit.unwrap_or_default()))

@@ -1,4 +1,4 @@
-//! Motions whose end is waited for.
+//! Motions with a wait for their end.
 
 use jaka_robot::motions::MotionText;
 use jaka_spec::words;
@@ -8,10 +8,10 @@ use crate::builtin;
 use crate::failure::Failure;
 use crate::target::packs::Protocol;
 
-/// The motion that the request asks for, if its end can be waited for; `text` is sent.
+/// Returns the motion of the request, if the program can wait for its end; `text` is sent.
 ///
 /// # Errors
-/// A pack has changed it, so that its target cannot be told.
+/// A pack has changed it, so that its target is unknown.
 pub(super) fn motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> Result<Option<MotionText>, Failure> {
     let Some(command) = request.command else { return Ok(None) };
     let motion = jaka_dynamic::motion(&protocol.spec, builtin::spec(), command, &request.text);
@@ -24,7 +24,7 @@ pub(super) fn motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> 
     }))
 }
 
-/// The motion that the request asks for; `text` is sent. A request for anything else is an error.
+/// Returns the motion of the request; `text` is sent. Any other request is an error.
 pub(super) fn must_be_motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> Result<MotionText, Failure> {
     motion(protocol, request, text)?.ok_or_else(|| {
         let motions: Vec<_> =

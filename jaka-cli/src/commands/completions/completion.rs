@@ -1,4 +1,4 @@
-//! Completions of a word of a command line, from the same description as the parser's.
+//! Completions of a word of a command line, from the parser's own description.
 
 mod values;
 
@@ -16,12 +16,12 @@ use crate::words::{LastWord, Words};
 /// Completion of the word at the cursor.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Completion {
-    /// A file; shells know how.
+    /// File, completed by the shell.
     File,
     Words(Vec<Candidate>),
 }
 
-/// Word that the word at the cursor can become, and its meaning.
+/// Possible completion of the word at the cursor, and its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Candidate {
     pub(crate) word: String,
@@ -36,9 +36,9 @@ impl Candidate {
 
 /// Completes the word at the cursor. `before` has the words before it, without the name of the program.
 pub(crate) fn complete(before: &[OsString], current: &str) -> Completion {
-    // A shell shows what is printed on its line.
+    // A shell would show messages on its line.
     output::be_quiet();
-    // Without packs if they cannot be read.
+    // Continues without packs if they are unreadable.
     if let Ok(protocol) = protocol_of(before) {
         protocol.read_status();
     }
@@ -53,7 +53,7 @@ pub(crate) fn complete(before: &[OsString], current: &str) -> Completion {
     }
 }
 
-/// Subcommands, or what stands at this place without a name; options where there are neither.
+/// Returns subcommands, or values of the argument without a name at this place; options if there are neither.
 fn words(line: &Words<'_>, current: &str) -> Completion {
     let subcommands = line.command.get_subcommands().filter(|command| !command.is_hide_set());
     let subcommands: Vec<_> = subcommands.filter(|_| line.positionals.is_empty()).map(candidate_of).collect();
@@ -68,7 +68,7 @@ fn candidate_of(command: &Command) -> Candidate {
     Candidate::new(command.get_name(), summary(command.get_about()))
 }
 
-/// The values of an argument, each with this before it. What only has a path as its value is completed by the shell.
+/// Returns the values of an argument, each after this prefix. The shell completes an argument that only has paths.
 fn values(line: &Words<'_>, arg: &Arg, prefix: &str, current: &str) -> Completion {
     let known = values::of(line, arg, current);
     let is_path = matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath | ValueHint::DirPath);
@@ -79,7 +79,7 @@ fn values(line: &Words<'_>, arg: &Arg, prefix: &str, current: &str) -> Completio
     Completion::Words(words.map(|value| Candidate { word: format!("{prefix}{}", value.word), ..value }).collect())
 }
 
-/// The options that can still be given, those of the command's own fields first.
+/// Returns the options that can still be given, with those of the command's own fields first.
 fn options(line: &Words<'_>) -> Vec<Candidate> {
     let is_free = |arg: &&Arg| {
         let again = matches!(arg.get_action(), ArgAction::Append | ArgAction::Count);
@@ -93,7 +93,7 @@ fn begun(candidates: Vec<Candidate>, current: &str) -> Vec<Candidate> {
     candidates.into_iter().filter(|candidate| candidate.word.starts_with(current)).collect()
 }
 
-/// The first sentence of a help, in one line.
+/// Returns the first sentence of a help, in one line.
 fn summary(help: Option<&clap::builder::StyledStr>) -> String {
     let help = help.map(ToString::to_string).unwrap_or_default();
     first_sentence(&help).0.replace('\n', " ")

@@ -1,4 +1,4 @@
-//! The columns of a table of packets, and its lines.
+//! Columns of a table of packets, and its lines.
 
 use std::time::Duration;
 
@@ -10,20 +10,20 @@ use serde_json::Value;
 use crate::packets::fields::Field;
 use crate::text::csv::{cell, row};
 
-/// The columns before those of the fields, with their units.
+/// First columns, before those of the fields, with their units.
 const FIRST: [&str; 3] = ["time (s)", "unix_time (s)", "connection"];
 
-/// The parts of the fields, each a column with a name of its own.
+/// Parts of the fields, each a column with its own name.
 #[derive(Debug)]
 pub(super) struct Columns(Vec<(String, Field)>);
 
 impl Columns {
-    /// The columns of these fields, as many as the widest of all packets needs.
+    /// Creates the columns of these fields, as many as the widest packet needs.
     pub(super) fn new(fields: Vec<Field>, widest: &Node<'_>) -> Self {
         Self(fields.into_iter().flat_map(|field| field.leaves(widest)).map(|leaf| (titled(&leaf), leaf)).collect())
     }
 
-    /// The header of CSV.
+    /// Returns the header of CSV.
     pub(super) fn header(&self) -> String {
         row(FIRST
             .map(str::to_owned)
@@ -31,13 +31,13 @@ impl Columns {
             .chain(self.0.iter().map(|(title, _)| cell(Some(title.as_str().into())))))
     }
 
-    /// A packet as a line of CSV, after its first cells.
+    /// Returns a packet as a line of CSV, after its first cells.
     pub(super) fn csv(&self, first: [String; 3], packet: &Node<'_>) -> String {
         let cells = self.0.iter().map(|(_, field)| cell(field.named_value(packet)));
         row(first.into_iter().chain(cells))
     }
 
-    /// A packet as a line of JSON.
+    /// Returns a packet as a line of JSON.
     pub(super) fn json(&self, first: [String; 3], packet: &Node<'_>) -> String {
         let first = FIRST.into_iter().zip(first).map(|(title, text)| format!("\"{title}\":{text}"));
         let fields = self.0.iter().map(|(title, field)| {
@@ -55,13 +55,13 @@ fn titled(field: &Field) -> String {
     }
 }
 
-/// A time with all digits that a recording has.
+/// Formats a time with all digits of a recording.
 pub(super) fn seconds(time: Duration) -> String {
     format!("{}.{:06}", time.as_secs(), time.subsec_micros())
 }
 
-/// A value with the parts of both. Where one of them has no parts, neither has: it is written as a whole, so that
-/// nothing is lost.
+/// Returns a value with the parts of both. If one of them has no parts, neither has the result: it is written as a
+/// whole, so that no value is lost.
 pub(super) fn wider(one: Value, other: Value) -> Value {
     match (one, other) {
         (Value::Null, value) | (value, Value::Null) => value,

@@ -1,4 +1,4 @@
-//! A picture of a trajectory: positions, speeds and accelerations of the joints, and the way of the tool centre point.
+//! Picture of a trajectory: positions, speeds and accelerations of the joints, and the path of the tool centre point.
 
 use std::array;
 use std::io;
@@ -15,12 +15,12 @@ use crate::plots::chart;
 use crate::plots::chart::{Drawn, TEXT};
 use crate::plots::{ViewAxes, draw_way};
 
-/// Width and height in pixels: three panels over time, and below them two views of the tool's way.
+/// Width and height in pixels: three panels over time, and below them two views of the tool's path.
 const SIZE: (u32, u32) = (900, 3 * PANEL + VIEWS);
 const PANEL: u32 = 260;
 const VIEWS: u32 = 430;
 
-/// Colours of joints 1 to 6, which their names at their ends tell apart without colours.
+/// Colours of joints 1 to 6. Their names at the ends of the curves distinguish them without colours.
 const COLORS: [RGBColor; 6] = [
     RGBColor(20, 50, 130),
     RGBColor(245, 130, 30),
@@ -30,19 +30,19 @@ const COLORS: [RGBColor; 6] = [
     RGBColor(20, 150, 170),
 ];
 const WIDTH: u32 = 9;
-/// Colour of the places at which the tool is the slowest, compared with the speed that was asked for.
+/// Colour of the points at which the tool is slowest, relative to the requested speed.
 const SLOW: RGBColor = RGBColor(110, 110, 110);
 /// Margins around a chart, in the units of the page.
 const MARGIN: u32 = 48;
 const RIGHT: u32 = 120;
 const LEFT: u32 = 420;
 const BELOW: u32 = 150;
-/// Number of samples that are drawn: as many as can be seen.
+/// Number of drawn samples, limited to the visible resolution.
 const SAMPLES: u32 = 1000;
 /// Label of the horizontal axis of the tool's path, which explains the marks at the path's ends.
 const ALONG: &str = "x in mm; a circle at the start, a square at the end";
 
-/// The picture, as SVG.
+/// Draws the picture, as SVG.
 pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<String> {
     let time_s = |number: u32| trajectory.duration_s() * f64::from(number) / f64::from(SAMPLES);
     let samples: Vec<_> = (0..=SAMPLES).map(time_s).map(|time_s| (time_s, trajectory.at(time_s))).collect();
@@ -69,7 +69,7 @@ pub(super) fn svg(trajectory: &Trajectory, checker: &Checker) -> io::Result<Stri
     drawn.map_err(|error| io::Error::other(error.to_string()))
 }
 
-/// A curve for each joint over time, and above them which is which; and lines at the slowest places.
+/// Draws a curve for each joint over time, with a legend above, and lines at the slowest points.
 fn draw_panel(
     panel: &DrawingArea<SVGBackend<'_>, Shift>,
     trajectory: &Trajectory,
@@ -102,7 +102,7 @@ fn draw_panel(
     Ok(())
 }
 
-/// Number of decimals that tells the numbers at an axis apart.
+/// Returns the number of decimals that distinguishes the numbers of an axis.
 fn decimals(span: f64) -> usize {
     match span {
         16.0.. => 0,
@@ -111,7 +111,7 @@ fn decimals(span: f64) -> usize {
     }
 }
 
-/// The range of values, somewhat wider, and never empty.
+/// Returns the range of values, slightly widened, and never empty.
 fn widened(values: impl Iterator<Item = f64>, by: f64) -> Range<f64> {
     let (least, most) = values.minmax().into_option().unwrap_or_default();
     let more = (by * (most - least)).max(0.5);

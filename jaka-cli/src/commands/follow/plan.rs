@@ -1,4 +1,4 @@
-//! The trajectory of a file: points with times, or points along which one is planned.
+//! Trajectory of a file: points with times, or points for a planned path.
 
 use std::path::Path;
 
@@ -14,27 +14,27 @@ use crate::text::number::six;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Points without times")]
 pub(super) struct PlanArgs {
-    /// Follow a smooth curve within so many mm of poses
+    /// Follow a smooth curve within this many mm of poses
     #[arg(long, value_name = "MM", conflicts_with_all = ["corner_mm", "corner_deg"])]
     within_mm: Option<f64>,
-    /// Follow a smooth curve within so many degrees of each joint, or of the tool's turn
+    /// Follow a smooth curve within this many degrees of each joint, or of the tool's rotation
     #[arg(long, value_name = "DEG", conflicts_with_all = ["corner_mm", "corner_deg"])]
     within_deg: Option<f64>,
-    /// Follow lines through poses, with corners rounded within so many mm; 0 to stop at each
+    /// Follow lines through poses, with corners rounded within this many mm; 0 to stop at each
     #[arg(long, value_name = "MM")]
     corner_mm: Option<f64>,
-    /// Follow straight ways through joint positions, with corners rounded within so many degrees; 0 to stop at each
+    /// Follow straight paths through joint positions, with corners rounded within this many degrees; 0 to stop at each
     #[arg(long, value_name = "DEG")]
     corner_deg: Option<f64>,
     /// Move the tool centre point with at most this speed, in mm/s
     #[arg(long, value_name = "SPEED")]
     tool_speed: Option<f64>,
-    /// Reach the first pose with the joints nearest to these, in degrees; without it, to those of the arm
+    /// Reach the first pose with the joints nearest to these, in degrees; without it, nearest to those of the arm
     #[arg(long, value_name = "J1,J2,J3,J4,J5,J6", value_parser = six, allow_hyphen_values = true)]
     near: Option<[f64; 6]>,
 }
 
-/// Points of a file, and the kind of trajectory that is planned from them.
+/// Points of a file, and the kind of trajectory to plan from them.
 pub(super) enum Plan {
     Timed(String, Vec<TimedPoint>),
     Curve(String, jaka_motion::Curve, Points),
@@ -48,12 +48,12 @@ pub(super) struct Points {
 }
 
 impl PlanArgs {
-    /// Joint positions near which the first pose is reached, if they are given.
+    /// Returns the joint positions near which the first pose is reached, if given.
     pub(super) fn near(&self) -> Option<JointPosition> {
         self.near.map(Into::into)
     }
 
-    /// Plan of a file, by its name's end and its columns.
+    /// Reads the plan of a file, by its name's extension and its columns.
     pub(super) fn read(&self, path: &Path) -> Result<Plan, Failure> {
         let (text, name) = (packs::read(path)?, path.display().to_string());
         let is = |end: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(end));
@@ -107,7 +107,7 @@ impl PlanArgs {
         }
         let (mm, deg) = (self.corner_mm.unwrap_or_default(), self.corner_deg.unwrap_or_default());
         let mut through = Trajectory::through(points).corner_mm(mm).tcp_speed(speed);
-        // Of lines, the turn of the tool.
+        // For lines, the angle is the rotation of the tool.
         through = if about.in_poses && self.corner_deg.is_some() {
             through.corner_turn_deg(deg).corner_deg(deg)
         } else {
@@ -118,7 +118,7 @@ impl PlanArgs {
 }
 
 impl Plan {
-    /// The trajectory, within an arm's limits. Poses are reached next to these joints.
+    /// Plans the trajectory, within an arm's limits. Reaches poses with joints near to these.
     pub(super) fn made(&self, checker: &Checker, near: Option<JointPosition>) -> Result<Trajectory, Failure> {
         let (name, made) = match (self, near) {
             (Self::Timed(name, points), _) => (name, Trajectory::timed(points, checker)),
@@ -137,7 +137,7 @@ impl Plan {
         })
     }
 
-    /// True if the tool's frames decide where it leads.
+    /// Whether the path depends on the tool's frames.
     pub(super) fn is_in_poses(&self) -> bool {
         match self {
             Self::Timed(..) => false,
@@ -145,7 +145,7 @@ impl Plan {
         }
     }
 
-    /// Description of the plan, in words.
+    /// Describes the plan in words.
     pub(super) fn told(&self) -> String {
         match self {
             Self::Timed(_, points) => format!("{} points", points.len()),
@@ -155,7 +155,7 @@ impl Plan {
     }
 }
 
-/// The first line that counts.
+/// Returns the first line that is not empty or a comment.
 fn header(text: &str) -> &str {
     let mut lines = text.trim_start_matches('\u{feff}').lines();
     lines.find(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#')).unwrap_or_default()

@@ -10,11 +10,11 @@ use crate::failure::Failure;
 use crate::terminal::output;
 use crate::text::number::{fixed, milliseconds};
 
-/// Step in which peaks are searched, in seconds, and greatest number of steps.
+/// Step of the search for peaks, in seconds, and greatest number of steps.
 const STEP_S: f64 = 0.001;
 const MOST_STEPS: f64 = 1e6;
 
-/// Slow places that are printed at most.
+/// Greatest number of printed slow points.
 pub(super) const SLOW_PLACES: usize = 5;
 
 /// Greatest speeds of a trajectory, in deg/s, and its greatest accelerations, in deg/s².
@@ -24,7 +24,7 @@ pub(super) struct Peaks {
     pub(super) speeds: [f64; 6],
     #[serde(rename = "largest_accelerations_deg_s2")]
     accelerations: [f64; 6],
-    /// In mm/s.
+    /// Greatest speed of the tool, in mm/s.
     #[serde(rename = "highest_flange_speed_mm_s")]
     tool: f64,
 }
@@ -45,7 +45,7 @@ struct Ended<'e> {
 }
 
 impl Peaks {
-    /// The largest values, in steps of 1 ms, or larger ones where it takes more than 1000 s.
+    /// Finds the largest values, in steps of 1 ms, or larger steps for more than 1000 s.
     pub(super) fn of(trajectory: &Trajectory, checker: &Checker) -> Self {
         let duration_s = trajectory.duration_s();
         let step_s = STEP_S.max(duration_s / MOST_STEPS);
@@ -69,12 +69,12 @@ impl Peaks {
     }
 }
 
-/// Position of the tool centre point, in mm.
+/// Returns the position of the tool centre point, in mm.
 pub(super) fn tool_at(sample: &Sample, checker: &Checker) -> [f64; 3] {
     checker.frames().pose(checker.limits().model().forward(sample.joints)).position_mm()
 }
 
-/// Report for people on the checks and on the peaks of the trajectory.
+/// Returns the report for people on the checks and on the peaks of the trajectory.
 pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker) -> String {
     let (count, duration_s, limits) = (trajectory.way_points().len(), trajectory.duration_s(), checker.limits());
     let name = limits.model().name();
@@ -101,7 +101,7 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     out
 }
 
-/// Prints how it ended, as JSON whatever the end is.
+/// Prints the end; as JSON for any end.
 pub(super) fn print(end: End, as_json: bool) -> Result<(), Failure> {
     if as_json {
         output::json_line(&Ended { end: &end })?;

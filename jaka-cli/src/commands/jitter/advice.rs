@@ -1,21 +1,21 @@
-//! Advice on changes to a machine, from the measurements. The thresholds are ours.
+//! Advice on changes to a machine, from the measurements. The thresholds are our choice.
 
 use std::time::Duration;
 
 use super::measured::{Lateness, Measured, PRIORITY, RoundTrip, SPIN, Waits};
 use crate::text::number::count;
 
-/// The period of a servo session.
+/// Period of a servo session.
 const PERIOD: Duration = Duration::from_millis(8);
 /// Greatest lateness of 99 of 100 cycles at which spinning is not worth its CPU time: 3 % of the period.
 const EXACT: Duration = Duration::from_micros(250);
-/// A cycle that begins so late is late, as in a session's report.
+/// Lateness from which a cycle is late, as in a session's report.
 const LATE: Duration = Duration::from_millis(4);
-/// The controller had no set-point for so long that the arm is taken to have stood.
+/// Gap without a set-point after which the arm counts as stopped.
 const GAP: Duration = Duration::from_millis(24);
 /// Time of unanswered set-points after which a session ends.
 const UNANSWERED: Duration = Duration::from_millis(100);
-/// Of fewer cycles, one in a hundred says little.
+/// Number of cycles below which one in a hundred has little meaning.
 const FEWEST: usize = 1000;
 
 /// Advice on one item.
@@ -26,13 +26,13 @@ pub(super) struct Advice {
     pub(super) text: String,
 }
 
-/// A verdict, and why.
+/// Verdict, and its reason.
 type Verdict = (&'static str, String);
 
 const LEAVE: &str = "leave";
 const CHANGE: &str = "change";
 
-/// Advice, item by item.
+/// Returns the advice, item by item.
 pub(super) fn on(measured: &Measured) -> Vec<Advice> {
     let lateness = &measured.lateness;
     let items = [
@@ -47,7 +47,7 @@ pub(super) fn on(measured: &Measured) -> Vec<Advice> {
     given.map(|(item, (verdict, text))| Advice { item, verdict, text }).collect()
 }
 
-/// With the priority that is worth while.
+/// Judges busy waiting, with the better priority.
 fn busy_wait(lateness: &Lateness) -> Verdict {
     let waits = match &lateness.realtime {
         Ok(realtime) if share(realtime) < share(&lateness.usual) => realtime,
@@ -114,7 +114,7 @@ fn network(round_trip: Option<&RoundTrip>) -> Verdict {
     (CHANGE, format!("{seen}; {advice} {PERIOD:?}, and a session ends when {UNANSWERED:?} of them are not answered"))
 }
 
-/// Only where there are some, in the best way that was measured.
+/// Judges gaps, if there are any, with real-time priority if it was measured.
 fn gaps(lateness: &Lateness) -> Option<Verdict> {
     let waits = lateness.realtime.as_ref().unwrap_or(&lateness.usual);
     let gaps = waits.at_least(GAP);
@@ -131,7 +131,7 @@ fn seconds(waits: &Waits) -> Option<Verdict> {
     (cycles < FEWEST).then_some((CHANGE, text))
 }
 
-/// Number of late cycles, in words.
+/// Returns the number of late cycles, in words.
 fn late(waits: &Waits) -> String {
     format!("{} cycles began {LATE:?} late or more", counts(waits))
 }
@@ -150,7 +150,7 @@ mod tests {
     use super::super::measured::Times;
     use super::*;
 
-    /// Cycles of which some are late, in microseconds each.
+    /// Returns cycles of which some are late, in microseconds each.
     fn waits(asleep: u64, spinning: u64, some: usize, late: u64) -> Waits {
         let times = |usual| {
             let mut times = Times::default();

@@ -1,4 +1,4 @@
-//! Measurements: lateness of cycles, in each way of waiting for them, and reply times of a robot.
+//! Measurements: lateness of cycles, for each kind of wait, and reply times of a robot.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,21 +15,21 @@ pub(super) struct Measured {
     pub(super) round_trip: Option<RoundTrip>,
 }
 
-/// Time for which a thread that spins does so before each cycle.
+/// Spinning time of a thread before each cycle.
 pub(super) const SPIN: Duration = Duration::from_micros(200);
 
-/// The real-time priority of the thread, where it has one.
+/// Real-time priority of the thread, if it has one.
 pub(super) const PRIORITY: u8 = 20;
 
 /// Lateness of cycles.
 #[derive(Debug)]
 pub(super) struct Lateness {
     pub(super) usual: Waits,
-    /// With a real-time priority, or why the system does not allow it.
+    /// Lateness with a real-time priority, or the reason why the system does not allow it.
     pub(super) realtime: Result<Waits, String>,
 }
 
-/// The two ways of waiting, with the same priority.
+/// Results of both kinds of wait, with the same priority.
 #[derive(Debug, Default)]
 pub(super) struct Waits {
     pub(super) asleep: Times,
@@ -37,7 +37,7 @@ pub(super) struct Waits {
 }
 
 impl Lateness {
-    /// Measures all ways, in turns of a second at most: then what else the machine does meets all of them.
+    /// Measures all kinds, in turns of a second at most, so that other load on the machine affects all of them.
     pub(super) fn measure(time: Duration) -> Result<Self, Failure> {
         let share = time / 4;
         let rounds = u32::try_from(share.as_secs()).unwrap_or(u32::MAX).max(1);
@@ -70,7 +70,7 @@ impl Waits {
         self.asleep.count() + self.spinning.count()
     }
 
-    /// Number of cycles of both ways that were late by this time or more.
+    /// Returns the number of cycles of both kinds that were late by this time or more.
     pub(super) fn at_least(&self, time: Duration) -> usize {
         self.asleep.at_least(time) + self.spinning.at_least(time)
     }
@@ -84,7 +84,7 @@ pub(super) struct RoundTrip {
 }
 
 impl RoundTrip {
-    /// Asks where the joints are, once in each cycle. Connects for as long as that takes.
+    /// Queries the joint positions, once in each cycle. Connects for the duration of the measurement.
     pub(super) fn measure(target: &Target, time: Duration) -> Result<Self, Failure> {
         let mut client = target.client()?;
         let (since, period) = (Instant::now(), ServoConfig::new().period());
@@ -116,19 +116,19 @@ impl Times {
         self.0.len()
     }
 
-    /// The time within which this many of a hundred are; zero if there are none.
+    /// Returns the time within which this many of a hundred are; zero if there are none.
     pub(super) fn within(&self, percent: usize) -> Duration {
         let place = (self.0.len() * percent).div_ceil(100).max(1) - 1;
         self.0.get(place).copied().unwrap_or_default()
     }
 
-    /// Number of times that are this long or longer.
+    /// Returns the number of times that are this long or longer.
     pub(super) fn at_least(&self, time: Duration) -> usize {
         self.0.len() - self.0.partition_point(|one| *one < time)
     }
 }
 
-/// A time in microseconds.
+/// Returns a time in microseconds.
 pub(super) fn micros(time: Duration) -> f64 {
     time.as_secs_f64() * 1e6
 }

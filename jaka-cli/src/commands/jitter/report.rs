@@ -11,7 +11,7 @@ use super::advice;
 use super::measured::{Measured, PRIORITY, SPIN, Times, micros};
 use crate::text::number::fixed;
 
-/// One way of waiting: its times, or why there are none.
+/// Kind of wait: its times, or the reason why there are none.
 struct LatenessRow<'m> {
     busy_wait: Duration,
     priority: Option<u8>,
@@ -37,7 +37,7 @@ fn rows(measured: &Measured) -> [LatenessRow<'_>; 4] {
     ]
 }
 
-/// Two tables, and advice on changes.
+/// Returns two tables, and advice on changes.
 pub(super) fn text(measured: &Measured) -> String {
     let period = ServoConfig::new().period();
     let mut text = format!("How late cycles of {period:?} begin on this machine, in µs\n\n");
@@ -68,7 +68,7 @@ pub(super) fn text(measured: &Measured) -> String {
     text
 }
 
-/// A line of a table.
+/// Writes a line of a table.
 fn line<const CELLS: usize>(text: &mut String, name: &str, cells: [String; CELLS]) {
     write!(text, "{name:<30}").ok();
     for cell in cells {
@@ -77,7 +77,7 @@ fn line<const CELLS: usize>(text: &mut String, name: &str, cells: [String; CELLS
     text.push('\n');
 }
 
-/// The shape that the README describes.
+/// Returns the JSON described in the README.
 pub(super) fn json(measured: &Measured) -> Value {
     let round_trip = measured.round_trip.as_ref().map(|round_trip| {
         let mut figures = figures(&round_trip.times);

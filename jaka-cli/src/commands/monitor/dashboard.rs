@@ -1,4 +1,4 @@
-//! The dashboard of `jaka monitor`: what is on the screen follows from a [`View`] alone.
+//! Dashboard of `jaka monitor`: the screen depends on a [`View`] alone.
 
 mod alarms;
 mod draw;

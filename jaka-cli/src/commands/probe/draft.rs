@@ -1,4 +1,4 @@
-//! A draft of a command pack.
+//! Draft of a command pack.
 
 mod samples;
 
@@ -12,10 +12,9 @@ use serde_json::Value;
 
 use super::finding::{Finding, Findings};
 
-/// A pack with the keys that the spec does not know and the types of values that cannot be read; none if there is
-/// neither.
+/// Returns a pack with the keys unknown to the spec and the types of unreadable values; `None` without any.
 ///
-/// It loads as it is. Entries that its author has to complete are marked `TODO`.
+/// The pack loads unchanged. `TODO` marks entries for its author to complete.
 pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String> {
     let version = findings.version.as_deref().unwrap_or("a controller of unknown version");
     let mut draft = Draft {
@@ -29,7 +28,7 @@ pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String>
     for finding in &findings.commands {
         let command = spec.command(&finding.name);
         let fields = command.map_or(&[][..], |command| spec.reply_fields(command));
-        // The fields of a reply that is an object of a named type are that type's.
+        // The fields of a reply that is an object of a named type belong to the type.
         let object = command.and_then(|command| command.reply.object()).map(|id| &*spec[id].name);
         let (target, part) = object.map_or((&*finding.name, "reply"), |name| (name, "field"));
         draft.take(finding, |path| locate(spec, target, part, fields, path));
@@ -62,11 +61,11 @@ struct Draft<'f> {
     lines: String,
     /// Locations for which the draft has entries or comments.
     written: Vec<Location<'f>>,
-    /// The arrays of fixed length that the spec has.
+    /// Arrays of fixed length in the spec.
     known_arrays: Vec<(String, usize)>,
 }
 
-/// A departure, and the part of the spec that it concerns.
+/// Departure, and the part of the spec that it concerns.
 type Located<'f> = (&'f Departure, Location<'f>);
 
 impl<'f> Draft<'f> {
@@ -90,11 +89,11 @@ impl<'f> Draft<'f> {
         }
     }
 
-    /// Field that a new key seems to be the new name of: the one field of its object that is missing, if no other new
-    /// key there has its type.
+    /// Returns the field that a new key seems to rename: the only missing field of its object, if no other new key
+    /// there has its type.
     ///
-    /// Controllers leave out optional fields, and all fields of status packets are optional. Where no required field is
-    /// missing, it is the one absent field of the new key's type.
+    /// Controllers omit optional fields, and all fields of status packets are optional. Without a missing required
+    /// field, it is the only absent field with the type of the new key.
     fn renamed(
         &self,
         finding: &Finding,
@@ -122,7 +121,7 @@ impl<'f> Draft<'f> {
         is_it.then(|| (field, Location { key: key(field), is_known: true, ..*location }))
     }
 
-    /// True if all values can be read as the field, and look as its values do.
+    /// Whether all values are readable as the field, and have the apparent type of its values.
     fn has_type(&self, field: &Field, values: &[&Value]) -> bool {
         let kind = |value: &Value| match &*notation(value) {
             "int" => "float".to_owned(),
@@ -133,7 +132,7 @@ impl<'f> Draft<'f> {
         !values.is_empty() && values.iter().all(|value| is_readable(value) && kind(value) == own)
     }
 
-    /// Proposes that a field has another key, where the draft loads with it.
+    /// Proposes another key for a field, if the draft loads with it.
     fn rename(
         &mut self,
         finding: &Finding,
@@ -158,7 +157,7 @@ impl<'f> Draft<'f> {
             self.written.extend([*old, *location]);
         }
     }
-    /// Adds a field for an unknown key, under a name that the spec takes.
+    /// Adds a field for an unknown key, with a name valid in the spec.
     fn extend(&mut self, finding: &Finding, departure: &Departure, location: Location<'f>) {
         let ty = samples::ty(&samples::at(&finding.samples, &departure.field), &self.known_arrays);
         let ty = ty.unwrap_or_else(|| departure.expected.clone());
@@ -171,8 +170,8 @@ impl<'f> Draft<'f> {
         }
     }
 
-    /// Form of the field's type in the controller's firmware: an array whose elements came as an object by their names,
-    /// or an object that came as an array.
+    /// Returns the form of the field's type in the controller's firmware: an array received as an object with named
+    /// elements, or an object received as an array.
     fn form(&self, finding: &Finding, departure: &Departure, location: &Location<'f>) -> Option<String> {
         let field = location.fields.iter().find(|field| key(field) == location.key)?;
         let (Type::Named(id), Ok(version)) = (&field.ty, self.version.parse::<FirmwareVersion>()) else { return None };
@@ -199,12 +198,12 @@ impl<'f> Draft<'f> {
         self.written.iter().any(|written| written.is(location))
     }
 
-    /// True if the draft loads with this entry.
+    /// Whether the draft loads with this entry.
     fn loads(&self, entry: &str) -> bool {
         load_pack(self.spec, Source { path: "draft.toml", text: &self.with(entry) }).is_ok()
     }
 
-    /// The draft with one more entry, and with its `[robot_status]` if it has lines there.
+    /// Returns the draft with one more entry, and with its `[robot_status]` if it has lines there.
     fn with(&self, entry: &str) -> String {
         let Self { text, lines, .. } = self;
         let table =
@@ -212,8 +211,8 @@ impl<'f> Draft<'f> {
         format!("{text}{entry}{table}")
     }
 
-    /// True if the draft loads with this entry, or with it and a line for the field that a robot needs, which it then
-    /// has.
+    /// Whether the draft loads with this entry, or with it and a line for the field that a robot needs; in that case,
+    /// adds the line.
     fn loads_with_line(&mut self, entry: &str, location: &Location<'f>) -> bool {
         if self.loads(entry) {
             return true;
@@ -242,7 +241,7 @@ impl<'f> Draft<'f> {
         )
     }
 
-    /// Changes a field that cannot be read into one that can; as a comment, where the draft would not load with it.
+    /// Changes an unreadable field into a readable one; as a comment if the draft would not load with the change.
     fn change(&mut self, finding: &Finding, departure: &Departure, location: Location<'f>) {
         let change = if departure.kind == DepartureKind::Missing {
             "optional = true".to_owned()
@@ -266,7 +265,7 @@ impl<'f> Draft<'f> {
     }
 }
 
-/// Task of its author where it has a `[robot_status]`.
+/// Task for the author of a draft with a `[robot_status]`.
 const TODO_ROBOT: &str =
     "TODO: a robot needs these: name a field that has the built-in type, or implement `MotionStatus` in your program.";
 
@@ -274,19 +273,19 @@ fn comment(line: &str) -> String {
     format!("# {}\n", visible(line))
 }
 
-/// Lines of a pack that give a field another type. A type that is not a number has no unit.
+/// Returns the lines of a pack that give a field another type. A type other than a number has no unit.
 fn retyped(ty: &str) -> String {
     let unit = if ty.starts_with("int") || ty.starts_with("float") { "" } else { "\nunit = \"\"" };
     format!("type = \"{ty}\"{unit}")
 }
 
-/// The type of a value of which an excerpt is known.
+/// Returns the apparent type of a value from its excerpt.
 fn guess(found: &str) -> String {
     let value: Result<Value, _> = serde_json::from_str(found);
     value.map_or_else(|_| "json".to_owned(), |value| notation(&value))
 }
 
-/// A key as a name in Rust: `powerState` and `power state` become `power_state`.
+/// Converts a key to a name in Rust: `powerState` and `power state` become `power_state`.
 fn snake(key: &str) -> String {
     let mut name = String::new();
     for c in key.chars() {
@@ -299,7 +298,7 @@ fn snake(key: &str) -> String {
     name.trim_end_matches('_').to_owned()
 }
 
-/// A string in TOML, with escapes for invisible characters, which stand for the same string.
+/// Quotes a string for TOML, with equivalent escapes for invisible characters.
 fn quoted(text: &str) -> String {
     let mut out = String::from('"');
     for c in text.chars() {
@@ -307,7 +306,7 @@ fn quoted(text: &str) -> String {
             '"' | '\\' => out.extend(['\\', c]),
             c if is_visible(c) => out.push(c),
             c => {
-                // A string takes all that is written.
+                // Writing to a string cannot fail.
                 let _ = write!(out, "\\U{:08X}", u32::from(c));
             }
         }
@@ -315,34 +314,34 @@ fn quoted(text: &str) -> String {
     out + "\""
 }
 
-/// The part of the spec that a pack would change.
+/// Part of the spec that a pack would change.
 #[derive(Debug, Clone, Copy)]
 struct Location<'f> {
-    /// A command's `cmdName` or a type's name.
+    /// `cmdName` of a command, or name of a type.
     target: &'f str,
-    /// The key of a pack that names fields there: `reply` or `field`.
+    /// Key of a pack for its fields: `reply` or `field`.
     part: &'static str,
-    /// The field's key, or its name where it is an element of an array.
+    /// Key of the field, or its name if it is an element of an array.
     key: &'f str,
-    /// True if the spec has the field.
+    /// Whether the spec has the field.
     is_known: bool,
-    /// The fields beside which it stands.
+    /// Fields of the same reply or type.
     fields: &'f [Field],
 }
 
 impl Location<'_> {
-    /// True for the same field, or the same new key.
+    /// Whether it is the same field, or the same new key.
     fn is(&self, other: &Location<'_>) -> bool {
         self.is_in(other) && self.key == other.key
     }
 
-    /// True if it stands in the same reply or type.
+    /// Whether it is in the same reply or type.
     fn is_in(&self, other: &Location<'_>) -> bool {
         (self.target, self.part) == (other.target, other.part)
     }
 }
 
-/// Follows a departure's path from the fields at its beginning; `None` if it ends where a pack can change nothing.
+/// Follows a departure's path from the top-level fields; returns `None` if a pack cannot change its end.
 fn locate<'f>(
     spec: &'f Spec,
     target: &'f str,
@@ -352,7 +351,7 @@ fn locate<'f>(
 ) -> Option<Location<'f>> {
     let location = |key, is_known| Some(Location { target, part, key, is_known, fields });
     let steps = fields.iter().filter_map(|field| Some((field, rest(path, key(field))?)));
-    // Where one key begins with another, the longer one matches.
+    // If one key is a prefix of another, the longer one matches.
     let Some((field, rest)) = steps.min_by_key(|(_, rest)| rest.len()) else { return location(path, false) };
     let Some(inner) = inside(spec, &field.ty, rest) else { return location(key(field), true) };
     locate(spec, inner.0, "field", inner.1, inner.2)
@@ -362,12 +361,12 @@ fn key(field: &Field) -> &str {
     if field.wire.is_empty() { &field.name } else { &field.wire }
 }
 
-/// Rest of a path after a key, if the path begins with the key.
+/// Returns the rest of a path after a key, if the path begins with the key.
 fn rest<'p>(path: &'p str, key: &str) -> Option<&'p str> {
     path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
-/// The type with fields into which a path continues, its fields, and the rest of the path.
+/// Returns the type with fields into which a path continues, its fields, and the rest of the path.
 fn inside<'s, 'p>(spec: &'s Spec, ty: &'s Type, path: &'p str) -> Option<(&'s str, &'s [Field], &'p str)> {
     let ty = spec.unwrapped(ty);
     match spec.shape(ty) {

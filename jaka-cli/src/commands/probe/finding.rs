@@ -10,12 +10,12 @@ use serde_json::Value;
 
 use crate::commands::call::reply_json;
 
-/// All that was found at a controller.
+/// All findings at a controller.
 #[derive(Debug)]
 pub(super) struct Findings {
-    /// The controller's version, in its own words.
+    /// Version reported by the controller.
     pub(super) version: Option<String>,
-    /// The packs that it was compared with, by their file names.
+    /// File names of the packs in the comparison.
     pub(super) packs: Vec<String>,
     /// Finding of each query.
     pub(super) commands: Vec<Finding>,
@@ -31,29 +31,29 @@ pub(super) struct Finding {
     pub(super) outcome: Outcome,
     /// Departures of the message from the spec.
     pub(super) departures: Vec<Departure>,
-    /// The message as it came, if one did.
+    /// Received message, if there is one.
     pub(super) raw: Option<String>,
     /// All messages of the kind, as JSON.
     pub(super) samples: Vec<Value>,
 }
 
-/// The outcome of a question.
+/// Outcome of a question.
 #[derive(Debug)]
 pub(super) enum Outcome {
-    /// A message that fits the spec, or departs from it and can still be read.
+    /// The message fits the spec, or departs from it and is still readable.
     Answered,
-    /// A refusal.
+    /// The controller refused the request.
     Refused {
-        /// The controller's code.
+        /// Code of the controller.
         code: ErrorCode,
-        /// The controller's message.
+        /// Message of the controller.
         message: String,
     },
-    /// A message that cannot be read, and why.
+    /// The message is unreadable, with the reason.
     Unreadable(String),
-    /// No message came, and why.
+    /// No message came, with the reason.
     NoReply(String),
-    /// Nothing was asked, and why.
+    /// Nothing was asked, with the reason.
     NotProbed(String),
 }
 
@@ -63,23 +63,23 @@ impl Findings {
         Self { version: version(&commands), packs: packs.iter().map(name).collect(), commands, status }
     }
 
-    /// Commands and status.
+    /// Returns the findings of commands and status.
     pub(super) fn all(&self) -> impl Iterator<Item = &Finding> {
         self.commands.iter().chain([&self.status])
     }
 
-    /// Number of questions that were asked.
+    /// Returns the number of questions asked.
     pub(super) fn asked(&self) -> usize {
         self.all().filter(|finding| finding.is_asked()).count()
     }
 
-    /// Number of those questions whose messages depart from the spec, or that were not answered.
+    /// Returns the number of these questions with messages that depart from the spec, or without an answer.
     pub(super) fn departing(&self) -> usize {
         self.all().filter(|finding| finding.departs()).count()
     }
 }
 
-/// The controller's version, from the reply to the query for it.
+/// Returns the controller's version, from the reply to its query.
 fn version(commands: &[Finding]) -> Option<String> {
     let finding = commands.iter().find(|finding| finding.name == GetVersion::INFO.name)?;
     let reply: <GetVersion as Command>::Reply = read_payload(GetVersion::INFO, finding.raw.as_deref()?).ok()?;
@@ -87,14 +87,14 @@ fn version(commands: &[Finding]) -> Option<String> {
 }
 
 impl Finding {
-    /// The finding of a message that came.
+    /// Returns the finding of a received message.
     pub(super) fn of(name: impl Into<String>, departures: Vec<Departure>, raw: String) -> Self {
         let unreadable = departures.iter().find(|departure| departure.reading == Reading::Unreadable);
         let outcome = unreadable.map_or(Outcome::Answered, |_| Outcome::Unreadable(String::new()));
         Self { name: name.into(), outcome, departures, samples: vec![reply_json(&raw)], raw: Some(raw) }
     }
 
-    /// The finding of a question to which no message came.
+    /// Returns the finding of a question without a message.
     pub(super) fn without(name: impl Into<String>, outcome: Outcome) -> Self {
         Self { name: name.into(), outcome, departures: Vec::new(), raw: None, samples: Vec::new() }
     }
@@ -103,7 +103,7 @@ impl Finding {
         !matches!(self.outcome, Outcome::NotProbed(_))
     }
 
-    /// True for a message that departs from the spec, or did not come.
+    /// Whether the message departs from the spec, or did not come.
     pub(super) fn departs(&self) -> bool {
         !self.departures.is_empty() || matches!(self.outcome, Outcome::Unreadable(_) | Outcome::NoReply(_))
     }

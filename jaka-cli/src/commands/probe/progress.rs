@@ -15,7 +15,7 @@ pub(super) struct ProbeProgress {
 }
 
 impl ProbeProgress {
-    /// Handles Ctrl-C from now on: the next question is not asked. A second one ends the program at once.
+    /// Handles Ctrl-C from now on: it ends the questions. A second one ends the program at once.
     pub(super) fn begin() -> Self {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
@@ -32,12 +32,12 @@ impl ProbeProgress {
         self.write(&format!("\r\x1b[K{}/{count} {what}", number + 1));
     }
 
-    /// Takes away what is shown.
+    /// Removes the shown question.
     pub(super) fn clear(&self) {
         self.write("\r\x1b[K");
     }
 
-    /// The reader may be gone.
+    /// Writes to the terminal. The reader may be gone.
     fn write(&self, text: &str) {
         if self.is_shown {
             let mut out = stderr();

@@ -1,4 +1,4 @@
-//! The queries of the command port.
+//! Queries of the command port.
 
 use itertools::Itertools as _;
 use jaka_dynamic::{AdvisoryRanges, Forms, Message, Node};
@@ -12,14 +12,14 @@ use crate::commands::call::reply_json;
 use crate::failure::{Failure, chain, fact};
 use crate::target::Target;
 
-/// Greatest number of reconnections: a controller that ends the connection on every query is not pestered.
+/// Greatest number of reconnections, to limit the load on a controller that ends the connection on every query.
 const MOST_RECONNECTS: u32 = 3;
 
 /// Sends every query that needs no argument, and nothing else.
 ///
 /// # Errors
-/// The first connection cannot be made, or is closed before a reply, as by a controller whose seat is held. A later
-/// error is a finding.
+/// The first connection fails, or is closed before a reply, as by a controller whose seat is occupied. A later error is
+/// a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) -> Result<Vec<Finding>, Failure> {
     let (client, forms) = (Ok(target.client()?), Forms::of(spec, None));
     let mut connection = ProbeConnection { target, client, forms, has_answered: false, reconnects: 0 };
@@ -36,12 +36,12 @@ pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) ->
     findings
 }
 
-/// The connection to the controller, and a new one where it breaks.
+/// Connection to the controller, replaced when it breaks.
 struct ProbeConnection<'t> {
     target: &'t Target,
-    /// The connection, or the reason for which there is none.
+    /// Connection, or the reason for its absence.
     client: Result<Client, String>,
-    /// Forms of any firmware, where the spec has several.
+    /// Forms of any firmware, if the spec has several.
     forms: Option<Forms>,
     has_answered: bool,
     reconnects: u32,
@@ -83,7 +83,7 @@ impl ProbeConnection<'_> {
         let found = match error.kind() {
             ErrorKind::Refused { refusal, .. } => {
                 let outcome = Outcome::Refused { code: refusal.code, message: refusal.message.clone() };
-                // So firmware refuses what it does not know, without a name.
+                // Firmware refuses unknown commands in this way, without a name.
                 let is_unknown = !command.evidence.is_empty() && refusal.code == ErrorCode::EXCEPTION;
                 let finding = finding(reply);
                 let departures = if is_unknown { Vec::new() } else { finding.departures };
@@ -120,7 +120,7 @@ impl ProbeConnection<'_> {
     }
 }
 
-/// Outcome of an error without a reply: bytes came that are not a message, or nothing came.
+/// Returns the outcome of an error without a reply: bytes came that are not a message, or nothing came.
 fn unanswered(error: &Error) -> Outcome {
     match error.kind() {
         ErrorKind::Timeout { after, .. } => Outcome::NoReply(format!("none within {after:?}")),

@@ -1,4 +1,4 @@
-//! The report, for people and as JSON.
+//! Report, for people and as JSON.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::finding::{Finding, Findings, Outcome};
 
-/// Each message with what was found in it, then the text of those that depart.
+/// Returns each message with its findings, then the text of those that depart.
 pub(super) fn text(findings: &Findings) -> String {
     let packs = if findings.packs.is_empty() { "none".to_owned() } else { findings.packs.join(", ") };
     let version = findings.version.as_ref();
@@ -16,7 +16,7 @@ pub(super) fn text(findings: &Findings) -> String {
     let mut text = format!("controller  {version}\njaka        {}\npacks       {packs}\n\n", env!("CARGO_PKG_VERSION"));
     let width = findings.all().map(|finding| finding.name.len()).max().unwrap_or_default();
     for finding in findings.all() {
-        // A string takes all that is written.
+        // Writing to a string cannot fail.
         let _ = writeln!(text, "{:width$}  {}", finding.name, visible(&in_short(finding)));
         for departure in &finding.departures {
             let _ = writeln!(text, "    {}", visible(&departure.to_string()));
@@ -42,7 +42,7 @@ fn in_short(finding: &Finding) -> String {
     }
 }
 
-/// The findings as one JSON object, with the text of every message that came.
+/// Returns the findings as one JSON object, with the text of every received message.
 pub(super) fn json(findings: &Findings) -> String {
     let report = json!({
         "controller": findings.version,

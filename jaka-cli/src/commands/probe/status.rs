@@ -10,10 +10,10 @@ use crate::commands::call::reply_json;
 use crate::failure::{chain, fact};
 use crate::target::Target;
 
-/// The name of the finding.
+/// Name of the finding.
 const NAME: &str = "status packet";
 
-/// Reads packets, and compares them with the spec. A departure that several packets have is reported once.
+/// Reads packets, and compares them with the spec. Reports a departure in several packets once.
 pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbeProgress) -> Finding {
     if progress.is_interrupted() {
         return Finding::without(NAME, Outcome::NotProbed("interrupted".to_owned()));
@@ -28,7 +28,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbePro
     for _ in (0..count).take_while(|_| !progress.is_interrupted()) {
         let packet = match next(&mut stream) {
             Ok(packet) => packet,
-            // What came before still counts.
+            // Earlier packets still count.
             Err(outcome) => {
                 let found = found.unwrap_or_else(|| Finding::without(NAME, none()));
                 return Finding { outcome, samples, ..found };
@@ -41,7 +41,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbePro
         let own = own.map(|text| reply_json(&text));
         add_new(&mut departures, Node::status(spec, own.unwrap_or_else(|| sample.clone())).departures());
         samples.push(sample);
-        // The packet that is shown is one that departs.
+        // Shows a packet that departs.
         if found.is_none() || departures.len() > before {
             found = Some(Finding::of(NAME, departures, packet));
         }
@@ -53,7 +53,7 @@ fn none() -> Outcome {
     Outcome::NoReply("no packet was received".to_owned())
 }
 
-/// The text of the next packet, whether it fits or not.
+/// Returns the text of the next packet, whether it fits or not.
 fn next(stream: &mut StatusStream) -> Result<String, Outcome> {
     if let Err(error) = stream.next_packet() {
         match error.kind() {

@@ -1,4 +1,4 @@
-//! A proxy between clients and a robot, which records their traffic.
+//! Proxy between clients and a robot, which records their traffic.
 
 mod frames;
 mod pipe;
@@ -22,38 +22,37 @@ use self::recording_queue::{Passed, ProxiedConnection};
 
 pub(crate) use self::recording_queue::RecordingQueue;
 
-/// Delay after a connection could not be accepted, perhaps because descriptors had run out.
+/// Delay after a failed `accept`, for example without a free descriptor.
 const REST: Duration = Duration::from_millis(20);
 
-/// After this long without bytes, keepalive checks whether the other side is still there, as on the SDK's own
-/// connections.
+/// Time without bytes after which keepalive checks the other side, as on the SDK's own connections.
 const IDLE: Duration = Duration::from_secs(5);
 
-/// Number of status readers at a time. Each takes two descriptors and a thread, and the command port must keep some: a
-/// stop may come on it. The controller itself decides about clients of the command port, of which it serves one.
+/// Greatest number of simultaneous status readers. Each needs two descriptors and a thread, and the command port must
+/// keep some for a stop. The controller itself limits the clients of the command port, of which it serves one.
 const MOST_READERS: usize = 64;
 
-/// One port of a proxy, for one port of the robot.
+/// Port of a proxy, for one port of the robot.
 #[derive(Debug)]
 pub(crate) struct ProxyPort {
-    /// The robot's port.
+    /// Port of the robot.
     pub(crate) port: Port,
-    /// Its address, such as `10.5.5.100:10001`.
+    /// Address of the port, such as `10.5.5.100:10001`.
     pub(crate) robot: String,
     /// Timeout for connecting to it.
     pub(crate) timeout: Duration,
-    /// The recording of all that passes.
+    /// Recording of the traffic.
     pub(crate) recorder: Recorder,
-    /// The thread that writes it.
+    /// Queue of the recording thread.
     pub(crate) queue: RecordingQueue,
-    /// Selection of the status packets that are recorded.
+    /// Selection of the recorded status packets.
     pub(crate) sampling: StatusSampling,
 }
 
 impl ProxyPort {
-    /// Opens it at an address and port, 0 for a free one, for as long as the program runs.
+    /// Listens at an address and port, 0 for a free one, for as long as the program runs.
     ///
-    /// Each client gets a connection of its own to the robot.
+    /// Each client gets its own connection to the robot.
     pub(crate) fn open(self, address: IpAddr, port: u16) -> io::Result<SocketAddr> {
         let listener = TcpListener::bind((address, port))?;
         let address = listener.local_addr()?;
@@ -64,7 +63,7 @@ impl ProxyPort {
     fn serve(self: Arc<Self>, listener: &TcpListener) {
         loop {
             let accepted = listener.accept().and_then(|(accepted, _)| {
-                // Each reader's thread has one.
+                // The thread of each reader has one reference.
                 if self.port == Port::Status && Arc::strong_count(&self) > MOST_READERS {
                     pipe::reset(&accepted);
                     return Err(io::Error::other(format!("{MOST_READERS} read there already")));

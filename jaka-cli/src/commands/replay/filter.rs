@@ -1,4 +1,4 @@
-//! Filter for the entries of a recording that are shown.
+//! Filter for the shown entries of a recording.
 
 use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
@@ -13,7 +13,7 @@ use crate::choice::{Choice, one_of};
 use crate::recordings::recorded::command_of;
 use crate::terminal::output;
 
-/// The options that select entries.
+/// Options for the selection of entries.
 #[derive(Debug, Args)]
 pub(super) struct FilterArgs {
     /// Show only the connections to this port
@@ -27,23 +27,24 @@ pub(super) struct FilterArgs {
 const PORTS: [Choice<Port>; 2] =
     [("command", "Requests and replies", Port::Command), ("status", "Status packets", Port::Status)];
 
-/// Filter for the entries of a recording that are shown: those of a port, and those of a command.
+/// Filter for the shown entries of a recording: those of a port, and those of a command.
 #[derive(Debug)]
 pub(super) struct Filter {
     port: Option<Port>,
     command: Option<CommandFilter>,
 }
 
-/// The requests of a command and their replies.
+/// Requests of a command and their replies.
 #[derive(Debug)]
 struct CommandFilter {
     name: String,
-    /// The replies, including those that do not name their command, by the time at which they came.
+    /// Replies, including those that do not name their command, by their arrival times.
     replies: HashSet<(Duration, Message)>,
 }
 
 impl FilterArgs {
-    /// The filter that the options ask for. If the recording has no request of the command, says which it has.
+    /// Returns the filter of the options. If the recording has no request of the command, prints the commands that it
+    /// has.
     pub(super) fn filter(&self, recording: &Recording) -> Filter {
         let command = self.command.as_ref().map(|name| CommandFilter::new(name, recording));
         Filter { port: self.port, command }
@@ -58,7 +59,7 @@ impl Filter {
         self.port.is_none_or(|port| entry.port == port) && self.command.as_ref().is_none_or(is_of)
     }
 
-    /// The requests that are shown, with their outcomes.
+    /// Returns the shown requests, with their outcomes.
     pub(super) fn answers(&self, recording: &Recording) -> Vec<Answered> {
         let mut answers = recording.answers();
         answers.retain(|answered| {
@@ -70,7 +71,7 @@ impl Filter {
 }
 
 impl CommandFilter {
-    /// The command by its `cmdName` or its name in Rust, or a name that is not in the spec.
+    /// Creates a filter for the command by its `cmdName` or its name in Rust, or by a name that is not in the spec.
     fn new(called: &str, recording: &Recording) -> Self {
         let known = builtin::spec().command_called(called).map(|command| command.wire.clone());
         let command = known.unwrap_or_else(|| called.to_owned());

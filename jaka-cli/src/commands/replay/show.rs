@@ -1,4 +1,4 @@
-//! A recording as text.
+//! Recording as text.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
@@ -14,7 +14,7 @@ use crate::terminal::output;
 use crate::text::number::count;
 use crate::text::utc;
 
-/// Greatest number of characters of a message that are shown.
+/// Greatest number of shown characters of a message.
 const SHOWN: usize = 160;
 /// Greatest number of requests in a list of the summary.
 const LISTED: usize = 5;
@@ -47,7 +47,7 @@ fn describe(event: &Event) -> String {
     }
 }
 
-/// Summary in numbers: a line for each number that is not 0.
+/// Returns a summary in numbers: a line for each number other than 0.
 fn summary(recording: &Recording, filter: &Filter) -> String {
     let (mut replies, mut unanswered, mut refused) = (Vec::new(), Vec::new(), 0);
     for Answered { request, sent, answer, .. } in filter.answers(recording) {
@@ -71,7 +71,7 @@ fn summary(recording: &Recording, filter: &Filter) -> String {
     text + &list("slowest replies", &slowest) + &list("without reply", &unanswered) + &entries(recording, filter)
 }
 
-/// The first of some requests, if there are any.
+/// Returns the first of some requests, if there are any.
 fn list(title: &str, lines: &[String]) -> String {
     let more = lines.len().saturating_sub(LISTED);
     let more = (more > 0).then(|| format!("{:12}  and {more} more", ""));
@@ -79,7 +79,8 @@ fn list(title: &str, lines: &[String]) -> String {
     title.iter().chain(lines.iter().take(LISTED)).chain(&more).map(|line| line.clone() + "\n").join("")
 }
 
-/// Number of status packets, with the longest time between two of a connection, and number of missing entries.
+/// Returns the number of status packets, with the longest time between two of a connection, and the number of missing
+/// entries.
 fn entries(recording: &Recording, filter: &Filter) -> String {
     let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
     let is_packet = |entry: &&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));

@@ -1,4 +1,4 @@
-//! HTML of a page, in which texts of a recording are escaped.
+//! HTML of a page, with escaped texts of a recording.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -16,16 +16,16 @@ const STYLE: &str = include_str!("page/style.css");
 
 /// Greatest number of rows of a table.
 const MOST: usize = 100;
-/// Greatest number of messages that are shown before a problem, and of characters of each.
+/// Greatest number of shown messages before a problem, and of characters of each.
 const BEFORE: usize = 4;
 const CHARACTERS: usize = 240;
 
-/// A page as it is written.
+/// Page under construction.
 #[derive(Debug)]
 pub(super) struct HtmlPage(String);
 
 impl HtmlPage {
-    /// The page of a recording of this name.
+    /// Starts the page of a recording of this name.
     pub(super) fn new(name: &str) -> Self {
         let title = format!("Report of {}", text(name));
         Self(format!(
@@ -35,40 +35,40 @@ impl HtmlPage {
         ))
     }
 
-    /// Adds a part with this HTML.
+    /// Adds a section with this HTML.
     pub(super) fn section(&mut self, id: &str, title: &str, html: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(self.0, "<section id=\"{id}\">\n<h2>{title}</h2>\n{html}</section>");
     }
 
-    /// The whole page.
+    /// Returns the whole page.
     pub(super) fn end(self) -> String {
         self.0 + "</body>\n</html>\n"
     }
 }
 
-/// A text of others: in visible characters, none of which is HTML.
+/// Returns foreign text in visible characters, with HTML escaped.
 fn text(text: &str) -> String {
     escaped(&visible(text))
 }
 
-/// A text none of whose characters is HTML.
+/// Escapes HTML in a text.
 pub(super) fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")
 }
 
-/// A paragraph of our own text.
+/// Returns a paragraph of the program's own HTML.
 pub(super) fn paragraph(html: &str) -> String {
     format!("<p>{html}</p>\n")
 }
 
-/// Pictures side by side, if they have room.
+/// Returns pictures, side by side if there is space.
 pub(super) fn figure(pictures: &[String]) -> String {
     if pictures.is_empty() { String::new() } else { format!("<figure>\n{}</figure>\n", pictures.concat()) }
 }
 
-/// Facts of the recording, in numbers.
+/// Returns facts of the recording, in numbers.
 pub(super) fn facts(session: &Session<'_>) -> String {
     let (packets, header) = (&session.packets, &session.recording.header);
     let entries = || session.recording.entries.iter();
@@ -117,7 +117,7 @@ fn connections<'r>(entries: impl Iterator<Item = &'r Entry>) -> String {
     }
 }
 
-/// Problems, with the messages before them. A problem that happens again immediately is in the same row.
+/// Returns the problems, with the messages before them. Immediate repetitions of a problem share a row.
 pub(super) fn problems(session: &Session<'_>) -> String {
     let problems = session.happenings.iter().filter(|happening| happening.is_wrong);
     let counted: Vec<_> = problems.dedup_by_with_count(|one, other| one.what == other.what).collect();
@@ -140,13 +140,13 @@ fn messages(entries: &[&Entry]) -> String {
     if lines.is_empty() { "none".to_owned() } else { format!("<pre>{lines}</pre>") }
 }
 
-/// Happenings, in the order of their times.
+/// Returns all events, in the order of their times.
 pub(super) fn events(session: &Session<'_>) -> String {
     let rows = session.happenings.iter().map(|event| vec![seconds(event.time), text(&event.what)]);
     list(&["time (s)", "what"], rows, "row").unwrap_or_else(|| paragraph("None."))
 }
 
-/// Each command with the times of its replies.
+/// Returns each command with its reply times.
 pub(super) fn commands(session: &Session<'_>) -> String {
     let rows = session.calls.commands.iter().map(|(name, command)| {
         let at = |share: usize| {
@@ -168,14 +168,14 @@ fn seconds(time: Duration) -> String {
     format!("{:.6}", time.as_secs_f64())
 }
 
-/// A table of the first of these rows, and how many more there are; none where there is no row.
+/// Returns a table of the first of these rows, and the number of the others; `None` without rows.
 fn list(titles: &[&str], rows: impl ExactSizeIterator<Item = Vec<String>>, noun: &str) -> Option<String> {
     let all = rows.len();
     let more = more(all, MOST, noun).map(|more| paragraph(&more)).unwrap_or_default();
     (all > 0).then(|| table(titles, rows.take(MOST)) + &more)
 }
 
-/// A table of HTML cells.
+/// Returns a table of HTML cells.
 fn table(titles: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let is_number = |cell: &str| !titles.is_empty() && (cell.parse::<f64>().is_ok() || cell == "–");
     let class = |cell: &str| if is_number(cell) { " class=\"number\"" } else { "" };

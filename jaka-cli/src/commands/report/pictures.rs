@@ -1,4 +1,4 @@
-//! The pictures of a page, each with its text.
+//! Pictures of a page, each with its text.
 
 use std::collections::BTreeMap;
 
@@ -21,13 +21,13 @@ const MOST_PACKED: usize = 24;
 /// Greatest number of points of a path. Of a longer path, only every second, third, or later point is drawn.
 const MOST_POINTS: usize = 8000;
 
-/// An input or output: the name of its list, and its index.
+/// Input or output: the name of its list, and its index.
 type Key = (&'static str, usize);
 
 /// Text of a part of the page, and its pictures.
 type Content = (String, Vec<String>);
 
-/// All parts that have pictures: each with its name in links, its title, and its HTML.
+/// Returns all sections with pictures: each with its name in links, its title, and its HTML.
 pub(super) fn sections(session: &Session<'_>) -> Result<Vec<(&'static str, &'static str, String)>, Failure> {
     let packets = &session.packets;
     let timed = |text: String, pictures: Vec<Strip>| -> Result<Content, Failure> {
@@ -87,7 +87,7 @@ fn state(packets: &Packets) -> Vec<Strip> {
     known.map(|(name, series)| Strip { title: (*name).to_owned(), trace: Trace::Level(series.clone()) }).collect()
 }
 
-/// Strips of the inputs and outputs that change, and a text on the others.
+/// Returns strips of the inputs and outputs that change, and a text on the others.
 fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     let title = |(name, at): &Key| format!("{name}[{at}]");
     let (digital, analog) = (changing(&packets.digital), changing(&packets.analog));
@@ -111,7 +111,7 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     (strips, text.join(" "))
 }
 
-/// Text on the fields of packs, with the number of those that are not drawn, and strips of their numbers and truth
+/// Returns a text on the fields of packs, with the number of those not drawn, and strips of their numbers and truth
 /// values.
 fn packed(packets: &Packets) -> (String, Vec<Strip>) {
     let known: Vec<_> = packets.packed.iter().filter(|(_, packed)| packed.series.range().is_some()).collect();
@@ -135,7 +135,7 @@ fn changing(all: &BTreeMap<Key, Series>) -> Vec<(&Key, &Series)> {
     all.iter().filter(|(_, series)| series.changes()).collect()
 }
 
-/// The way of the tool centre point from two sides.
+/// Returns the path of the tool centre point from two sides.
 fn path(packets: &Packets) -> Result<Content, Failure> {
     let points: usize = packets.tcp.iter().map(Vec::len).sum();
     if points == 0 {

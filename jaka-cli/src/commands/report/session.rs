@@ -14,21 +14,21 @@ pub(super) use self::happenings::{Happening, HappeningKind};
 pub(super) use self::lateness::SetPointLateness;
 pub(super) use self::packets::{Packed, Packets};
 
-/// Longer than any session: times are drawn up to this.
+/// Limit on drawn times, longer than any session.
 const LONGEST_S: f64 = 1e9;
 
-/// A recording, read for a page.
+/// Recording, read for a page.
 #[derive(Debug)]
 pub(super) struct Session<'r> {
     pub(super) recording: &'r Recording,
-    /// The time of the last entry, in seconds, and more than 0.
+    /// Time of the last entry, in seconds, and more than 0.
     pub(super) end: f64,
     pub(super) packets: Packets,
     pub(super) calls: Calls,
     pub(super) lateness: SetPointLateness,
-    /// In the order of their times.
+    /// Events in the order of their times.
     pub(super) happenings: Vec<Happening>,
-    /// The messages of the command port, in the order of their times.
+    /// Messages of the command port, in the order of their times.
     messages: Vec<&'r Entry>,
 }
 
@@ -55,14 +55,14 @@ impl<'r> Session<'r> {
         }
     }
 
-    /// The last messages of the command port up to a time, at most so many.
+    /// Returns the last messages of the command port up to a time, at most this many.
     pub(super) fn messages_before(&self, time: Duration, most: usize) -> &[&'r Entry] {
         let end = self.messages.partition_point(|message| message.time <= time);
         &self.messages[end.saturating_sub(most)..end]
     }
 }
 
-/// A duration in milliseconds.
+/// Returns a duration in milliseconds.
 pub(super) fn milliseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
 }

@@ -1,4 +1,4 @@
-//! The faults that a script can have, as help and errors list them.
+//! Faults available in a script, for help and errors.
 
 use std::fmt::Display;
 
@@ -7,7 +7,7 @@ use jaka_sim::{Fault, Happening, LinkFault, StatusFault};
 
 use super::keys;
 
-/// All kinds, an example of each, by what they are for.
+/// Returns an example of each kind, grouped by purpose.
 pub(super) fn text() -> String {
     format!(
         "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n\n\
@@ -24,7 +24,7 @@ pub(super) fn text() -> String {
     )
 }
 
-/// The words of all faults of replies.
+/// Returns the words of all faults of replies.
 pub(super) fn words() -> String {
     let first = |fault: &Fault| fault.to_string().split(' ').next().map(str::to_owned);
     Fault::one_of_each().iter().filter_map(first).join(", ")

@@ -1,4 +1,4 @@
-//! Events at the simulated arm by single keys: the words of `--schedule` and `--stdin`, each under a key.
+//! Events of the simulated arm by single keys: the words of `--schedule` and `--stdin`, each under a key.
 
 use std::io::{IsTerminal, stdin, stdout};
 use std::sync::mpsc::Sender;
@@ -13,8 +13,7 @@ use crate::terminal::output;
 use crate::terminal::raw;
 use crate::terminal::raw::Raw;
 
-/// Keys from the first to the last, and what they have happen, by their number from 0: this, and where it has happened,
-/// the opposite.
+/// Range of keys, and their events, by their number from 0: the event, and after it has occurred, the opposite event.
 struct KeyRow {
     keys: (char, char),
     does: fn(usize) -> Happening,
@@ -50,14 +49,14 @@ pub(super) enum Effect {
     Nothing,
 }
 
-/// Effect of a key, for an arm in this state.
+/// Returns the effect of a key, for an arm in this state.
 pub(super) fn effect(key: KeyEvent, state: &State) -> Effect {
     let KeyCode::Char(sign) = key.code else { return Effect::Nothing };
     if key.kind == KeyEventKind::Release {
         return Effect::Nothing;
     }
     if key.modifiers.contains(KeyModifiers::CONTROL) {
-        // The terminal does not send the signal, nor the end of its input.
+        // In this mode the terminal sends neither the signal nor the end of its input.
         return if matches!(sign, 'c' | 'd') { Effect::Quits } else { Effect::Nothing };
     }
     match sign {
@@ -77,7 +76,7 @@ fn happening(sign: char, state: &State) -> Option<Happening> {
     })
 }
 
-/// Whether this has happened, and the opposite has not.
+/// Whether this event has occurred, and the opposite has not.
 fn is_so(happening: Happening, state: &State) -> bool {
     match happening {
         Happening::PressEmergencyStop => state.emergency_stop,
@@ -87,7 +86,7 @@ fn is_so(happening: Happening, state: &State) -> bool {
     }
 }
 
-/// All keys in a line.
+/// Returns all keys in a line.
 pub(super) fn list() -> String {
     let rows = ROWS.iter().map(|row| {
         let (first, last) = row.keys;
@@ -110,7 +109,7 @@ pub(super) fn show() -> Result<(), Failure> {
     output::line(&format!("keys: {}", list()))
 }
 
-/// Prints the keys, and sends each that is pressed, from a thread that reads them; for as long as the result lives.
+/// Prints the keys, and sends each pressed key from a reading thread, for as long as the result lives.
 pub(super) fn begin(sender: Sender<Typed>) -> Result<Raw, Failure> {
     let raw = Raw::begin().map_err(|error| Failure::local("the terminal cannot be used", error))?;
     show()?;

@@ -1,4 +1,4 @@
-//! Events at the simulated controller, each of which is printed when it happens.
+//! Events of the simulated controller, printed as they occur.
 
 use std::io::{BufRead, stdin};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
@@ -13,7 +13,7 @@ use crate::arm::interrupt::end_whole;
 use crate::failure::Failure;
 use crate::terminal::output;
 
-/// Interval at which the program checks whether an event is due.
+/// Interval of the checks for due events.
 const TICK: Duration = Duration::from_millis(10);
 
 /// Runs the scheduled events and the typed ones, and prints each with its time, until no more can come.
@@ -44,8 +44,7 @@ pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Re
     }
 }
 
-/// Schedules one event. An event at something that the controller does not have is an error message, and nothing
-/// happens.
+/// Schedules one event. For an input that the controller does not have, prints an error message instead.
 fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled>) {
     let at = event.at.max(controller.elapsed());
     match controller.at(at, event.happening) {
@@ -55,8 +54,7 @@ fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled
     ahead.sort_by_key(|event| event.at);
 }
 
-/// Sends the lines of standard input, from a thread that reads them. A line that is not understood is an error message,
-/// and nothing happens.
+/// Sends the lines of standard input from a reading thread. Prints an error message for an invalid line.
 pub(super) fn begin_lines(sender: Sender<Typed>) {
     thread::spawn(move || read(&sender));
 }

@@ -1,4 +1,4 @@
-//! `jaka spec check`: everything that is wrong with packs and specs.
+//! `jaka spec check`: all errors of packs and specs.
 
 use std::path::{Path, PathBuf};
 
@@ -12,16 +12,16 @@ use crate::target::packs;
 use crate::terminal::output;
 use crate::text::number::count;
 
-/// Check packs, or a whole spec, and say what they add and change.
+/// Check packs, or a whole spec, and list their additions and changes.
 ///
-/// Prints all errors at file, line and column. Examples are checked against the fields of their commands. Each pack is
-/// checked on top of the spec and the packs before it.
+/// Prints all errors with file, line and column. Checks examples against the fields of their commands, and each pack on
+/// top of the spec and the packs before it.
 #[derive(Debug, Args)]
 pub(super) struct SpecCheck {
-    /// The packs, in order
+    /// Packs, in order
     #[arg(value_name = "FILE", required_unless_present = "spec")]
     packs: Vec<PathBuf>,
-    /// A folder of TOML files that is the whole spec, instead of the built-in one
+    /// Folder of TOML files with the whole spec, instead of the built-in one
     #[arg(long, value_name = "FOLDER")]
     spec: Option<PathBuf>,
 }
@@ -42,7 +42,7 @@ impl SpecCheck {
     }
 }
 
-/// Errors that were found, of which the first are printed.
+/// Found errors, of which the first are printed.
 #[derive(Debug, Default)]
 struct Found {
     printed: usize,
@@ -65,12 +65,12 @@ impl Found {
         Ok(())
     }
 
-    /// Prints the number of errors that were not printed.
+    /// Prints the number of errors not printed.
     fn tell_more(&self) -> Result<(), Failure> {
         if self.more > 0 { output::line(&format!("and {}", count(self.more, "more error"))) } else { Ok(()) }
     }
 
-    /// Fails if there is an error.
+    /// Returns a failure if there is an error.
     fn finish(&self) -> Result<(), Failure> {
         self.tell_more()?;
         match self.printed + self.more {
@@ -88,19 +88,19 @@ fn examples(found: &mut Found, spec: &Spec, commands: &[Command], source: Source
     })
 }
 
-/// Prints what is not an error.
+/// Prints a note, which is not an error.
 fn note(Error { path, line, column, message }: &Error) -> Result<(), Failure> {
     output::line(&format!("{path}:{line}:{column}: note: {message}"))
 }
 
-/// A misfit at the place of its example.
+/// Returns a misfit at the position of its example.
 fn error(misfit: &jaka_dynamic::Misfit, source: Source<'_>) -> Error {
-    // The file has its text unchanged where it needs no escapes, as between single quotes.
+    // The file has its text unchanged if it needs no escapes, as between single quotes.
     let place = source.text.find(&misfit.message).or_else(|| source.text.find(&misfit.command));
     source.error(place.unwrap_or_default(), misfit.to_string())
 }
 
-/// Checks a folder that is a whole spec; without its spec, packs could not be checked.
+/// Checks a folder with a whole spec; without its spec, packs could not be checked.
 fn whole(folder: &Path, found: &mut Found) -> Result<Spec, Failure> {
     let files = files::read(folder)?;
     let sources = files::sources(&files);
@@ -122,7 +122,7 @@ fn whole(folder: &Path, found: &mut Found) -> Result<Spec, Failure> {
     Ok(spec)
 }
 
-/// Checks a pack on top of a spec, and gives the spec with it if it can be loaded.
+/// Checks a pack on top of a spec, and returns the spec with it if it loads.
 fn pack(spec: &Spec, path: &Path, found: &mut Found) -> Result<Option<Spec>, Failure> {
     let name = path.display().to_string();
     let source = Source { path: &name, text: &packs::read(path)? };

@@ -11,17 +11,17 @@ use crate::failure::Failure;
 use crate::target::packs;
 use crate::terminal::{exit, output};
 
-/// Compare two specs, and say what each change means for Rust programs.
+/// Compare two specs, and print the impact of each change on Rust programs.
 ///
-/// A spec is `builtin`, a folder of TOML files, or a pack, which stands for the built-in spec with that pack. A change
-/// is major, minor or patch, as for the version number of a crate.
+/// A spec is `builtin`, a folder of TOML files, or a pack, which means the built-in spec with that pack. A change is
+/// major, minor or patch, as for the version number of a crate.
 #[derive(Debug, Args)]
 pub(super) struct Diff {
-    /// The old spec: `builtin`, a folder or a pack
+    /// Old spec: `builtin`, a folder or a pack
     old: PathBuf,
-    /// The new spec: `builtin`, a folder or a pack
+    /// New spec: `builtin`, a folder or a pack
     new: PathBuf,
-    /// A pack on top of NEW; repeat it for more
+    /// Pack on top of NEW; repeat it for more
     #[arg(long = "pack", value_name = "FILE")]
     packs: Vec<PathBuf>,
     /// Print the changes as JSON
@@ -47,7 +47,7 @@ impl Diff {
     }
 }
 
-/// The changes, a line each, and their summary.
+/// Returns the changes, a line each, and their summary.
 fn text(changes: &[Difference]) -> String {
     let lines: String = changes.iter().map(|change| change.to_string() + "\n").collect();
     lines + &tools::summary(changes) + "\n"

@@ -1,4 +1,4 @@
-//! `jaka spec doc` and `jaka spec schema`: documents made from the spec.
+//! `jaka spec doc` and `jaka spec schema`: documents generated from the spec.
 
 use std::borrow::Cow;
 use std::fs;
@@ -17,7 +17,7 @@ use crate::terminal::output;
 /// Write the protocol's reference, in Markdown.
 #[derive(Debug, Args)]
 pub(super) struct Reference {
-    /// The language: the Chinese edition has the front matter, the traps, the errata and the index, and links to
+    /// Language; the Chinese edition has the front matter, the traps, the errata and the index, and links to
     /// `REFERENCE.md`
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
     lang: Edition,
@@ -28,7 +28,7 @@ pub(super) struct Reference {
     document: Document,
 }
 
-/// Makes a document of a spec.
+/// Generator of a document from a spec.
 type Make = fn(&Spec) -> String;
 
 /// Documents in one language.
@@ -60,7 +60,8 @@ pub(super) struct Document {
 }
 
 impl Document {
-    /// Writes what `make` makes of the built-in spec with its packs, with invisible characters made `visible`.
+    /// Writes the document that `make` returns for the built-in spec with its packs, with invisible characters made
+    /// `visible`.
     pub(super) fn run(&self, make: Make, visible: impl Fn(&str) -> Cow<'_, str>) -> Result<(), Failure> {
         let text = make(&self.spec.load(Lookup::default())?.spec);
         let text = visible(&text);
@@ -69,7 +70,7 @@ impl Document {
     }
 }
 
-/// The JSON Schema as text.
+/// Returns the JSON Schema as text.
 pub(super) fn schema(spec: &Spec) -> String {
     format!("{:#}\n", tools::schema(spec))
 }

@@ -12,8 +12,8 @@ use crate::target::packs;
 /// Word for the built-in spec on a command line.
 const BUILTIN_NAME: &str = "builtin";
 
-/// The TOML files of a folder, each with its path and text: those that the built-in spec has in its order, then the
-/// others by name.
+/// Reads the TOML files of a folder, each with its path and text: first those of the built-in spec in its order, then
+/// the others by name.
 ///
 /// A `Cargo.toml` is not part of the spec: the folder of its crate has one.
 pub(super) fn read(folder: &Path) -> Result<Vec<(String, String)>, Failure> {
@@ -27,7 +27,7 @@ pub(super) fn read(folder: &Path) -> Result<Vec<(String, String)>, Failure> {
     paths.into_iter().map(|path| Ok((path.display().to_string(), packs::read(&path)?))).collect()
 }
 
-/// Files as the spec loads them.
+/// Returns the files as sources of the spec.
 pub(super) fn sources(files: &[(String, String)]) -> Vec<Source<'_>> {
     files.iter().map(|(path, text)| Source { path, text }).collect()
 }
@@ -36,13 +36,13 @@ fn is_topic(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("Cargo.toml")
 }
 
-/// The place of the file of this name in the built-in spec; the greatest number if it has none.
+/// Returns the index of the file of this name in the built-in spec; the greatest number if it has none.
 fn place(path: &Path) -> usize {
     let is_same = |source: &Source<'_>| Path::new(source.path).file_name() == path.file_name();
     BUILTIN.iter().position(is_same).unwrap_or(usize::MAX)
 }
 
-/// The spec that a word of the command line stands for: `builtin`, a folder, or a pack on the built-in spec.
+/// Returns the spec of a word of the command line: `builtin`, a folder, or a pack on the built-in spec.
 pub(super) fn spec(word: &Path) -> Result<Spec, Failure> {
     if word == Path::new(BUILTIN_NAME) {
         return Ok(builtin::spec().clone());

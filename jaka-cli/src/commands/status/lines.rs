@@ -10,12 +10,12 @@ use crate::packets::event;
 use crate::packets::fields::Field;
 use crate::text::csv::{cell, row};
 
-/// The columns: those of the first packet, since there is only one header.
+/// Columns: those of the first packet, since there is only one header.
 #[derive(Debug)]
 pub(super) enum LineColumns {
-    /// The fields that are asked for.
+    /// Requested fields.
     Wanted(Vec<Field>),
-    /// Each of them, divided into its parts.
+    /// Requested fields, divided into their parts.
     Found(Vec<Field>),
 }
 
@@ -24,7 +24,7 @@ impl LineColumns {
         Self::Wanted(fields)
     }
 
-    /// A packet's line, with the header before the first. A cell is empty where the packet says nothing.
+    /// Returns a packet's line, with the header before the first. The cell of a missing value is empty.
     pub(super) fn lines(&mut self, packet: &Packet) -> String {
         let mut text = String::new();
         if let Self::Wanted(fields) = self {
@@ -38,9 +38,9 @@ impl LineColumns {
     }
 }
 
-/// A packet as one line, its fields in the order in which they are asked for. A field that it does not have is null.
+/// Returns a packet as one line, with its fields in the requested order. A missing field is null.
 ///
-/// The code of an event is followed by its severity, meaning, cause and remedy, which are null where nothing is known.
+/// Severity, meaning, cause and remedy follow the code of an event; unknown ones are null.
 pub(super) fn json(fields: &[Field], packet: &Packet) -> String {
     let time = format!("\"time_s\":{}", packet.time);
     let mut entries = vec![time];

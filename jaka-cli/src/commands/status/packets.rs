@@ -15,31 +15,31 @@ use crate::terminal::output;
 use crate::text::number::seconds;
 use crate::text::utc;
 
-/// A packet, ready to be printed.
+/// Packet to be printed.
 #[derive(Debug)]
 pub(super) struct Packet {
-    /// The Unix time at which it was read, in seconds.
+    /// Unix time of its reading, in seconds.
     pub(super) time: f64,
-    /// The packet as the spec has it, with packs.
+    /// Packet by the spec, with packs.
     pub(super) tree: Node<'static>,
 }
 
-/// Item that is due to be printed.
+/// Item that is due for printing.
 #[derive(Debug)]
 pub(super) enum Due<T> {
     Packet(T),
     Overdue(Overdue),
 }
 
-/// A time without packets, after which the last one does not tell the present.
+/// Time without packets, after which the last packet is out of date.
 #[derive(Debug)]
 pub(super) struct Overdue {
-    /// The Unix time at which it is told, in seconds.
+    /// Unix time of the report, in seconds.
     pub(super) time: f64,
-    /// The Unix time at which the last packet was read, in seconds.
+    /// Unix time at which the last packet was read, in seconds.
     since: f64,
     lasts: Duration,
-    /// True if nothing was due in it before.
+    /// Whether this is the first report of this time without packets.
     pub(super) is_news: bool,
 }
 
@@ -50,49 +50,48 @@ impl fmt::Display for Overdue {
     }
 }
 
-/// Packets from a stream, one each period, or all of them if that is zero; or the one that meets the condition of a
-/// wait.
+/// Packets from a stream, one each period, or all of them if the period is zero; or the packet that meets a condition.
 #[derive(Debug)]
 pub(super) struct PacketSource {
     stream: StatusStream,
-    /// None if only the one is wanted that is waited for.
+    /// Period of printed packets; `None` to print only the packet of the condition.
     period: Option<Duration>,
     until: Option<Until>,
     due: Option<Instant>,
     silence: Silence,
-    /// Fields that were reported not to fit.
+    /// Fields reported not to fit.
     told: BTreeSet<String>,
 }
 
 /// Time without packets, and its limits.
 #[derive(Debug)]
 struct Silence {
-    /// Time at which the last packet was read, or the connection was made.
+    /// Time at which the last packet was read, or the connection was opened.
     since: Instant,
-    /// The Unix time of the last packet, in seconds.
+    /// Unix time of the last packet, in seconds.
     last: Option<f64>,
-    /// True once it was told.
+    /// Whether it was reported.
     was_told: bool,
-    /// Age at which a packet does not tell the present.
+    /// Age from which a packet is out of date.
     stale_after: Duration,
     /// Timeout for a packet.
     patience: Duration,
 }
 
 impl PacketSource {
-    /// Packets of a stream that waits for [`POLL`](super::until::POLL) at most, connected to by this config.
+    /// Creates a source from a stream that waits for at most [`POLL`](super::until::POLL), connected with this config.
     pub(super) fn new(stream: StatusStream, config: &Config, period: Option<Duration>, until: Option<Until>) -> Self {
         let (stale_after, patience) = (config.get_stale_after(), config.get_reply_timeout());
         let silence = Silence { since: now(), last: None, was_told: false, stale_after, patience };
         Self { stream, period, until, due: None, silence, told: BTreeSet::new() }
     }
 
-    /// True if the last packet shows what is waited for.
+    /// Whether the last packet meets the condition.
     pub(super) fn is_last(&self) -> bool {
         self.until.as_ref().is_some_and(Until::is_met)
     }
 
-    /// The next packet that is due, or that shows what is waited for.
+    /// Returns the next packet that is due, or that meets the condition.
     pub(super) fn next(&mut self) -> Result<Due<Packet>, Failure> {
         loop {
             let status: PackedStatus = match self.stream.next_packet_as() {
@@ -119,7 +118,7 @@ impl PacketSource {
         }
     }
 
-    /// Reports each field that does not fit once: it is missing from what is printed.
+    /// Reports each field that does not fit once: it is missing from the output.
     fn tell_unfit(&mut self, status: &PackedStatus) {
         let unfit = self.stream.unfit().iter().chain(&status.unfit);
         for error in unfit.filter(|error| self.told.insert(error.field().to_owned())) {
@@ -127,7 +126,7 @@ impl PacketSource {
         }
     }
 
-    /// The text of the next packet that is due, even if it does not fit the spec.
+    /// Returns the text of the next packet that is due, even if it does not fit the spec.
     pub(super) fn next_text(&mut self) -> Result<Due<String>, Failure> {
         loop {
             match self.stream.next_packet() {
@@ -146,7 +145,7 @@ impl PacketSource {
         }
     }
 
-    /// A packet has come.
+    /// Records the arrival of a packet.
     fn came(&mut self) {
         let silence = &mut self.silence;
         let lasted = now().saturating_duration_since(silence.since);
@@ -159,8 +158,8 @@ impl PacketSource {
         }
     }
 
-    /// Handles a moment without packets. Returns the item that is due because of it, if there is one. Fails where it
-    /// lasts for too long.
+    /// Handles a moment without packets. Returns an item if one is due because of it. Returns an error after the
+    /// timeout.
     fn nothing_came(&mut self, error: Error) -> Result<Option<Overdue>, Failure> {
         let ErrorKind::StatusTimeout { address, .. } = error.kind() else { return Err(error.into()) };
         let lasts = now().saturating_duration_since(self.silence.since);
@@ -176,8 +175,8 @@ impl PacketSource {
         Ok(is_due.then(|| Overdue { time: unix_time(), since, lasts, is_news: is_news() }))
     }
 
-    /// Whether the packet that has just come is due. Those before are read and dropped, so that none is old and the
-    /// controller is not held up.
+    /// Whether the packet that has just come is due. Earlier ones are read and dropped, so that no printed packet is
+    /// old and the controller is not delayed.
     fn is_due(&mut self) -> bool {
         (self.prints_all() || !self.stream.follows_silence()) && self.tick()
     }
@@ -186,12 +185,12 @@ impl PacketSource {
         self.period == Some(Duration::ZERO)
     }
 
-    /// Whether something is due now.
+    /// Whether an item is due now.
     fn tick(&mut self) -> bool {
         let (Some(period), now) = (self.period, now()) else { return false };
         let is_due = self.due.is_none_or(|due| now >= due);
         if is_due {
-            // The times are multiples of the period, unless one was missed. A period that is too long to count never
+            // The times are multiples of the period, unless one was missed. A period beyond the range of times never
             // ends.
             let next = self.due.unwrap_or(now).checked_add(period);
             self.due = next.map(|next| next.max(now));
@@ -200,7 +199,7 @@ impl PacketSource {
     }
 }
 
-/// Now, to the millisecond.
+/// Returns the present Unix time, to the millisecond.
 fn unix_time() -> f64 {
     seconds(SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default())
 }

@@ -12,16 +12,16 @@ use crate::terminal::output;
 use crate::terminal::output::ABSENT;
 use crate::text::utc;
 
-/// A table of these fields.
+/// Table of these fields.
 #[derive(Debug)]
 pub(super) struct StatusTable {
     fields: Vec<Field>,
-    /// Text before and after each of several tables; none if there is only one.
+    /// Text before and after each of several tables; `None` for a single one.
     around: Option<(&'static str, &'static str)>,
 }
 
 impl StatusTable {
-    /// Several tables have their times. On a terminal, each replaces the one before it.
+    /// Creates the table. Repeated tables have their times. On a terminal, each replaces the previous one.
     pub(super) fn new(fields: Vec<Field>, repeats: bool) -> Self {
         let around = match (repeats, stdout().is_terminal()) {
             (false, _) => None,
@@ -31,14 +31,14 @@ impl StatusTable {
         Self { fields, around }
     }
 
-    /// The table of a packet.
+    /// Returns the table of a packet.
     pub(super) fn text(&self, packet: &Packet) -> String {
         let table = self.rows(&packet.tree);
         let Some((before, after)) = self.around else { return table };
         format!("{before}{}\n{table}{after}", utc::date_and_time(Duration::from_secs_f64(packet.time)))
     }
 
-    /// Text in place of a table while no packet tells the present.
+    /// Returns the text shown in place of a table while no packet is current.
     pub(super) fn without_packet(&self, overdue: &Overdue) -> String {
         let (before, after) = self.around.unwrap_or_default();
         format!("{before}{}\n{overdue}\n{after}", utc::date_and_time(Duration::from_secs_f64(overdue.time)))

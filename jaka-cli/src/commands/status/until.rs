@@ -1,4 +1,4 @@
-//! Waiting until a packet meets a condition.
+//! Wait until a packet meets a condition.
 
 use std::time::{Duration, Instant};
 
@@ -8,10 +8,10 @@ use super::now;
 use crate::failure::Failure;
 use crate::packets::condition::Condition;
 
-/// Interval at which the timeout is checked while no packet comes.
+/// Interval of the timeout checks without a packet.
 pub(super) const POLL: Duration = Duration::from_millis(100);
 
-/// A condition that is waited for, and its timeout.
+/// Awaited condition, and its timeout.
 #[derive(Debug)]
 pub(super) struct Until {
     condition: Condition,
@@ -19,7 +19,7 @@ pub(super) struct Until {
     since: Instant,
     /// Values of the condition's fields in the last packet.
     last: Option<String>,
-    /// True once a packet has shown it.
+    /// Whether a packet has met it.
     is_met: bool,
 }
 
@@ -35,7 +35,7 @@ impl Until {
     /// Takes a packet.
     ///
     /// # Errors
-    /// It does not show the condition, and the time is over.
+    /// It does not meet the condition, and the time is over.
     pub(super) fn packet(&mut self, packet: &Node<'_>) -> Result<(), Failure> {
         self.is_met = self.condition.holds(packet);
         if self.is_met {
@@ -45,12 +45,12 @@ impl Until {
         self.check_time()
     }
 
-    /// True if the time ends the wait, and no packets that stay away.
+    /// Whether the wait has a time limit of its own, instead of the timeout for packets.
     pub(super) fn is_limited(&self) -> bool {
         self.limit.is_some()
     }
 
-    /// Fails if the time is over.
+    /// Returns an error if the time is over.
     pub(super) fn check_time(&self) -> Result<(), Failure> {
         let Some(limit) = self.limit.filter(|limit| now().saturating_duration_since(self.since) >= *limit) else {
             return Ok(());

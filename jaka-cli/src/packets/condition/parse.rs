@@ -1,4 +1,4 @@
-//! Conditions from their text.
+//! Parser of conditions.
 
 use jaka_sync::proto::text::visible;
 use serde_json::{Number, Value};
@@ -6,10 +6,10 @@ use serde_json::{Number, Value};
 use super::{Comparison, Expression, Misread};
 use crate::packets::fields::{Field, Kind};
 
-/// Greatest depth to which parts of a condition can be nested.
+/// Greatest nesting depth of a condition.
 const DEEPEST: usize = 50;
 
-/// The signs that compare, the longer ones first.
+/// Comparison operators, the longer ones first.
 const COMPARISONS: [(&str, Comparison); 6] = [
     ("==", Comparison::Equal),
     ("!=", Comparison::NotEqual),
@@ -19,7 +19,7 @@ const COMPARISONS: [(&str, Comparison); 6] = [
     (">", Comparison::Greater),
 ];
 
-/// The condition that a text is.
+/// Parses a condition.
 pub(super) fn condition(text: &str) -> Result<Expression, Misread> {
     let mut parser = ConditionParser { text, rest: text.trim_start(), depth: 0 };
     let root = parser.either()?;
@@ -28,12 +28,12 @@ pub(super) fn condition(text: &str) -> Result<Expression, Misread> {
 
 struct ConditionParser<'t> {
     text: &'t str,
-    /// Text that is not read yet, without white space at its beginning.
+    /// Remaining text, without white space at its beginning.
     rest: &'t str,
     depth: usize,
 }
 
-/// A part of a condition, with its kind and the column of its beginning, from 0.
+/// Part of a condition, with its kind and its start column, from 0.
 struct Part {
     expression: Expression,
     kind: Kind,
@@ -54,19 +54,19 @@ impl<'t> ConditionParser<'t> {
         self.text.chars().count() - self.rest.chars().count()
     }
 
-    /// Takes so many bytes.
+    /// Takes this many bytes.
     fn take(&mut self, length: usize) -> &'t str {
         let (taken, rest) = self.rest.split_at(length);
         self.rest = rest.trim_start();
         taken
     }
 
-    /// Takes as many such characters as there are.
+    /// Takes all leading characters of this kind.
     fn take_all(&mut self, is_part: fn(char) -> bool) -> &'t str {
         self.take(self.rest.find(|c| !is_part(c)).unwrap_or(self.rest.len()))
     }
 
-    /// Takes a sign if it comes next.
+    /// Takes an operator if it comes next, and returns whether it did.
     fn takes(&mut self, sign: &str) -> bool {
         self.rest.starts_with(sign) && !self.take(sign.len()).is_empty()
     }
@@ -93,7 +93,7 @@ impl<'t> ConditionParser<'t> {
         self.joined("&&", Self::comparison, Expression::And)
     }
 
-    /// A part, or several truth values with this sign between them.
+    /// Parses a part, or several truth values joined by this operator.
     fn joined(
         &mut self,
         sign: &str,
@@ -169,7 +169,7 @@ fn is_word(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']')
 }
 
-/// A number that is finite: there are no others in JSON.
+/// Parses a finite number: JSON has no others.
 fn number(text: &str) -> Option<Value> {
     text.parse().ok().and_then(Number::from_f64).map(Value::from)
 }

@@ -1,4 +1,4 @@
-//! Paths to fields, as people type them.
+//! Paths to fields, as typed by people.
 
 use itertools::Itertools as _;
 use jaka_dynamic::Label;
@@ -25,7 +25,7 @@ pub(super) fn find(packet: Field, path: &str) -> Result<Field, String> {
     Ok(found)
 }
 
-/// The part of this name, in Rust or on the wire.
+/// Returns the part of this name, in Rust or on the wire.
 fn named(parent: &Field, name: &str) -> Result<Field, String> {
     let mut members = parent.members();
     if members.is_empty() {
@@ -39,13 +39,13 @@ fn named(parent: &Field, name: &str) -> Result<Field, String> {
     })
 }
 
-/// Name in Rust, and the key on the wire if there is one.
+/// Returns the name in Rust, and the key on the wire if there is one.
 fn names(member: &Field) -> impl Iterator<Item = &str> {
     let Label::Field(field) = member.place.label() else { return [None; 2].into_iter().flatten() };
     [Some(&*field.name), Some(&*field.wire).filter(|wire| !wire.is_empty())].into_iter().flatten()
 }
 
-/// The element at an index.
+/// Returns the element at an index.
 fn at(list: &Field, index: usize) -> Result<Field, String> {
     let Some(Shape::List(_, count)) = list.place.shape() else {
         return Err(format!("the status field `{}` is not a list", list.name));
@@ -56,7 +56,7 @@ fn at(list: &Field, index: usize) -> Result<Field, String> {
     })
 }
 
-/// The numbers of `[1][2]`.
+/// Parses the numbers of `[1][2]`.
 fn parse_indices(text: &str) -> Option<Vec<usize>> {
     if text.is_empty() {
         return Some(Vec::new());
@@ -65,7 +65,7 @@ fn parse_indices(text: &str) -> Option<Vec<usize>> {
     inner.split("][").map(|index| index.parse().ok()).collect()
 }
 
-/// Hint at similar names, or at the command that shows all fields.
+/// Returns a hint at similar names, or at the command that shows all fields.
 fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
     let similar = names.filter_map(|name| Some((unlikeness(wanted, name)?, name))).sorted().dedup();
     match similar.take(MOST).map(|(_, name)| format!("`{name}`")).join(", ").as_str() {
@@ -74,7 +74,7 @@ fn hint<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> String {
     }
 }
 
-/// The number of letters that differ, if that is few; names that contain the wanted one come after those.
+/// Returns the number of different letters, if that is few; names that contain the wanted one come after those.
 fn unlikeness(wanted: &str, name: &str) -> Option<usize> {
     let few = wanted.len() / 4 + 1;
     let apart = distance(wanted, name);

@@ -1,5 +1,5 @@
-//! Lines on their way to standard error, which a thread of its own writes: one that sends set-points does not wait for
-//! a terminal.
+//! Backlog of lines for standard error, written by its own thread: a thread that sends set-points does not wait for a
+//! terminal.
 
 use std::collections::VecDeque;
 use std::io::{Write, stderr};
@@ -9,15 +9,15 @@ use std::time::Duration;
 
 use crate::terminal::raw::with_returns;
 
-/// Greatest number of lines that may wait; further ones are only counted.
+/// Greatest number of waiting lines; further lines are only counted.
 const MOST: usize = 10_000;
-/// Time for which the end of the program waits for them.
+/// Time for which the end of the program waits for the lines.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 struct Backlog {
     lines: VecDeque<String>,
     missing: usize,
-    /// Lines have been taken that are not written yet.
+    /// Whether the thread has taken lines and not yet written them.
     is_writing: bool,
 }
 
@@ -29,7 +29,7 @@ pub(super) fn begin() {
     thread::spawn(write);
 }
 
-/// Has a line written.
+/// Queues a line.
 pub(super) fn add(line: String) {
     let mut backlog = lock();
     if backlog.lines.len() < MOST {
@@ -43,7 +43,7 @@ pub(super) fn add(line: String) {
 /// Waits until all lines are written, if the reader takes them.
 pub(crate) fn finish() {
     let is_busy = |backlog: &mut Backlog| backlog.is_writing || !backlog.lines.is_empty();
-    // Where it takes too long, what is left is lost.
+    // On timeout, the remaining lines are lost.
     drop(CHANGED.wait_timeout_while(lock(), PATIENCE, is_busy));
 }
 
@@ -67,7 +67,7 @@ fn write() {
     }
 }
 
-/// Every change is made whole before the lock is left.
+/// Locks the backlog, also after a panic: each change completes before the lock is released.
 fn lock() -> MutexGuard<'static, Backlog> {
     BACKLOG.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! The arm's model, and where the arm is against limits.
+//! Model of the arm, and its position relative to limits.
 
 use std::fs;
 
@@ -14,12 +14,12 @@ fn zu5() -> &'static Model {
     Model::named("Zu 5").expect("a published arm")
 }
 
-/// An arm of this model.
+/// Returns an arm of this model.
 fn arm(model: Model) -> Arm {
     Arm::simulated().controller(|controller| controller.model(model)).start()
 }
 
-/// Reply of a Zu 5 to `get_dh_param`, with the forearm longer by this many mm.
+/// Returns the reply of a Zu 5 to `get_dh_param`, with the forearm longer by this many mm.
 fn longer_by(mm: f64) -> GetDhParamReply {
     let mut reply = healthy().state().dh_parameters;
     reply.a[3] += mm;
@@ -131,7 +131,7 @@ fn poses_that_the_controller_does_not_compute() {
             }
         }
     };
-    // Positions beyond the ranges of its arm may be refused: those of another model are asked for then.
+    // The arm may refuse positions beyond its ranges: the check then queries those of another model.
     assert_found(refuse(1), &expect![[r#""#]]);
     assert_found(
         refuse(8),

@@ -1,5 +1,5 @@
-//! Problems of a newcomer: wrong addresses, ports that are mixed up, other programs, and controllers that do not answer
-//! this client.
+//! Problems of a newcomer: wrong addresses, swapped ports, other programs, and controllers that do not answer this
+//! client.
 
 use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};
@@ -12,7 +12,7 @@ use jaka_tests::{Arm, ReservedPort};
 use super::super::jaka_at;
 use super::{assert_found, assert_report, found, healthy};
 
-/// Checks what is at these ports, in the time of an arm.
+/// Checks the ports at these addresses, in the time of an arm.
 fn assert_at(arm: &Arm, commands: SocketAddr, status: SocketAddr, expected: &Expect) {
     assert_report(&jaka_at(arm.config(), [commands, status], ["check", "--yes", "--json"]), expected);
 }
@@ -137,7 +137,7 @@ fn packets_that_are_none() {
 
 #[test]
 fn another_service() {
-    // It knows nothing of a simulated clock.
+    // This arm does not use a simulated clock.
     let controller = Arm::real_time().start();
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
@@ -148,7 +148,7 @@ fn another_service() {
             client
         });
         let report = jaka_at(controller.config(), [address, controller.status_addr()], ["check", "--yes", "--json"]);
-        // The rate of packets, which the machine may slow down, comes last.
+        // The finding on the rate of packets, which the machine may slow down, comes last.
         let first: Vec<_> = found(&report).lines().take(2).map(str::to_owned).collect();
         expect![[r#"
             command_port: wrong: bytes that do not begin a frame: `SSH-2.0-OpenSSH_9.7\x0d\x0a`

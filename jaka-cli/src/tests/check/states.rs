@@ -243,7 +243,7 @@ fn a_query_without_an_answer() {
               check the network, and whether the controller is busy, and check again
         "#]],
     );
-    // What comes after it is not checked.
+    // Later items are not checked.
     assert_found(
         |controller| controller.inject_for("get_payload", Fault::Close),
         &expect![[r#"
@@ -300,7 +300,7 @@ fn slow_replies() {
     assert_eq!(report.code, 8);
 }
 
-/// Lines of a report about an item.
+/// Returns the lines of a report about an item.
 fn lines_of(report: &Run, item: &str) -> String {
     report.out.lines().skip_while(|line| !line.starts_with(item)).take(2).collect::<Vec<_>>().join("\n")
 }

@@ -7,16 +7,16 @@ use super::tracker::Tracker;
 use crate::motion::Joints;
 use crate::motion::vector::{minus, plus};
 
-/// Follows poses within limits of translation and rotation.
+/// Filter that follows poses within limits of translation and rotation.
 #[derive(Debug, Clone)]
 pub(super) struct Cartesian {
     translation: Tracker<3>,
     rotation: Tracker<3>,
     /// Pose of the tool.
     at: Transform,
-    /// Pose that the tool was to reach in the last cycle.
+    /// Target pose of the tool in the last cycle.
     before: Transform,
-    /// The tool on the flange.
+    /// Tool frame relative to the flange.
     tool: Transform,
 }
 
@@ -25,7 +25,7 @@ impl Cartesian {
         Self { translation, rotation, at, before: at, tool }
     }
 
-    /// Takes joints as they are.
+    /// Accepts joints without limits.
     pub(super) fn pass(&mut self, joints: Joints, model: &Model) -> Joints {
         let at = model.forward(joints) * self.tool;
         (self.at, self.before) = (at, at);
@@ -34,12 +34,12 @@ impl Cartesian {
         joints
     }
 
-    /// One cycle; `None` where no joints near to these reach the pose.
+    /// Computes one cycle; returns `None` if no joints near to these reach the pose.
     pub(super) fn next(&mut self, joints: Joints, to: Joints, model: &Model) -> Option<Joints> {
         let target = model.forward(to) * self.tool;
         let way = minus(target.position_mm(), self.before.position_mm());
         let translation = self.translation.next(minus(self.at.position_mm(), self.before.position_mm()), way);
-        // Small turns are vectors. Of great ones, only the direction in which the tool turns back depends on that.
+        // Small rotations are vectors. For large ones, this affects only the direction in which the tool turns back.
         let rotation = self.rotation.next(turn(self.before, self.at), turn(self.before, target));
         self.before = target;
         if translation.arrives && rotation.arrives {
@@ -60,7 +60,7 @@ impl Cartesian {
     }
 }
 
-/// The turn from one orientation to another, about the axes of the first, in degrees.
+/// Returns the rotation from one orientation to another, about the axes of the first, in degrees.
 fn turn(from: Transform, to: Transform) -> [f64; 3] {
     let [_, _, _, rx, ry, rz] = <[f64; 6]>::from(Pose::from(from.inverse() * to));
     [rx, ry, rz]

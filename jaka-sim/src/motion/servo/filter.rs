@@ -1,7 +1,7 @@
-//! The filter of servo mode (4.60), between the set-points and the drives.
+//! Filter of servo mode (4.60), between the set-points and the drives.
 //!
-//! The document and the vendor's other texts say of each filter what it is, and nothing about how it computes: that is
-//! chosen here.
+//! The document and the vendor's other texts name each filter, but do not describe its computation: this module chooses
+//! it.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -15,34 +15,34 @@ use super::{ServoReference, Space};
 use crate::clock::CYCLE;
 use crate::motion::Joints;
 
-/// Fewer buffered points than this fail (vendor's texts).
+/// Smallest number of buffered points; fewer fail (vendor's texts).
 const FEWEST_POINTS: i64 = 3;
 
-/// The widest window, which is 8 s.
+/// Greatest window width, which is 8 s.
 const WIDEST: i64 = 1000;
 
-/// A joint that is as near as this to its set-point, in degrees, is there in the next cycle.
+/// Distance from its set-point, in degrees, from which a joint reaches it in the next cycle.
 const NEAR: f64 = 1e-7;
 
-/// Two positions that differ by no more than this, in degrees, are the same.
+/// Tolerance within which two positions are equal, in degrees.
 const SAME: f64 = 1e-9;
 
-/// A filter, and what it remembers.
+/// Filter and its state.
 #[derive(Debug, Clone)]
 pub(super) enum Filter {
-    /// The set-points as they are.
+    /// Unchanged set-points.
     Off,
-    /// A first-order low pass, which goes this share of what is left in each cycle.
+    /// First-order low pass, which moves by this share of the remaining distance in each cycle.
     LowPass(f64),
-    /// Limits of each joint.
+    /// Limits for each joint.
     Limits(Box<[Tracker<1>; 6]>, Joints),
-    /// The mean of the last cycles' places.
+    /// Mean of the positions of the last cycles.
     Mean(VecDeque<Joints>),
-    /// Limits of the tool centre point.
+    /// Limits for the tool centre point.
     Cartesian(Box<Cartesian>),
 }
 
-/// True for a filter with which the arm can follow: not one with a limit or a cut-off frequency of zero, or of fewer
+/// Whether the arm can follow with this filter. It cannot with a limit or a cut-off frequency of zero, or with fewer
 /// than 3 points.
 pub(crate) fn can_follow(settings: &SetServoMoveFilter) -> bool {
     match *settings {
@@ -66,7 +66,7 @@ pub(crate) fn can_follow(settings: &SetServoMoveFilter) -> bool {
 }
 
 impl Filter {
-    /// A filter of an arm that is at rest.
+    /// Creates the filter for an arm at rest.
     pub(super) fn new(settings: &SetServoMoveFilter, at: Joints, tool: Transform, model: &Model) -> Self {
         match *settings {
             SetServoMoveFilter::JointLowPass { cutoff_frequency, .. } => {
@@ -76,7 +76,8 @@ impl Filter {
                 let tracker = Tracker::new(max_joint_speed, max_joint_acceleration, max_joint_jerk);
                 Self::Limits(Box::new([tracker; 6]), at)
             }
-            // The document explains filter 5 in the words of filter 3. What their coefficients do, nothing says.
+            // The document describes filter 5 in the words of filter 3. No text describes the effect of their
+            // coefficients.
             SetServoMoveFilter::JointMean { window_width: points, .. }
             | SetServoMoveFilter::SpeedLookahead { buffer_size: points, .. } => {
                 Self::Mean((0..points.clamp(1, WIDEST)).map(|_| at).collect())
@@ -99,7 +100,7 @@ impl Filter {
         }
     }
 
-    /// One cycle: where the joints are commanded to be. `None` where the arm cannot be there.
+    /// Computes one cycle, and returns the commanded joint position; `None` if the arm cannot reach it.
     pub(super) fn next(&mut self, joints: Joints, reference: &ServoReference, model: &Model) -> Option<Joints> {
         let to = reference.joints;
         Some(match self {
@@ -120,7 +121,7 @@ impl Filter {
                 window.push_back(to);
                 #[expect(clippy::cast_precision_loss, reason = "it is at most 1000")]
                 let count = window.len() as f64;
-                // By differences, so that a place that stays is met exactly.
+                // Sums differences, so that a constant position is met exactly.
                 std::array::from_fn(|i| to[i] + window.iter().map(|at| at[i] - to[i]).sum::<f64>() / count)
             }
             Self::Cartesian(filter) => match reference.space {
@@ -130,7 +131,7 @@ impl Filter {
         })
     }
 
-    /// True where nothing more follows from a reference that stays where it is.
+    /// Whether the filter has no further effect on a constant reference.
     pub(super) fn is_settled(&self, joints: Joints, reference: &ServoReference) -> bool {
         let is_there = |at: &Joints| at.iter().zip(&reference.joints).all(|(at, to)| (at - to).abs() < SAME);
         is_there(&joints)

@@ -1,15 +1,15 @@
-//! Following a place that moves within limits of speed, acceleration and jerk.
+//! Tracking of a moving target within limits of speed, acceleration and jerk.
 
 use crate::clock::CYCLE;
 use crate::motion::vector::minus;
 
-/// Distance below which a tracker is at the place that it follows, in degrees or millimetres.
+/// Distance below which a tracker is at its target, in degrees or millimetres.
 const NEAR: f64 = 1e-7;
 
-/// Greatest number of cycles of braking that are computed.
+/// Greatest number of simulated braking cycles.
 const MOST_CYCLES: u32 = 2000;
 
-/// Limits of change in a cycle: of place, of speed, of acceleration.
+/// Limits of change in a cycle: of position, speed and acceleration.
 #[derive(Debug, Clone, Copy)]
 struct ServoLimits {
     speed: f64,
@@ -17,11 +17,11 @@ struct ServoLimits {
     jerk: f64,
 }
 
-/// Follows a place of `N` coordinates within limits.
+/// Tracker for a target of `N` coordinates within limits.
 ///
-/// A place that itself moves within the limits is followed exactly. After one that does not, each coordinate comes back
-/// to it as fast as its share of the limits allows and without passing it, unless the place itself stops or turns back
-/// faster than the limits allow.
+/// It follows a target within the limits exactly. After a target beyond the limits, each coordinate returns to it as
+/// fast as its share of the limits allows. It does not overshoot, unless the target itself stops or turns back faster
+/// than the limits allow.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tracker<const N: usize> {
     limits: ServoLimits,
@@ -34,12 +34,12 @@ pub(super) struct Tracker<const N: usize> {
 pub(super) struct TrackerStep<const N: usize> {
     /// Distance of the step, by coordinate.
     pub(super) by: [f64; N],
-    /// True where it is then at the place that it follows.
+    /// Whether the tracker is then at its target.
     pub(super) arrives: bool,
 }
 
 impl<const N: usize> Tracker<N> {
-    /// A tracker at rest, with limits for each second, each second squared and cubed.
+    /// Creates a tracker at rest, with limits per second, per second squared and per second cubed.
     pub(super) fn new(speed: f64, acceleration: f64, jerk: f64) -> Self {
         let cycle = CYCLE.as_secs_f64();
         let limits = ServoLimits {
@@ -50,7 +50,7 @@ impl<const N: usize> Tracker<N> {
         Self { limits, speed: [0.0; N], acceleration: [0.0; N] }
     }
 
-    /// Comes to rest at once.
+    /// Stops at once.
     pub(super) fn halt(&mut self) {
         (self.speed, self.acceleration) = ([0.0; N], [0.0; N]);
     }
@@ -59,7 +59,8 @@ impl<const N: usize> Tracker<N> {
         self.speed.iter().all(|speed| speed.abs() < NEAR)
     }
 
-    /// One cycle. `off` is how far it is from the place that it follows, `way` how far that goes in this cycle.
+    /// Computes one cycle. `off` is the offset of the tracker from its target, `way` the step of the target in this
+    /// cycle.
     pub(super) fn next(&mut self, off: [f64; N], way: [f64; N]) -> TrackerStep<N> {
         let exact = minus(way, off);
         let arrives = off.iter().all(|off| off.abs() < NEAR) && self.allows(exact);
@@ -79,7 +80,7 @@ impl<const N: usize> Tracker<N> {
     }
 
     fn nearer(&self, off: [f64; N], way: [f64; N]) -> [f64; N] {
-        // Together, the coordinates are within the limits.
+        // Keeps the coordinates together within the limits.
         #[expect(clippy::cast_precision_loss, reason = "there are one or three")]
         let share = 1.0 / (N as f64).sqrt();
         let ServoLimits { speed, acceleration, jerk } = self.limits;
@@ -89,7 +90,7 @@ impl<const N: usize> Tracker<N> {
 }
 
 impl ServoLimits {
-    /// The acceleration of a coordinate that brings it to a place that goes on at its speed, and not beyond.
+    /// Returns the acceleration that brings a coordinate to a target of constant speed without overshoot.
     fn toward(self, off: f64, way: f64, speed: f64, acceleration: f64) -> f64 {
         let stop = |acceleration: f64| {
             let relative = speed + acceleration - way;
@@ -107,14 +108,14 @@ impl ServoLimits {
             }
             low
         };
-        // The speed is at its limit when the acceleration has gone.
+        // Reaches the speed limit when the acceleration is zero again.
         let wanted =
             wanted.min(reducible(self.speed - speed, self.jerk)).max(-reducible(self.speed + speed, self.jerk));
         let wanted = wanted.clamp(-self.acceleration, self.acceleration);
         wanted.clamp(acceleration - self.jerk, acceleration + self.jerk)
     }
 
-    /// Distance of a coordinate from the place when its speed has come to that of the place.
+    /// Returns the offset of a coordinate from the target at the time at which its speed equals that of the target.
     fn stop(self, mut off: f64, mut speed: f64, mut acceleration: f64) -> f64 {
         for _ in 0..MOST_CYCLES {
             if speed.abs() < 1e-12 && acceleration.abs() <= self.jerk {
@@ -129,7 +130,7 @@ impl ServoLimits {
     }
 }
 
-/// The greatest value that, reduced by `decrease` each cycle to nothing, sums up to no more than `sum`; with the sign
+/// Returns the greatest value that, reduced by `decrease` each cycle to zero, has a sum of at most `sum`, with the sign
 /// of `sum`.
 fn reducible(sum: f64, decrease: f64) -> f64 {
     if decrease <= 0.0 {
@@ -147,7 +148,7 @@ fn length(values: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// The places of a tracker along a course.
+    /// Returns the positions of a tracker along a course.
     fn follow(limits: [f64; 3], course: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut tracker = Tracker::<1>::new(limits[0], limits[1], limits[2]);
         let (mut at, mut before) = (0.0, 0.0);
@@ -160,7 +161,7 @@ mod tests {
         course.map(step).collect()
     }
 
-    /// The greatest speed, acceleration and jerk, by differences.
+    /// Returns the greatest speed, acceleration and jerk, by differences.
     fn greatest(places: &[f64]) -> [f64; 3] {
         let mut values = [vec![0.0; 3], places.to_vec()].concat();
         [(); 3].map(|()| {
@@ -184,7 +185,7 @@ mod tests {
                 assert!((places[9999] - to).abs() < 1e-12, "{limits:?}, {to}: {}", places[9999]);
                 let beyond = places.iter().map(|at| (at / to - 1.0) * to.abs()).fold(0.0, f64::max);
                 assert!(beyond < 1e-6, "{limits:?}, {to}: {beyond}");
-                // In this order, with each limit where it counts.
+                // In this order, for each limit that is effective.
                 assert!(to.abs() < 100.0 || greatest(&places)[0] > limits[0].min(100.0) * 0.99, "{limits:?}");
             }
         }
@@ -205,7 +206,7 @@ mod tests {
         let places = follow(limits, ramp.chain(std::iter::repeat_n(40.0, 200)));
         assert_within(&places, limits);
         let furthest = places.iter().copied().fold(0.0, f64::max) - 40.0;
-        // 50 deg/s at 500 deg/s² are 2.5 deg, and some for the jerk.
+        // 50 deg/s at 500 deg/s² give 2.5 deg, and some more for the jerk.
         assert!((2.4..4.5).contains(&furthest), "{furthest}");
         assert!((places[299] - 40.0).abs() < 1e-12);
     }

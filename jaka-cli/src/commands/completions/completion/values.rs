@@ -1,4 +1,4 @@
-//! The values that an argument can have, where they are known.
+//! Known values of an argument.
 
 use std::fs::File;
 use std::io::Read;
@@ -16,10 +16,10 @@ use crate::recordings::recorded;
 use crate::words::Words;
 use crate::{builtin, target};
 
-/// Number of bytes of a recording that are read for the fields of its packets.
+/// Number of bytes read from a recording for the fields of its packets.
 const GLANCE: u64 = 1 << 20;
 
-/// The values of this argument; some depend on the rest of the line, or on how the word begins.
+/// Returns the values of this argument; some depend on the rest of the line, or on the start of the word.
 pub(super) fn of(line: &Words<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
     match arg.get_id().as_str() {
         "robot" => target::robots(line.value("config").map(Path::new))
@@ -47,7 +47,7 @@ pub(super) fn of(line: &Words<'_>, arg: &Arg, current: &str) -> Vec<Candidate> {
     }
 }
 
-/// Axes that can be jogged.
+/// Returns the axes for a jog.
 fn axes() -> Vec<Candidate> {
     let joints = (1..=6).map(|joint| Candidate::new(joint.to_string(), format!("joint {joint}, in deg")));
     let lines = ["x", "y", "z"].map(|axis| Candidate::new(axis, "axis of the selected user frame, in mm"));
@@ -59,18 +59,18 @@ fn possible(arg: &Arg) -> Vec<Candidate> {
     values.map(|value| Candidate::new(value.get_name(), super::summary(value.get_help()))).collect()
 }
 
-/// A model as it is typed: `zu5`.
+/// Returns a model as typed: `zu5`.
 fn short(model: &str) -> String {
     model.replace(' ', "").to_lowercase()
 }
 
-/// Candidates for the part of a word after the last of these signs.
+/// Returns candidates for the part of a word after the last of these signs.
 fn after_others(current: &str, signs: &str, all: &[Candidate]) -> Vec<Candidate> {
     let (before, _) = current.split_at(current.rfind(|c| signs.contains(c)).map_or(0, |at| at + 1));
     all.iter().map(|one| Candidate { word: format!("{before}{}", one.word), ..one.clone() }).collect()
 }
 
-/// The fields of status packets; of a recording that the line names, those that its first packets have.
+/// Returns the fields of status packets; if the line names a recording, those of its first packets.
 fn fields(line: &Words<'_>) -> Vec<Candidate> {
     let all = Field::all();
     let recorded = line.positionals.first().and_then(|file| first_packets(Path::new(&*file.word))).unwrap_or_default();
@@ -78,7 +78,7 @@ fn fields(line: &Words<'_>) -> Vec<Candidate> {
     all.iter().filter(has).map(|field| Candidate::new(&field.name, field.unit().unwrap_or_default())).collect()
 }
 
-/// The packets at the beginning of a recording.
+/// Returns the packets at the start of a recording.
 fn first_packets(file: &Path) -> Option<Vec<Node<'static>>> {
     let mut text = Vec::new();
     File::open(file).ok()?.take(GLANCE).read_to_end(&mut text).ok()?;

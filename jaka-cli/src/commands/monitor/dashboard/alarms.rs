@@ -12,51 +12,51 @@ use super::style;
 use crate::packets::event;
 use crate::packets::flags::{Flags, Tone};
 
-/// An unknown event may be an error.
+/// Order of severities; an unknown event may be an error.
 const WORST_FIRST: [Severity; 3] = [Severity::Error, Severity::Unknown, Severity::Warning];
 /// Columns of the time of an alarm, and the blanks around it.
 const TIME_COLUMNS: usize = 10;
-/// Greatest number of alarms that are kept.
+/// Greatest number of alarms in the list.
 const MOST: usize = 1000;
 
-/// Something that happened.
+/// Alarm with its time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Alarm {
-    /// Time at which it was noticed.
+    /// Time of its detection.
     pub(super) time: SystemTime,
     pub(super) tone: Tone,
     pub(super) text: String,
 }
 
 impl Alarm {
-    /// Its time of day in UTC: the standard library does not know the system's time zone.
+    /// Returns its time of day in UTC: the standard library does not know the system's time zone.
     pub(super) fn clock(&self) -> String {
         let seconds = self.time.duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
         format!("{:02}:{:02}:{:02}", seconds / 3600 % 24, seconds / 60 % 60, seconds % 60)
     }
 }
 
-/// The latest alarms, the newest first.
+/// Latest alarms, the newest first.
 #[derive(Debug, Default)]
 pub(super) struct Alarms {
     entries: VecDeque<Alarm>,
     flags: Flags,
-    /// The last event; a packet without one does not change it.
+    /// Last event; a packet without one does not change it.
     event: Option<Event>,
-    /// The most severe of the events since the controller last said that there is none. Information is not kept.
+    /// Highest severity of the events since the controller last reported no event. Excludes information.
     standing: Option<Severity>,
 }
 
-/// The controller's event: its code and message, as the packet has them.
+/// Event of the controller: its code and message, as in the packet.
 type Event = (String, String);
 
 impl Alarms {
-    /// The newest first.
+    /// Returns an iterator over the alarms, the newest first.
     pub(super) fn entries(&self) -> impl Iterator<Item = &Alarm> {
         self.entries.iter()
     }
 
-    /// Lines of this width with all of them, the newest first.
+    /// Returns the alarms in lines of this width, the newest first.
     pub(super) fn lines(&self, width: u16) -> Vec<Line<'static>> {
         let columns = usize::from(width).saturating_sub(TIME_COLUMNS);
         let lines = self.entries().flat_map(|alarm| {
@@ -71,13 +71,13 @@ impl Alarms {
         if lines.is_empty() { vec![Line::styled(" none since the start", style::faint())] } else { lines }
     }
 
-    /// Adds one.
+    /// Adds an alarm.
     pub(super) fn add(&mut self, time: SystemTime, tone: Tone, text: impl Into<String>) {
         self.entries.push_front(Alarm { time, tone, text: visible(&text.into()).into_owned() });
         self.entries.truncate(MOST);
     }
 
-    /// Adds an alarm for each change of a packet from the ones before.
+    /// Adds an alarm for each change of a packet from the previous ones.
     pub(super) fn packet(&mut self, status: &RobotStatus, time: SystemTime) {
         for (tone, text) in self.flags.see(status) {
             self.add(time, tone, text);
@@ -89,8 +89,8 @@ impl Alarms {
         }
     }
 
-    /// Reports an event that is more than information. The most severe one stands until the controller reports it as
-    /// over, by a code of zero: information may replace an error in the packet while the error lasts.
+    /// Reports an event that is more than information. The most severe one stays until the controller reports its end
+    /// with a code of zero: information may replace an error in the packet while the error lasts.
     fn event(&mut self, time: SystemTime, reading: &event::Reading, (code, message): &Event) {
         let Some(severity) = event::severity(reading) else {
             if let Some(standing) = self.standing.take() {
@@ -113,8 +113,8 @@ impl Alarms {
     }
 }
 
-/// The text in pieces of at most so many columns, cut between words where it can be. Each has the indentation of the
-/// first.
+/// Cuts the text in pieces of at most so many columns, between words if possible. Each piece has the indentation of
+/// the text.
 fn pieces(text: &str, columns: usize) -> Vec<String> {
     let indentation: String = text.chars().take_while(|c| *c == ' ').collect();
     let columns = columns.saturating_sub(indentation.len()).max(1);
@@ -145,7 +145,7 @@ fn width(text: &str) -> usize {
     Span::raw(text).width()
 }
 
-/// Announcement of an event of this severity.
+/// Returns the label of an event of this severity.
 fn label(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",
@@ -154,7 +154,7 @@ fn label(severity: Severity) -> &'static str {
     }
 }
 
-/// The word for an event of this severity.
+/// Returns the word for an event of this severity.
 fn name(severity: Severity) -> &'static str {
     match severity {
         Severity::Error | Severity::Warning => label(severity),
@@ -162,7 +162,7 @@ fn name(severity: Severity) -> &'static str {
     }
 }
 
-/// A length of time for people.
+/// Formats a duration for people.
 pub(super) fn duration(time: Duration) -> String {
     let seconds = time.as_secs();
     match seconds {
@@ -202,7 +202,7 @@ mod tests {
         status.error_message = Some("collision".to_owned());
         tell(&status);
         tell(&status);
-        // A packet without the field changes nothing.
+        // A packet without the field has no effect.
         tell(&RobotStatus::default());
         tell(&status);
         status.protective_stop = Some(false);
@@ -221,7 +221,7 @@ mod tests {
         .assert_eq(&texts.concat());
     }
 
-    /// The alarms of packets with these codes and messages, the newest first.
+    /// Returns the alarms of packets with these codes and messages, the newest first.
     fn alarms_of(codes: &[(&str, &str)]) -> String {
         let mut alarms = Alarms::default();
         for (code, message) in codes {
@@ -256,7 +256,7 @@ mod tests {
         .assert_eq(&alarms_of(&codes));
     }
 
-    /// Only zero means that an error is over: another event may follow it while it lasts.
+    /// Only zero ends an error: another event may follow it while it lasts.
     #[test]
     fn an_error_is_not_cleared_by_information() {
         let codes = [("0x0f0034", ""), ("0x10f000b", ""), ("0x10f0020", ""), ("0x0", ""), ("0x0", "")];

@@ -1,4 +1,4 @@
-//! The screen: header, a page, footer.
+//! Screen: header, page, footer.
 
 use std::time::Duration;
 
@@ -15,10 +15,10 @@ use crate::packets::flags::Tone;
 use crate::terminal::output::ABSENT;
 use crate::text::number::fixed;
 
-/// In windows lower than this the header is one line, and there is no footer.
+/// Smallest height of a window with a footer and a header of more than one line.
 const LOW: u16 = 12;
 
-/// Draws the screen, and returns the greatest number of lines by which the page can be scrolled.
+/// Draws the screen, and returns the greatest scroll position of the page.
 pub(crate) fn draw(frame: &mut Frame<'_>, view: &View) -> u16 {
     let (header, footer) = if frame.area().height < LOW { (1, 0) } else { (2, 1) };
     let heights = [Constraint::Length(header), Constraint::Min(0), Constraint::Length(footer)];
@@ -58,7 +58,7 @@ fn draw_page(frame: &mut Frame<'_>, area: Rect, view: &View) -> u16 {
     most
 }
 
-/// Draws lines from the scroll position on, and returns the greatest position: the last line stays visible.
+/// Draws lines from the scroll position on, and returns the greatest position, at which the last line is visible.
 fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll: u16) -> u16 {
     let most = lines.len().saturating_sub(usize::from(area.height));
     let most = u16::try_from(most).unwrap_or(u16::MAX);
@@ -66,7 +66,7 @@ fn scrolled(frame: &mut Frame<'_>, area: Rect, lines: Vec<Line<'static>>, scroll
     most
 }
 
-/// Title line: the robot, and whether its state is current.
+/// Returns the title line: the robot, and whether its state is current.
 fn title_line(view: &View, width: u16) -> Line<'static> {
     let (state, look) = freshness(view);
     let age = view.age.map_or_else(String::new, |age| format!(" age {} ", age_text(age)));
@@ -74,7 +74,7 @@ fn title_line(view: &View, width: u16) -> Line<'static> {
     let name = format!(" jaka monitor  {}", view.title);
     let used = name.chars().count() + state.chars().count() + age.chars().count();
     let gap = " ".repeat(usize::from(width).saturating_sub(used).max(1));
-    // In a window that is too narrow for all, the state comes first.
+    // In a window too narrow for all, the state comes first.
     if used >= usize::from(width) {
         return Line::from(vec![Span::styled(state, look), Span::styled(age, age_look), Span::raw(view.title.clone())]);
     }
@@ -100,7 +100,7 @@ fn age_text(age: Duration) -> String {
     if age < Duration::from_secs(1) { format!("{} ms", age.as_millis()) } else { alarms::duration(age) }
 }
 
-/// Line on the reception of packets.
+/// Returns the line on the reception of packets.
 fn link_line(link: &Link) -> Line<'static> {
     if let Some(cause) = &link.ended {
         return Line::styled(format!(" {cause}"), style::of_tone(Tone::Bad));
@@ -134,7 +134,7 @@ fn footer_line(view: &View, width: u16) -> Line<'static> {
     Line::from(spans)
 }
 
-/// The keys, and notes on values that are not shown.
+/// Draws the keys, and notes on values that are not shown.
 fn draw_help(frame: &mut Frame<'_>) {
     let mut lines: Vec<_> = KEYS.iter().map(|(key, what)| Line::from(format!(" {key:<24} {what}"))).collect();
     lines.extend(

@@ -1,4 +1,4 @@
-//! From a monitor to the view.
+//! Transfer from a monitor to the view.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -14,27 +14,27 @@ use crate::packets::flags::Tone;
 use crate::packets::packed_status::{PackedStatus, own_fields};
 use crate::packets::value_rows::value_rows;
 
-/// Packets of some seconds, so that no alarm is missed while a terminal is slow.
+/// Queue for packets of some seconds, so that a slow terminal misses no alarm.
 const CAPACITY: usize = 1000;
-/// The time over which the rate is taken.
+/// Time over which the rate is measured.
 const OF_LATE: Duration = Duration::from_secs(2);
 
-/// Updates a view with the packets that a monitor has read.
+/// Updates a view with the packets read by a monitor.
 #[derive(Debug)]
 pub(crate) struct Feed {
     monitor: Monitor<PackedStatus>,
     queue: Subscription<PackedStatus>,
     newest: Option<Arc<Snapshot<PackedStatus>>>,
     shown: Option<Arc<Snapshot<PackedStatus>>>,
-    /// Whether the alarm for missing packets was raised and has not been cleared yet.
+    /// Whether there is an active alarm for missing packets.
     silent: bool,
-    /// Number of the monitor's reconnections when packets last came.
+    /// Number of the monitor's reconnections at the last packet.
     reconnects: u64,
     /// Fields that packs add or change.
     own_fields: Vec<Field>,
-    /// Fields that were reported not to fit.
+    /// Fields reported not to fit.
     unfit: BTreeSet<String>,
-    /// The number of packets at times of the last seconds.
+    /// Numbers of packets at times of the last seconds.
     counts: VecDeque<(Instant, u64)>,
 }
 
@@ -54,7 +54,7 @@ impl Feed {
         }
     }
 
-    /// Brings the view up to date.
+    /// Updates the view to the present.
     pub(crate) fn update(&mut self, view: &mut View) {
         while let Some(packet) = self.queue.try_next_packet() {
             self.take(&packet, view);
@@ -86,7 +86,7 @@ impl Feed {
         view.alarms.packet(&packet.status.status, time);
     }
 
-    /// Reports each field that does not fit once: its value is not known.
+    /// Reports each field that does not fit once: its value is unknown.
     fn tell_unfit(&mut self, packet: &Snapshot<PackedStatus>, view: &mut View, time: SystemTime) {
         let unfit = packet.unfit.iter().chain(&packet.status.unfit);
         for error in unfit.filter(|error| self.unfit.insert(error.field().to_owned())) {
@@ -94,7 +94,7 @@ impl Feed {
         }
     }
 
-    /// Reports once that packets have stopped coming.
+    /// Reports once that packets have stopped.
     fn watch_silence(&mut self, view: &mut View) {
         let stopped = self.newest.as_ref().is_some_and(|packet| packet.age() > STALE);
         if stopped && !self.silent {
@@ -137,14 +137,15 @@ mod tests {
 
     use super::*;
 
-    /// An arm whose controller sends a packet on connecting and when it is told to, and a feed that has had the first.
+    /// Returns an arm whose controller sends a packet on connecting and on request, and a feed that has had the first
+    /// one.
     fn started() -> (Arm, Feed, View) {
         let policy = Reconnect::Attempts { limit: 1000, delay: Duration::from_millis(1), longest: LONG };
         let controller =
             Arm::simulated().without_power().no_packets().config(|config| config.reconnect(policy)).start();
         let monitor = Monitor::connect_with(&controller.config(), controller.status_addr()).unwrap();
         let (mut feed, mut view) = (Feed::new(monitor), View::default());
-        // The first may have come before the queue was there.
+        // The first packet may have come before the queue existed.
         controller.publish();
         update_until(&mut feed, &mut view, |view| view.status.is_some());
         (controller, feed, view)
@@ -156,7 +157,7 @@ mod tests {
         let mut elapsed = Duration::ZERO;
         while !wanted(view) {
             assert!(elapsed < LONG, "{view:?}");
-            // A packet, or the time without one, is what may change the view.
+            // Waits for a change of the view: a packet, or the time without one.
             let _ = feed.monitor.wait_until(|_| false, MOMENT);
             elapsed += MOMENT;
             feed.update(view);

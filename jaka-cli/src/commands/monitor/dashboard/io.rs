@@ -10,12 +10,12 @@ use crate::text::number::fixed;
 
 /// Number of pins in a group.
 const GROUP: usize = 8;
-/// The width of the rows' names.
+/// Width of the names of rows.
 const NAME: usize = 10;
-/// The width of the count of pins that are on, with a sign that some are not shown: `… 144/144 on`.
+/// Width of the count of pins that are on, with a mark for pins not shown: `… 144/144 on`.
 const COUNT: usize = 13;
 
-/// The cabinet and the tool, each kind in at most `rows` lines.
+/// Returns the lines of the cabinet and the tool, with at most `rows` lines of each kind.
 pub(super) fn short_lines(status: &RobotStatus, width: u16, rows: usize) -> Vec<Line<'static>> {
     let mut lines = digital("in", status.digital_inputs.as_deref(), width, rows);
     lines.extend(digital("out", status.digital_outputs.as_deref(), width, rows));
@@ -23,7 +23,7 @@ pub(super) fn short_lines(status: &RobotStatus, width: u16, rows: usize) -> Vec<
     lines
 }
 
-/// Everything.
+/// Returns the lines of all inputs and outputs.
 pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let mut lines = vec![style::rule("Inputs and outputs: cabinet", width)];
     lines.extend(digital("in", status.digital_inputs.as_deref(), width, usize::MAX));
@@ -50,7 +50,7 @@ pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
 
 type Fieldbus<'s> = (&'static str, [Option<&'s [bool]>; 2], [Option<&'s [f64]>; 2]);
 
-/// The fieldbuses of newer firmware.
+/// Returns the fieldbuses of newer firmware.
 fn fieldbuses(status: &RobotStatus) -> [Fieldbus<'_>; 3] {
     [
         (
@@ -80,12 +80,12 @@ fn known<T>(value: Option<&Typed<Vec<T>>>) -> Option<&[T]> {
     value.and_then(Typed::known).map(Vec::as_slice)
 }
 
-/// Number of pins that fit on a line.
+/// Returns the number of pins that fit on a line.
 fn pins_per_line(width: u16) -> usize {
     usize::from(width).saturating_sub(NAME + COUNT + 2) / (GROUP + 1) * GROUP
 }
 
-/// Pins as dots, with the count of those that are on at the end of the first line.
+/// Returns pins as dots, with the count of those that are on at the end of the first line.
 fn digital(name: &str, pins: Option<&[bool]>, width: u16, rows: usize) -> Vec<Line<'static>> {
     let Some(pins) = pins else { return vec![absent(name)] };
     let per_line = pins_per_line(width).max(GROUP);
@@ -109,7 +109,7 @@ fn digital(name: &str, pins: Option<&[bool]>, width: u16, rows: usize) -> Vec<Li
 fn dots(pins: &[bool]) -> Vec<Span<'static>> {
     let mut spans = Vec::new();
     for group in pins.chunks(GROUP) {
-        // Pins of the same state in one span.
+        // One span for adjacent pins of the same state.
         for run in group.chunk_by(|one, other| one == other) {
             let (dot, look) = if run[0] { ("●", style::good()) } else { ("·", style::faint()) };
             spans.push(Span::styled(dot.repeat(run.len()), look));
@@ -119,8 +119,7 @@ fn dots(pins: &[bool]) -> Vec<Span<'static>> {
     spans
 }
 
-/// Count of the pins that are on. `…` tells that some pins are not shown; the count is highlighted if one of these is
-/// on.
+/// Returns the count of the pins that are on. `…` marks pins not shown; the count is highlighted if one of these is on.
 fn count(pins: &[bool], shown: usize) -> Span<'static> {
     let on = |pins: &[bool]| pins.iter().filter(|pin| **pin).count();
     let hidden = pins.get(shown..).unwrap_or_default();
@@ -141,7 +140,7 @@ fn dots_or_absent(pins: Option<&[bool]>) -> Vec<Span<'static>> {
     pins.map_or_else(|| vec![Span::styled(ABSENT, style::faint())], dots)
 }
 
-/// Values that are not 0, with their index.
+/// Returns the values other than 0, with their index.
 fn analog(name: &str, values: Option<&[f64]>, width: u16) -> Vec<Line<'static>> {
     let Some(values) = values else { return vec![absent(name)] };
     let texts = values.iter().enumerate().filter(|(_, value)| **value != 0.0);

@@ -6,16 +6,16 @@ use ratatui::text::{Line, Span};
 
 use super::style::{self, number};
 
-/// No joint turns further.
+/// Greatest rotation of a joint.
 const TURN: f64 = 360.0;
-/// Cells of the number of a joint, with a blank on both sides.
+/// Cells of a joint number, with a blank on both sides.
 const NUMBER: usize = 3;
 /// Cells of a joint's position.
 const POSITION: usize = 10;
-/// From this width on those of [`MORE`] are shown as well.
+/// Width from which the columns of [`MORE`] are shown as well.
 const WIDE: usize = 90;
 
-/// A column: its title, width and decimals, and a joint's value.
+/// Column: its title, width and decimals, and a joint's value.
 type Column = (&'static str, usize, usize, fn(&JointMonitor) -> f64);
 
 const MEASURED: [Column; 3] = [
@@ -28,13 +28,13 @@ const MORE: [Column; 2] = [("voltage", 8, 1, |joint| joint.voltage), ("power", 8
 /// Names of a pose's six numbers.
 const POSE: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
 
-/// A line for each joint, below their heading.
+/// Returns a line for each joint, below their heading.
 pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width);
     let columns = if width < WIDE { MEASURED.to_vec() } else { [&MEASURED[..], &MORE].concat() };
-    // A blank stands between the position and the bar, and another at the end of the line.
+    // One blank between the position and the bar, and another at the end of the line.
     let others = NUMBER + POSITION + 2 + columns.iter().map(|(_, width, ..)| width).sum::<usize>();
-    // An odd number of cells has one in the middle.
+    // An odd number of cells has a middle one.
     let bar_width = width.saturating_sub(others).saturating_sub(1) | 1;
     let titles: Vec<_> = columns.iter().map(|(title, width, ..)| format!("{title:>width$}")).collect();
     let position = format!("{:>width$}", "position °", width = NUMBER + POSITION);
@@ -53,7 +53,7 @@ fn joint(status: &RobotStatus, index: usize, bar_width: usize, columns: &[Column
     Line::from(spans)
 }
 
-/// The positions alone, three joints a line.
+/// Returns only the positions, three joints a line.
 pub(super) fn short_lines(status: &RobotStatus) -> Vec<Line<'static>> {
     short("J", ["1", "2", "3", "4", "5", "6"], |index| position(status, index))
 }
@@ -62,7 +62,7 @@ fn position(status: &RobotStatus, index: usize) -> Option<f64> {
     status.joint_actual_position.map(|joints| joints.0[index])
 }
 
-/// Measurements of the joints, where the packet has them in the known shape.
+/// Returns the measurements of the joints, if the packet has them in the known form.
 pub(super) fn measured(status: &RobotStatus) -> Option<&[JointMonitor]> {
     status.monitor_data.as_ref().and_then(Typed::known).map(|data| &*data.joints)
 }
@@ -75,7 +75,7 @@ fn bar_heading(width: usize) -> String {
     format!("{:<half$}0{:>half$}", "-360", "360")
 }
 
-/// Bar that shows a position between a full turn one way and a full turn the other way.
+/// Returns a bar for a position between a full turn one way and a full turn the other way.
 fn bar(position: Option<f64>, width: usize) -> Vec<Span<'static>> {
     let (Some(position), 5..) = (position, width) else {
         return vec![Span::styled("·".repeat(width), style::faint())];
@@ -107,7 +107,7 @@ fn cell_of(position: f64, width: usize) -> usize {
     cell.min(width - 1)
 }
 
-/// The pose of the tool centre point and its speed, a line each.
+/// Returns the pose of the tool centre point and its speed, a line each.
 pub(super) fn tcp_lines(status: &RobotStatus) -> Vec<Line<'static>> {
     let rows = POSE
         .into_iter()
@@ -116,7 +116,7 @@ pub(super) fn tcp_lines(status: &RobotStatus) -> Vec<Line<'static>> {
     rows.chain([tcp_line("speed", status.tcp_speed, "mm/s")]).collect()
 }
 
-/// The pose, three numbers a line.
+/// Returns the pose, three numbers a line.
 pub(super) fn short_tcp_lines(status: &RobotStatus) -> Vec<Line<'static>> {
     short("", POSE, |index| pose(status, index))
 }
@@ -130,7 +130,7 @@ fn tcp_line(name: &'static str, value: Option<f64>, unit: &'static str) -> Line<
     Line::from(vec![name, number(value, 11, 3), Span::styled(format!(" {unit}"), style::faint())])
 }
 
-/// Two lines of three numbers.
+/// Returns two lines of three numbers.
 fn short(prefix: &str, names: [&str; 6], value: impl Fn(usize) -> Option<f64>) -> Vec<Line<'static>> {
     let cell = |index: usize| {
         [Span::styled(format!(" {prefix}{:<2}", names[index]), style::faint()), number(value(index), 9, 2)]

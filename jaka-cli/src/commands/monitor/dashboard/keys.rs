@@ -1,20 +1,20 @@
-//! Keys of the dashboard. None sends anything to the robot.
+//! Keys of the dashboard. No key sends anything to the robot.
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use super::View;
 use super::view::Page;
 
-/// Outcome of a key: the dashboard continues, or ends.
+/// Effect of a key on the dashboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AfterKey {
-    /// It continues.
+    /// The dashboard continues.
     Continue,
-    /// It ends.
+    /// The dashboard ends.
     Quit,
 }
 
-/// The keys, for the help.
+/// Keys, for the help.
 pub(super) const KEYS: [(&str, &str); 6] = [
     ("q, Esc, Ctrl-C", "quit"),
     ("p", "pause or continue"),

@@ -9,11 +9,11 @@ use super::style::{self, number};
 use crate::packets::value_rows::Row;
 use crate::terminal::output::ABSENT;
 
-/// The widths of the rows' names, and of the columns after them.
+/// Widths of the names of rows, and of the columns after them.
 const NAME: usize = 20;
 const COLUMN: usize = 9;
 
-/// A row: its name, and a joint's value.
+/// Row: its name, and a joint's value.
 type JointRow = (&'static str, fn(&JointMonitor) -> f64);
 
 const ROWS: [JointRow; 10] = [
@@ -29,7 +29,7 @@ const ROWS: [JointRow; 10] = [
     ("time since start", |joint| joint.running_time_since_start),
 ];
 
-/// All of it.
+/// Returns the lines of all measurements.
 pub(super) fn lines(status: &RobotStatus, packed: &[Row], width: u16) -> Vec<Line<'static>> {
     let mut lines = vec![style::rule("Joints (no units stated by the protocol)", width), heading()];
     lines.push(row("position °", status.joint_actual_position.map(|joints| joints.0)));

@@ -1,4 +1,4 @@
-//! The first page: what matters most, as the window has room for it.
+//! First page: the most important values, as far as the window has space for them.
 
 use jaka_sync::status::RobotStatus;
 use ratatui::Frame;
@@ -8,22 +8,22 @@ use ratatui::text::{Line, Text};
 use super::{View, io, joints, robot_state, style};
 use crate::terminal::output::ABSENT;
 
-/// From this size on everything fits. The header and the footer are not counted.
+/// Smallest size for all values, without the header and the footer.
 const FULL: (u16, u16) = (80, 21);
-/// The column of the pose.
+/// Width of the pose column.
 const TCP_WIDTH: u16 = 24;
 /// Lines of the state and of the joints, with their rules.
 const STATE: u16 = 5;
 const JOINTS: u16 = 8;
-/// The least number of lines for alarms, with their rule.
+/// Smallest number of lines for alarms, with their rule.
 const ALARMS: u16 = 4;
 
-/// Whether everything fits into an area.
+/// Whether all values fit into an area.
 pub(super) fn fits(area: Rect) -> bool {
     area.width >= FULL.0 && area.height >= FULL.1
 }
 
-/// Draws the page where everything fits.
+/// Draws the page with all values.
 pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View, status: &RobotStatus) {
     let left = area.height - STATE - JOINTS - ALARMS;
     let pins = pins(status, area.width, usize::from(left));
@@ -44,7 +44,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, area: Rect, view: &View, status: &Robo
     }
 }
 
-/// All inputs and outputs, or as many of them as fit.
+/// Returns all inputs and outputs, or as many of them as fit.
 fn pins(status: &RobotStatus, width: u16, height: usize) -> Vec<Line<'static>> {
     let all = io::lines(status, width);
     if all.len() <= height {
@@ -54,7 +54,7 @@ fn pins(status: &RobotStatus, width: u16, height: usize) -> Vec<Line<'static>> {
     std::iter::once(style::rule("Digital I/O", width)).chain(io::short_lines(status, width, rows)).collect()
 }
 
-/// All parts in one column, the most important first.
+/// Returns all parts in one column, the most important first.
 pub(super) fn lines(view: &View, status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let mut values = robot_state::lines(status, width);
     values.extend(joints::short_lines(status));

@@ -1,4 +1,4 @@
-//! The robot's state: power, stops, modes, event.
+//! State of the robot: power, stops, modes, event.
 
 use jaka_sync::Severity;
 use jaka_sync::proto::text::visible;
@@ -10,7 +10,7 @@ use super::style;
 use crate::packets::event;
 use crate::terminal::output::ABSENT;
 
-/// A value with its names, a long and a short one, and its style.
+/// Value with a long and a short name, and its style.
 #[derive(Clone)]
 struct Cell {
     names: [&'static str; 2],
@@ -22,12 +22,12 @@ struct Grid {
     columns: usize,
     cell: usize,
     name: usize,
-    /// Index of the name that is shown, of a cell's two.
+    /// Index of the shown name in a cell's two names.
     which: usize,
 }
 
 impl Grid {
-    /// The layout for a window of this width.
+    /// Returns the layout for a window of this width.
     fn of(width: usize) -> Self {
         match width {
             78.. => Self { columns: 3, cell: (width / 3).min(32), name: 16, which: 0 },
@@ -37,12 +37,12 @@ impl Grid {
     }
 }
 
-/// The state as lines that fit the width.
+/// Returns the state as lines that fit the width.
 pub(super) fn lines(status: &RobotStatus, width: u16) -> Vec<Line<'static>> {
     let grid = Grid::of(usize::from(width));
     let mut cells = cells(status).to_vec();
     let event = event_cell(status);
-    // An event has a line of its own; where lines are few, the absence of one has not.
+    // An event has its own line; with few lines, a missing event has none.
     let is_short = status.error_code.is_some() && matches!(status.event(), Ok(None));
     if grid.columns == 2 && is_short {
         cells.push(event);
@@ -99,7 +99,8 @@ fn rate(rate: f64) -> (String, Style) {
     (format!("{} %", crate::text::number::fixed(rate * 100.0, 0)), look)
 }
 
-/// The controller's event, if the packet has it, and its style: that of an alarm, unless it is known to be less.
+/// Returns the controller's event, if the packet has it, and its style: that of an alarm, unless it is known to be less
+/// severe.
 fn event_cell(status: &RobotStatus) -> Cell {
     let value = status.error_code.as_ref().map(|code| {
         let reading = status.event();

@@ -1,4 +1,4 @@
-//! The styles of values.
+//! Styles of values.
 
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
@@ -7,17 +7,17 @@ use crate::packets::flags::Tone;
 use crate::terminal::output::ABSENT;
 use crate::text::number::fixed;
 
-/// Names of values, rules and other things of little interest.
+/// Style of names of values, rules and other details.
 pub(super) fn faint() -> Style {
     Style::new().fg(Color::DarkGray)
 }
 
-/// Style of text that should catch the eye.
+/// Style of emphasized text.
 pub(super) fn strong() -> Style {
     Style::new().add_modifier(Modifier::BOLD)
 }
 
-/// Style of a value that is as it should be.
+/// Style of a correct value.
 pub(super) fn good() -> Style {
     Style::new().fg(Color::Green)
 }
@@ -37,7 +37,7 @@ pub(super) fn old() -> Style {
     faint().add_modifier(Modifier::DIM).remove_modifier(Modifier::BOLD)
 }
 
-/// The style of an alarm.
+/// Style of an alarm.
 pub(super) fn of_tone(tone: Tone) -> Style {
     match tone {
         Tone::Bad => Style::new().fg(Color::Red).add_modifier(Modifier::BOLD),
@@ -47,7 +47,7 @@ pub(super) fn of_tone(tone: Tone) -> Style {
     }
 }
 
-/// A number at the right of its column.
+/// Returns a number at the right of its column.
 pub(super) fn number(value: Option<f64>, width: usize, decimals: usize) -> Span<'static> {
     match value {
         Some(value) => Span::raw(format!("{:>width$}", fixed(value, decimals))),
@@ -55,7 +55,7 @@ pub(super) fn number(value: Option<f64>, width: usize, decimals: usize) -> Span<
     }
 }
 
-/// A rule with a title on it.
+/// Returns a rule with a title.
 pub(super) fn rule(title: &str, width: u16) -> Line<'static> {
     let rest = usize::from(width).saturating_sub(title.chars().count() + 4);
     Line::from(vec![

@@ -18,7 +18,7 @@ use ratatui::buffer::Buffer;
 use super::view::Link;
 use super::{View, draw};
 
-/// A packet of a controller in this state.
+/// Returns a packet of a controller in this state.
 fn packet(firmware: Firmware, change: impl FnOnce(&mut State)) -> RobotStatus {
     let builder = Controller::builder().stepped_clock().firmware(firmware).status_period(Duration::MAX);
     let controller = builder.start().unwrap();
@@ -26,7 +26,7 @@ fn packet(firmware: Firmware, change: impl FnOnce(&mut State)) -> RobotStatus {
     StatusStream::connect(controller.status_addr()).unwrap().next_packet().unwrap()
 }
 
-/// An arm at work, as the view shows it 20 ms after the packet came.
+/// Returns the view of an arm at work, 20 ms after the packet came.
 fn view(status: RobotStatus) -> View {
     let link = Link {
         rate: Some(20.0),
@@ -71,7 +71,7 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 }
 
 fn check(view: &View, (width, height): (u16, u16), expected: &Expect) {
-    // With a border, since expect-test removes the indentation that all lines share.
+    // With a border, since expect-test removes common indentation.
     let rows = rows(&screen(view, width, height));
     let text: Vec<_> = rows.iter().map(|row| format!("|{}\n", row.trim_end())).collect();
     expected.assert_eq(&text.concat());

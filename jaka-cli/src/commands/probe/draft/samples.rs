@@ -1,13 +1,14 @@
-//! Samples of a key in the messages that came, and the type that all of them look like.
+//! Samples of a key in the received messages, and their common type.
 
 use jaka_dynamic::notation;
 use jaka_spec::{Command, Spec, Type, TypeKind};
 use serde_json::Value;
 
-/// The longest array of a fixed length.
+/// Greatest length of an array of fixed length.
 const MOST: usize = 64;
 
-/// Values at a path, such as `extio.setup[0].name`, in all messages. An index stands for each element of its array.
+/// Returns the values at a path, such as `extio.setup[0].name`, in all messages. An index means each element of its
+/// array.
 pub(super) fn at<'v>(messages: &'v [Value], path: &str) -> Vec<&'v Value> {
     messages.iter().flat_map(|message| inside(message, path)).filter(|value| !value.is_null()).collect()
 }
@@ -22,19 +23,19 @@ fn inside<'v>(value: &'v Value, path: &str) -> Vec<&'v Value> {
     let path = path.strip_prefix('.').unwrap_or(path);
     let members = value.as_object().into_iter().flatten();
     let steps = members.filter_map(|(key, member)| Some((member, super::rest(path, key)?)));
-    // Where one key begins with another, the longer one matches.
+    // If one key is a prefix of another, the longer one matches.
     steps.min_by_key(|(_, rest)| rest.len()).map(|(member, rest)| inside(member, rest)).unwrap_or_default()
 }
 
-/// The type that all samples look like, in the spec's notation; none without samples.
+/// Returns the common type of all samples, in the spec's notation; `None` without samples.
 ///
-/// An array has a fixed length where all samples have it, and there are two at least or the spec has such an array.
+/// An array has a fixed length if all samples have it, and there are at least two or the spec has such an array.
 pub(super) fn ty(samples: &[&Value], known: &[(String, usize)]) -> Option<String> {
     let arrays: Option<Vec<_>> = samples.iter().map(|sample| sample.as_array()).collect();
     let Some(arrays) = arrays else { return scalar(samples) };
     let (first, others) = arrays.split_first()?;
     let elements: Vec<_> = arrays.iter().copied().flatten().collect();
-    // Whole numbers in arrays may be so by chance.
+    // Elements may be whole numbers by chance.
     let element = match ty(&elements, known).unwrap_or_else(|| "json".to_owned()) {
         element if element == "int" => "float".to_owned(),
         element if element == "json" => return Some(element),
@@ -59,7 +60,7 @@ fn scalar(samples: &[&Value]) -> Option<String> {
     Some(ty)
 }
 
-/// The arrays of fixed length that a spec has: the type of their elements, and their length.
+/// Returns the arrays of fixed length in a spec: the type of their elements, and their length.
 pub(super) fn fixed(spec: &Spec) -> Vec<(String, usize)> {
     let of_commands = spec.commands().flat_map(Command::fields).map(|field| &field.ty);
     let of_types = spec.types().flat_map(|(_, def)| match &def.kind {

@@ -1,24 +1,24 @@
-//! The messages in a byte stream, for the recording.
+//! Messages in a byte stream, for the recording.
 
 use jaka_robot::proto::framing::{FrameError, Framer};
 
-/// Splits a byte stream into messages and other bytes, and loses nothing but white space between messages.
+/// Splits a byte stream into messages and other bytes, and drops only white space between messages.
 #[derive(Debug, Default)]
 pub(super) struct MessageFrames {
     framer: Framer,
 }
 
-/// A piece of a byte stream.
+/// Piece of a byte stream.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Piece<'b> {
-    /// A message.
+    /// Message.
     Message(&'b [u8]),
     /// Bytes that are not a message.
     Stray(&'b [u8]),
 }
 
 impl MessageFrames {
-    /// Takes bytes that were received, and reports each piece that they complete.
+    /// Takes received bytes, and reports each piece that they complete.
     pub(super) fn take(&mut self, bytes: &[u8], mut tell: impl FnMut(Piece<'_>)) {
         self.framer.push(bytes);
         loop {
@@ -37,13 +37,13 @@ impl MessageFrames {
         }
     }
 
-    /// Continues after bytes that are not a message: at the next brace, or with the next bytes received. What follows
-    /// stays where it is, so that the time for a stream is linear in its length, whatever it is.
+    /// Continues after bytes that are not a message: at the next brace, or with the next received bytes. It does not
+    /// move later bytes, so that the time for any stream is linear in its length.
     fn skip(&mut self, error: &FrameError, tell: &mut impl FnMut(Piece<'_>)) {
         let waiting = self.framer.partial();
         let next = match error {
             FrameError::Garbage { .. } => waiting.iter().position(|&byte| byte == b'{'),
-            // The braces within it do not begin messages.
+            // The braces within it do not start messages.
             _ => None,
         };
         tell(Piece::Stray(&waiting[..next.unwrap_or(waiting.len())]));
@@ -61,7 +61,7 @@ mod tests {
 
     use super::*;
 
-    /// The pieces of a stream that is cut at these places, messages between angle brackets.
+    /// Returns the pieces of a stream cut at these positions, with messages between angle brackets.
     fn pieces(stream: &[u8], cuts: &[usize]) -> String {
         let mut out = String::new();
         let mut note = |piece: Piece<'_>| match piece {
@@ -87,7 +87,7 @@ mod tests {
         }
     }
 
-    /// In one piece, where each stray byte once cost a copy of all that follows: days for this stream.
+    /// Tests a stream in one piece: with a copy of all later bytes for each stray byte, it would take days.
     #[test]
     fn garbage_between_braces_takes_linear_time() {
         let stream = b"x{}".repeat(2 << 20);

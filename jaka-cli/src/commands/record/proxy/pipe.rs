@@ -1,4 +1,4 @@
-//! One client's connection to the robot.
+//! Connection of one client to the robot.
 
 use std::io::{ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -12,13 +12,13 @@ use socket2::SockRef;
 
 use super::recording_queue::{Direction, Passed, ProxiedConnection, RecordingQueue};
 
-/// Greatest number of bytes that are passed on in one read and write.
+/// Greatest number of bytes passed on in one read and write.
 const ROOM: usize = 16 << 10;
 
-/// Passes the bytes of both directions on, unchanged, each side's end included.
+/// Passes on the bytes of both directions, unchanged, with the end of each side.
 ///
-/// They are passed on as they come, whatever they are: a copy goes to the recording, which never delays them. The copy
-/// is handed over before the bytes go out, so that the recording has each message before what it causes.
+/// It passes on any bytes as they come, and a copy goes to the recording, which never delays them. The pipe hands over
+/// the copy before the bytes go out, so that the recording has each message before its consequences.
 #[derive(Debug)]
 pub(super) struct Pipe<'p> {
     pub(super) client: &'p TcpStream,
@@ -27,25 +27,25 @@ pub(super) struct Pipe<'p> {
     pub(super) queue: &'p RecordingQueue,
 }
 
-/// Way in which a direction ended.
+/// End of a direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum DirectionEnd {
-    /// The sender has sent all.
+    /// The sender has sent all bytes.
     Eof,
-    /// The connection of the sender was lost.
+    /// The sender's connection was lost.
     SenderLost,
-    /// The connection of the receiver was lost.
+    /// The receiver's connection was lost.
     ReceiverLost,
 }
 
 impl Pipe<'_> {
-    /// Returns when both directions have ended.
+    /// Passes on both directions until both have ended.
     pub(super) fn run(&self) {
         let client_left = AtomicBool::new(false);
         thread::scope(|scope| {
             let requests = || {
                 let end = self.pass(self.client, self.robot, Direction::ToRobot);
-                // The other direction reports how the robot's connection was lost.
+                // The other direction reports the loss of the robot's connection.
                 if end != DirectionEnd::ReceiverLost {
                     client_left.store(true, Ordering::Release);
                 }
@@ -60,7 +60,7 @@ impl Pipe<'_> {
         });
     }
 
-    /// Passes the bytes of a direction on, to its end.
+    /// Passes on the bytes of a direction, up to its end.
     fn pass(&self, mut from: &TcpStream, mut to: &TcpStream, direction: Direction) -> DirectionEnd {
         let mut room = vec![0; ROOM];
         let end = loop {
@@ -96,7 +96,7 @@ impl Pipe<'_> {
 
 /// Ends a direction on the other side in the same way.
 fn hand_on(end: DirectionEnd, sender: &TcpStream, receiver: &TcpStream) {
-    // Errors say that a connection has ended already.
+    // An error means that a connection has already ended.
     match end {
         DirectionEnd::Eof => drop(receiver.shutdown(Shutdown::Write)),
         DirectionEnd::SenderLost => reset(receiver),

@@ -1,4 +1,4 @@
-//! Recording on a thread of its own: a thread that passes bytes on hands over a copy and never waits.
+//! Recording by its own thread: a thread that passes on bytes hands over a copy and never waits.
 
 use std::io;
 use std::mem;
@@ -12,7 +12,7 @@ use jaka_robot::recording::{Event, Message, Port};
 
 use super::frames::{MessageFrames, Piece};
 
-/// Greatest number of bytes that may wait. Beyond that, pieces are missing in the recording, which says so.
+/// Greatest number of waiting bytes. Beyond it, the recording lacks pieces, and notes that.
 const LIMIT: usize = 8 << 20;
 
 /// Size of a waiting piece in addition to its bytes, in bytes.
@@ -25,48 +25,48 @@ pub(crate) struct RecordingQueue {
     counts: Arc<Counts>,
 }
 
-/// Item that waits for the thread.
+/// Waiting item for the thread.
 #[derive(Debug)]
 enum Waiting {
     Passed(Arc<ProxiedConnection>, Passed),
-    /// No more pieces are accepted. It is dropped when the thread has ended.
+    /// End of the input. The thread drops the sender when it has ended.
     Finish(Sender<()>),
 }
 
 #[derive(Debug)]
 struct Counts {
-    /// Limit on the bytes that wait, and their number.
+    /// Limit on the waiting bytes, and their number.
     limit: usize,
     bytes: AtomicUsize,
-    /// Number of pieces that were not recorded.
+    /// Number of pieces not recorded.
     missing: AtomicU64,
 }
 
-/// A connection that passes through the proxy.
+/// Connection through the proxy.
 #[derive(Debug)]
 pub(super) struct ProxiedConnection {
     track: Track,
     port: Port,
-    /// Messages of each direction that have been sent in part.
+    /// Incomplete messages of each direction.
     frames: [Mutex<MessageFrames>; 2],
     /// Number of pieces of each direction that did not fit since the last one that did.
     missing: [AtomicU64; 2],
 }
 
-/// The direction of bytes.
+/// Direction of bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Direction {
     ToRobot,
     ToClient,
 }
 
-/// Something that happened on a connection.
+/// Event on a connection.
 #[derive(Debug)]
 pub(super) enum Passed {
     Bytes(Direction, Vec<u8>),
-    /// The number of pieces that did not fit.
+    /// Number of pieces that did not fit.
     Missing(Direction, u64),
-    /// A direction has ended.
+    /// End of a direction.
     End(Direction),
     Event(Event),
 }
@@ -90,7 +90,7 @@ impl ProxiedConnection {
         }
     }
 
-    /// Records an incomplete message of a direction, the rest of which will not come.
+    /// Records an incomplete message of a direction whose rest will not come.
     fn flush(&self, direction: Direction) {
         mem::take(&mut *self.frames(direction)).finish(|piece| self.piece(direction, piece));
     }
@@ -109,7 +109,7 @@ impl ProxiedConnection {
         }
     }
 
-    /// The pieces of a direction that are missing since this was asked last.
+    /// Takes the number of missing pieces of a direction since the last call.
     fn take_missing(&self, direction: Direction) -> Option<Passed> {
         let count = self.missing[direction as usize].swap(0, Ordering::Relaxed);
         (count > 0).then_some(Passed::Missing(direction, count))
@@ -124,7 +124,7 @@ impl Passed {
 
 impl RecordingQueue {
     /// # Errors
-    /// The thread cannot be started.
+    /// The thread cannot start.
     pub(crate) fn start() -> io::Result<Self> {
         Self::with_limit(LIMIT)
     }
@@ -137,11 +137,11 @@ impl RecordingQueue {
         Ok(Self { sender, counts })
     }
 
-    /// Takes a piece that is about to pass, so that the recording has a request before its reply. Waits for nothing.
+    /// Queues a piece that is about to pass, so that the recording has a request before its reply. Never waits.
     pub(super) fn take(&self, connection: &Arc<ProxiedConnection>, passed: Passed) {
         if let Passed::Bytes(direction, _) | Passed::End(direction) = passed {
             let is_full = self.counts.bytes.load(Ordering::Relaxed) + passed.size() > self.counts.limit;
-            // Ends are few, and small.
+            // Ends are few and small.
             if is_full && matches!(passed, Passed::Bytes(..)) {
                 connection.missing[direction as usize].fetch_add(1, Ordering::Relaxed);
                 self.counts.missing.fetch_add(1, Ordering::Relaxed);
@@ -152,24 +152,24 @@ impl RecordingQueue {
         self.send(connection, passed);
     }
 
-    /// After the end of the thread, nothing is recorded.
+    /// Sends an item to the thread. After the end of the thread, nothing is recorded.
     fn send(&self, connection: &Arc<ProxiedConnection>, passed: Passed) {
         self.counts.bytes.fetch_add(passed.size(), Ordering::Relaxed);
         self.sender.send(Waiting::Passed(Arc::clone(connection), passed)).ok();
     }
 
-    /// Waits until the recorder has all pieces that were taken, incomplete messages included, and takes no more.
-    /// Returns the number of pieces that are missing.
+    /// Waits until the recorder has all queued pieces, including incomplete messages, and accepts no more. Returns the
+    /// number of missing pieces.
     pub(crate) fn finish(&self) -> u64 {
         let (sender, ended) = mpsc::channel();
         self.sender.send(Waiting::Finish(sender)).ok();
-        // Nothing is ever sent: the sender is dropped with the thread, also by a panic.
+        // Receives nothing: the sender is dropped with the thread, also by a panic.
         ended.recv().ok();
         self.counts.missing.load(Ordering::Relaxed)
     }
 }
 
-/// Records what waits, until nothing more is accepted.
+/// Records waiting items until the end of the input.
 fn work(waiting: &Receiver<Waiting>, bytes: &AtomicUsize) {
     let mut open: Vec<Weak<ProxiedConnection>> = Vec::new();
     let ended = loop {
@@ -207,7 +207,7 @@ mod tests {
     use super::super::pipe::Pipe;
     use super::*;
 
-    /// Both ends of a connection.
+    /// Returns both ends of a connection.
     fn connected() -> (TcpStream, TcpStream) {
         let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
         let near = TcpStream::connect(listener.local_addr().expect("it listens")).expect("it listens");
@@ -226,7 +226,7 @@ mod tests {
             let bytes = [&garbage.repeat((1 << 20) / garbage.len()), STOP].concat();
             let mut passed = vec![0; bytes.len()];
             let read = thread::scope(|scope| {
-                // The recording waits until this is dropped.
+                // The recording waits until this guard is dropped.
                 let recording = connection.frames(Direction::ToRobot);
                 scope.spawn(|| Pipe { client: &client, robot: &robot, connection: &connection, queue: &queue }.run());
                 scope.spawn(|| program.write_all(&bytes));
@@ -262,7 +262,7 @@ mod tests {
         let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
         let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
-        // While the thread records this one, the others wait.
+        // While the thread records this piece, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
         queue.take(&connection, bytes(Direction::ToRobot, "{\"a\":1}{\"cut"));
         while queue.counts.bytes.load(Ordering::Relaxed) > 0 {

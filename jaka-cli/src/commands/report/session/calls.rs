@@ -13,7 +13,7 @@ use crate::recordings::recorded::{command_of, refusal_of};
 /// Requests and their outcomes.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Calls {
-    /// In the order of their times, in seconds.
+    /// Latencies in the order of their times, in seconds.
     pub(in crate::commands::report) latencies: Vec<(f64, Latency)>,
     pub(in crate::commands::report) commands: BTreeMap<String, CommandCount>,
 }
@@ -23,7 +23,7 @@ pub(in crate::commands::report) struct Calls {
 pub(in crate::commands::report) struct CommandCount {
     pub(in crate::commands::report) refused: usize,
     pub(in crate::commands::report) unanswered: usize,
-    /// In milliseconds, in increasing order.
+    /// Reply times in milliseconds, in increasing order.
     pub(in crate::commands::report) replies: Vec<f64>,
 }
 
@@ -34,7 +34,7 @@ impl CommandCount {
 }
 
 impl Calls {
-    /// Reads the requests. Returns a happening for each that was refused or has no reply, too.
+    /// Reads the requests. Also returns an event for each one refused or without a reply.
     pub(super) fn read(recording: &Recording) -> (Self, Vec<Happening>) {
         let mut calls = Self::default();
         let mut answers = recording.answers();
@@ -73,12 +73,12 @@ fn unanswered(sent: Duration, name: &str, answer: &Answer) -> Happening {
     Happening::wrong(sent, HappeningKind::Unanswered, format!("no reply to {name} is recorded{why}"))
 }
 
-/// The command that a request names.
+/// Returns the command named in a request.
 fn name(request: &Message) -> String {
     command_of(request).map_or_else(|| "a request without a name".to_owned(), |name| format!("`{name}`"))
 }
 
-/// Text of the controller's refusal, if the reply is one.
+/// Returns the text of the controller's refusal, if the reply is one.
 fn refusal(reply: &Message, name: &str) -> Option<String> {
     let refusal = refusal_of(reply)?;
     let message = if refusal.message.is_empty() { String::new() } else { format!(": {}", refusal.message) };

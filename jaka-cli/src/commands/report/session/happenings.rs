@@ -1,4 +1,4 @@
-//! Happenings: events at one moment of a recording.
+//! Events at one time of a recording.
 
 use std::time::Duration;
 
@@ -7,17 +7,17 @@ use jaka_sync::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
 use crate::recordings::recorded::command_of;
 
-/// Something that happened.
+/// Event in a recording.
 #[derive(Debug)]
 pub(in crate::commands::report) struct Happening {
     pub(in crate::commands::report) time: Duration,
     pub(in crate::commands::report) kind: HappeningKind,
-    /// In words.
+    /// Description of the event.
     pub(in crate::commands::report) what: String,
     pub(in crate::commands::report) is_wrong: bool,
 }
 
-/// Kind of a happening.
+/// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::commands::report) enum HappeningKind {
     Connection,
@@ -44,18 +44,18 @@ impl HappeningKind {
 }
 
 impl Happening {
-    /// Creates a happening that is as it should be.
+    /// Creates an event that is not a problem.
     pub(super) fn usual(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: false }
     }
 
-    /// Creates a happening that is a problem.
+    /// Creates an event that is a problem.
     pub(super) fn wrong(time: Duration, kind: HappeningKind, what: impl Into<String>) -> Self {
         Self { time, kind, what: what.into(), is_wrong: true }
     }
 }
 
-/// Happening that an entry reports of its connection; none for entries that report none.
+/// Returns the event that an entry reports of its connection; `None` for other entries.
 pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
     let Entry { time, port, connection, event, .. } = entry;
     let time = *time;
@@ -90,7 +90,7 @@ pub(super) fn of_connection(entry: &Entry) -> Option<Happening> {
     })
 }
 
-/// Name of the built-in stop that a message sends, if it sends one.
+/// Returns the name of the built-in stop in a message, if it is one.
 fn stop(message: &Message) -> Option<&'static str> {
     let info = CommandInfo::of(&command_of(message)?)?;
     (info.role == Some(Role::Stop)).then_some(info.name)

@@ -8,24 +8,24 @@ use jaka_sync::recording::{Event, Port, Recording};
 
 use super::milliseconds;
 
-/// The controller's cycle (section 4.15 of the vendor's document).
+/// Cycle of the controller (section 4.15 of the vendor's document).
 const CYCLE: Duration = Duration::from_millis(8);
-/// The bounds of the histogram, in ms.
+/// Bounds of the histogram, in ms.
 const BOUNDS: [f64; 10] = [-4.0, -1.0, -0.25, 0.25, 1.0, 2.0, 4.0, 8.0, 16.0, 24.0];
 
-/// Lateness of each set-point against its period after the one before it, in ms, in increasing order.
+/// Lateness of each set-point against its period after the previous one, in ms, in increasing order.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct SetPointLateness(Vec<f64>);
 
 impl SetPointLateness {
     pub(super) fn read(recording: &Recording) -> Self {
         let mut all = Vec::new();
-        // When the last set-point of a connection was sent, and how long its period is.
+        // Send time and period of the last set-point of each connection.
         let mut last: HashMap<u32, (Duration, Duration)> = HashMap::new();
         for entry in recording.entries.iter().filter(|entry| entry.port == Port::Command) {
             let sent = match &entry.event {
                 Event::Sent(message) => message.text().and_then(|text| Request::read(text).ok()),
-                // How many were sent between two is not known.
+                // The number of set-points sent between two entries is unknown.
                 Event::Connected { .. } | Event::Closed { .. } | Event::Dropped { .. } => {
                     last.remove(&entry.connection);
                     None
@@ -35,7 +35,7 @@ impl SetPointLateness {
             let step_count = match sent {
                 Some(Request::ServoJ(set_point)) => set_point.step_count,
                 Some(Request::ServoP(set_point)) => set_point.step_count,
-                // A session begins or ends.
+                // Start or end of a session.
                 Some(Request::SetServoMode(_)) => {
                     last.remove(&entry.connection);
                     continue;
@@ -55,18 +55,18 @@ impl SetPointLateness {
         self.0.len()
     }
 
-    /// Number of set-points that were late by this many milliseconds or more.
+    /// Returns the number of set-points that were late by this many milliseconds or more.
     pub(in crate::commands::report) fn late_by(&self, ms: f64) -> usize {
         self.0.len() - self.0.partition_point(|late| *late < ms)
     }
 
-    /// The median, the 99th percentile and the latest, in ms; none without set-points.
+    /// Returns the median, the 99th percentile and the maximum, in ms; `None` without set-points.
     pub(in crate::commands::report) fn figures(&self) -> Option<[f64; 3]> {
         let last = self.0.len().checked_sub(1)?;
         Some([self.0[last / 2], self.0[last - last / 100], self.0[last]])
     }
 
-    /// Number of set-points between each two bounds, with the bounds as text.
+    /// Returns the number of set-points between each two bounds, with the bounds as text.
     pub(in crate::commands::report) fn bars(&self) -> Vec<(String, usize)> {
         let mut bars = Vec::new();
         let (mut before, mut begin) = (0, None);

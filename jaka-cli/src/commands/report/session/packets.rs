@@ -19,30 +19,30 @@ use crate::packets::packed_status::own_fields;
 use crate::plots::Series;
 use crate::recordings::recorded::{RecordedPacket, packets};
 
-/// Greatest number of an arm: a greater one is not drawn.
+/// Greatest number drawn; no arm has greater ones.
 const GREATEST: f64 = 1e6;
-/// Packets that follow each other faster than this are not interrupted.
+/// Smallest time between packets that interrupts a series.
 const LEAST_GAP: Duration = Duration::from_millis(500);
 
 /// Values of status packets over time.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Packets {
     pub(in crate::commands::report) count: usize,
-    /// Messages of the status port that are not packets.
+    /// Number of messages of the status port that are not packets.
     pub(in crate::commands::report) unreadable: usize,
-    /// Numbers that are not drawn, since no arm has such.
+    /// Number of values not drawn, since no arm has such values.
     pub(in crate::commands::report) undrawn: usize,
-    /// The longest time without a packet, in seconds.
+    /// Longest time without a packet, in seconds.
     pub(in crate::commands::report) longest_gap: f64,
-    /// In deg.
+    /// Joint positions, in deg.
     pub(in crate::commands::report) joints: [Series; 6],
-    /// In deg/s.
+    /// Joint speeds, in deg/s.
     pub(in crate::commands::report) speeds: Speeds,
-    /// In mm/s.
+    /// Speed of the tool centre point, in mm/s.
     pub(in crate::commands::report) tcp_speed: Series,
     /// Curves of x, y and z, in mm.
     pub(in crate::commands::report) tcp: Vec<Vec<[f64; 3]>>,
-    /// On and off, by name.
+    /// On/off states, by name.
     pub(in crate::commands::report) state: BTreeMap<&'static str, Series>,
     /// Digital and analog inputs and outputs, by name and index.
     pub(in crate::commands::report) digital: BTreeMap<(&'static str, usize), Series>,
@@ -51,7 +51,7 @@ pub(in crate::commands::report) struct Packets {
     pub(in crate::commands::report) packed: BTreeMap<String, Packed>,
 }
 
-/// Value of a field that packs add or change, over time.
+/// Values over time of a field that packs add or change.
 #[derive(Debug)]
 pub(in crate::commands::report) struct Packed {
     pub(in crate::commands::report) field: Field,
@@ -59,7 +59,7 @@ pub(in crate::commands::report) struct Packed {
 }
 
 impl Packets {
-    /// Reads the packets. Returns the happenings that they show, too.
+    /// Reads the packets. Also returns the events that they show.
     pub(super) fn read(recording: &Recording) -> (Self, Vec<Happening>) {
         let mut all: Vec<_> = packets(recording).collect();
         all.sort_by_key(|packet| packet.time);
@@ -88,8 +88,7 @@ impl Packets {
         (this, changes.happenings)
     }
 
-    /// Takes the time of a packet that follows another. A long time between them interrupts the series, and is a
-    /// problem.
+    /// Takes the time of a packet after another one. A long time between them interrupts the series, and is a problem.
     fn follow(&mut self, last: Option<Duration>, time: Duration, gap: Duration, changes: &mut Changes) {
         let Some(last) = last else { return };
         let without = time.saturating_sub(last);
@@ -101,7 +100,7 @@ impl Packets {
         }
     }
 
-    /// Between two packets that are far apart, nothing is known.
+    /// Interrupts the series after a packet: between two distant packets, the values are unknown.
     fn interrupt(&mut self, last: Option<Duration>) {
         let Some(last) = last.map(|last| last.as_secs_f64()) else { return };
         self.joints.iter_mut().chain([&mut self.tcp_speed]).for_each(|series| series.push(last, None));
@@ -136,7 +135,7 @@ impl Packets {
         }
     }
 
-    /// Adds the fields of packs: numbers and truth values are drawn, and changes of others are happenings.
+    /// Adds the fields of packs: numbers and truth values are drawn, and changes of others are events.
     fn add_packed(&mut self, time: Duration, fields: &[Field], own: &Node<'_>, changes: &mut Changes) {
         let mut rest: BTreeSet<_> = self.packed.keys().cloned().collect();
         for field in fields.iter().flat_map(|field| field.clone().leaves(own)) {
@@ -177,7 +176,7 @@ impl Packets {
     }
 }
 
-/// Adds the elements of a list; those that it does not have are not known.
+/// Adds the elements of a list; missing elements are unknown.
 fn add_list(
     all: &mut BTreeMap<(&'static str, usize), Series>,
     name: &'static str,
@@ -192,7 +191,7 @@ fn add_list(
     all.range_mut((name, length)..=(name, usize::MAX)).for_each(|(_, series)| series.interrupt(time));
 }
 
-/// Time without packets from which on it is a gap: five times the usual period, half a second at least.
+/// Returns the time without packets that counts as a gap: five times the usual period, and at least half a second.
 fn gap(packets: &[RecordedPacket]) -> Duration {
     let mut periods: Vec<_> = packets.windows(2).map(|pair| pair[1].time.saturating_sub(pair[0].time)).collect();
     periods.sort_unstable();

@@ -1,4 +1,4 @@
-//! Contents of windows of other sizes.
+//! Contents of windows of various sizes.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 

@@ -1,4 +1,4 @@
-//! Display of values, and of their absence.
+//! Display of present and missing values.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
@@ -14,7 +14,7 @@ use super::{after_collision, at_work, check, packet, rows, screen, view};
 use crate::commands::monitor::dashboard::View;
 use crate::commands::monitor::dashboard::view::{Link, Page};
 
-/// A terminal would obey it, and it is followed by a forged line.
+/// Text with control characters for a terminal, followed by a forged line.
 const HOSTILE: &str = "A\u{1b}[2J\u{9b}\u{7f}\u{61c}\u{200e}\u{202e}\u{2066}\u{2028}\u{feff}\r\nB\tC";
 
 #[test]
@@ -143,7 +143,7 @@ fn old_values_never_look_new() {
     assert!(rows(&paused)[0].contains("PAUSED"));
 }
 
-/// The colour of the first cell of a text on the screen.
+/// Returns the colour of the first cell of a text on the screen.
 fn colour(buffer: &Buffer, wanted: &str) -> Color {
     let rows = rows(buffer);
     let (row, line) = rows.iter().enumerate().find(|(_, line)| line.contains(wanted)).expect(wanted);

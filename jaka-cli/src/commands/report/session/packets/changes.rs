@@ -19,11 +19,11 @@ pub(super) struct Changes {
     pub(super) happenings: Vec<Happening>,
     flags: Flags,
     error_code: Option<String>,
-    /// Values of fields that are not drawn.
+    /// Values of fields not drawn.
     values: BTreeMap<String, Value>,
-    /// Fields that were told not to fit.
+    /// Fields reported not to fit.
     unfit: BTreeSet<String>,
-    /// Whether the last message could not be read.
+    /// Whether the last message was unreadable.
     is_unreadable: bool,
 }
 
@@ -56,7 +56,7 @@ impl Changes {
         self.happenings.push(Happening { time, kind: HappeningKind::ControllerEvent, what, is_wrong });
     }
 
-    /// Value of a field that is not drawn: it is told where it is another one than before.
+    /// Takes the value of a field that is not drawn, and reports its changes.
     pub(super) fn see_value(&mut self, time: Duration, name: &str, value: &Value) {
         if self.values.get(name) != Some(value) {
             self.values.insert(name.to_owned(), value.clone());
@@ -71,7 +71,7 @@ impl Changes {
         }
     }
 
-    /// A message that is not a packet: the first of several is told.
+    /// Takes a message that is not a packet, and reports the first of several.
     pub(super) fn unreadable(&mut self, time: Duration, error: &DecodeError) {
         if !std::mem::replace(&mut self.is_unreadable, true) {
             let what = format!("a message of the status port is not a packet: {}", chain(error));

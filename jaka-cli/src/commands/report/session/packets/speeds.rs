@@ -2,20 +2,20 @@
 
 use crate::plots::Series;
 
-/// Speeds are means over this many seconds or more: a network delays packets differently, so that over shorter times
-/// they would be wrong.
+/// Smallest time for a mean speed, in seconds: the network delays packets differently, so that speeds over shorter
+/// times would be wrong.
 const LEAST_S: f64 = 0.1;
 
 /// Speeds of the joints, in deg/s.
 #[derive(Debug, Default)]
 pub(in crate::commands::report) struct Speeds {
     pub(in crate::commands::report) series: [Series; 6],
-    /// Time and joint positions from which on the next mean is computed.
+    /// Start time and joint positions of the next mean.
     since: Option<(f64, [f64; 6])>,
 }
 
 impl Speeds {
-    /// The positions at a time, in deg.
+    /// Takes the positions at a time, in deg.
     pub(super) fn see(&mut self, time: f64, joints: Option<[f64; 6]>) {
         let Some(joints) = joints else { return self.interrupt(time) };
         let Some((begin, before)) = self.since else {
