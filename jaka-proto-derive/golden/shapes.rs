@@ -1422,10 +1422,26 @@ impl Client {
     ///
     /// - The sample has `toll`.
     ///
-    /// # Example
-    /// ```text
-    /// -> {"cmdName":"moveTo","relFlag":0,"position":[0,0,0,0,0,0],"speed":20.5}
-    /// <- {"errorCode":"0","errorMsg":"","cmdName":"moveTo"}
+    /// # Examples
+    ///
+    /// ```no_run
+    /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+    /// use jaka_sync::shapes::MoveTo;
+    ///
+    /// robot.move_to(&MoveTo::absolute([0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.5))?;
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    ///
+    /// Request:
+    ///
+    /// ```json
+    /// {"cmdName":"moveTo","relFlag":0,"position":[0,0,0,0,0,0],"speed":20.5}
+    /// ```
+    ///
+    /// Reply:
+    ///
+    /// ```json
+    /// {"errorCode":"0","errorMsg":"","cmdName":"moveTo"}
     /// ```
     ///
     /// # Errors

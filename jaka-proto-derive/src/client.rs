@@ -85,9 +85,13 @@ impl Method {
         let request = ident(&command.request_type());
         let request = quote!(#module #request);
         let reply = scope.reply_type(module, command);
-        let (parameter, argument) = match &command.request {
-            Request::Fields(fields) => of_fields(scope, fields, &request),
-            Request::Choice(_) => (quote!(, request: &#request), quote!(request)),
+        let (parameter, argument) = match parameter(&command.request) {
+            Parameter::None => (TokenStream::new(), quote!(&#request::new())),
+            Parameter::Value(field) => {
+                let (name, (ty, _)) = (ident(&field.name), construct::argument(scope, field));
+                (quote!(, #name: #ty), quote!(&#request::new(#name)))
+            }
+            Parameter::Request => (quote!(, request: &#request), quote!(request)),
         };
         let alias = docs::alias(&command.wire, &command.name);
         let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
@@ -95,19 +99,27 @@ impl Method {
     }
 }
 
-/// The parameter of a method, and the request made from it, by what the request requires.
+/// Parameter of a method, which follows from the fields that its request requires.
+pub(crate) enum Parameter<'f> {
+    /// Nothing: no field is required.
+    None,
+    /// The value of the one field that is required: a number, a text or a named type.
+    Value(&'f Field),
+    /// The request itself.
+    Request,
+}
+
+/// The parameter of the method that sends a request.
 ///
-/// Nothing: no parameter. One number, text or named type: that. Otherwise the request itself. Optional fields do not
-/// count, so that a method stays as it is where one comes: a request with some of them is sent by `call`.
-fn of_fields(scope: Scope<'_>, fields: &[Field], request: &TokenStream) -> (TokenStream, TokenStream) {
+/// Optional fields do not count, so that a method stays as it is where one comes: a request with some of them is sent
+/// by `call`.
+pub(crate) fn parameter(request: &Request) -> Parameter<'_> {
+    let Request::Fields(fields) = request else { return Parameter::Request };
     let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
     match required.as_slice() {
-        [] => (TokenStream::new(), quote!(&#request::new())),
-        [field] if is_argument(field) => {
-            let (name, (ty, _)) = (ident(&field.name), construct::argument(scope, field));
-            (quote!(, #name: #ty), quote!(&#request::new(#name)))
-        }
-        _ => (quote!(, request: &#request), quote!(request)),
+        [] => Parameter::None,
+        [field] if is_argument(field) => Parameter::Value(field),
+        _ => Parameter::Request,
     }
 }
 

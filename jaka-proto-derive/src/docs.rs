@@ -5,9 +5,11 @@
 
 use jaka_spec::prose::{code_span, linked_prose, shown};
 use jaka_spec::words::{self, first_sentence};
-use jaka_spec::{Command, Effect, Example, Field, Module, Reply, Spec, Topic, TypeKind, evidence_sentence};
+use jaka_spec::{Command, Effect, Field, Module, Reply, Spec, Topic, TypeKind, evidence_sentence};
 use proc_macro2::TokenStream;
 use quote::quote;
+
+use crate::call::Call;
 
 /// The place of docs: what they link the names of commands to.
 #[derive(Clone, Copy)]
@@ -133,7 +135,7 @@ impl<'s> Docs<'s> {
         let sent =
             if command.wire == command.request_type() { format!("[`{path}`]") } else { format!("[{name}]({path})") };
         let about = self.about(command, &sent, "");
-        let example = example(&command.examples);
+        let example = self.examples(command);
         own(&format!("{about}{example}\n\n# Errors\nAs {call}.{}", refusal(command)))
     }
 
@@ -217,6 +219,33 @@ impl<'s> Docs<'s> {
         }
     }
 
+    /// Section with the examples of a command: the call, where the client has it, the request and the reply as they go
+    /// over the wire.
+    fn examples(self, command: &Command) -> String {
+        let examples = command.examples.iter().map(|example| {
+            let request = example.request.as_ref();
+            let call = request.and_then(|request| self.call(command, request)).unwrap_or_default();
+            let sent = request.map(|request| message("Request", "->", request)).unwrap_or_default();
+            let reply = example.reply.as_ref().map(|reply| message("Reply", "<-", reply)).unwrap_or_default();
+            call + &sent + &reply
+        });
+        let examples: String = examples.collect();
+        if examples.is_empty() { examples } else { format!("\n\n# Examples{examples}") }
+    }
+
+    /// The call of the client that sends the message of an example, as a block that is compiled as a test.
+    fn call(self, command: &Command, message: &str) -> Option<String> {
+        let Place::Client = self.place else { return None };
+        let has_command = |topic: &&Topic| topic.commands.iter().any(|other| other.wire == command.wire);
+        let topic = self.spec.topics.iter().find(has_command)?;
+        let has_reply = !matches!(&command.reply, Reply::Fields(fields) if fields.is_empty());
+        let lines = Call::new(self.spec, topic, command, message)?.lines(has_reply).join("\n");
+        Some(format!(
+            "\n\n```no_run\n# let mut robot = jaka_sync::Client::connect(\"10.5.5.100\")?;\n{lines}\n# Ok::<(), \
+             jaka_sync::Error>(())\n```"
+        ))
+    }
+
     /// The method of a pack's command, where its trait stands in the same module.
     fn trait_method(self, command: &Command) -> Option<String> {
         let Place::Pack(module) = self.place else { return None };
@@ -288,17 +317,14 @@ fn remarks(command: &Command) -> String {
     [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
 }
 
-/// Section with the messages that are sent and received, one a line. After an arrow, no message of a pack can end the
-/// block.
-fn example(examples: &[Example]) -> String {
-    let lines = examples.iter().map(|example| {
-        let line = |arrow: &str, message: &Option<String>| {
-            message.as_ref().map(|message| format!("\n{arrow} {}", shown(message))).unwrap_or_default()
-        };
-        line("->", &example.request) + &line("<-", &example.reply)
-    });
-    let lines: String = lines.collect();
-    if lines.is_empty() { lines } else { format!("\n\n# Example\n```text{lines}\n```") }
+/// A message of an example as a block. A message that is no object stands after an arrow, so that no message of a pack
+/// ends the block.
+fn message(title: &str, arrow: &str, message: &str) -> String {
+    let message = shown(message);
+    if message.starts_with('{') {
+        return format!("\n\n{title}:\n\n```json\n{message}\n```");
+    }
+    format!("\n\n{title}:\n\n```text\n{arrow} {message}\n```")
 }
 
 /// Sentence about the controller's refusal where a requirement is not met; empty for a command without requirements.

@@ -4,6 +4,7 @@ use proc_macro::TokenStream;
 use quote::quote;
 use syn::parse::Nothing;
 
+mod call;
 mod choice;
 mod client;
 mod codec;
