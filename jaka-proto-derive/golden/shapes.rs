@@ -63,6 +63,7 @@ pub mod shapes {
     ///
     /// - The sample has `toll`.
     #[doc(alias = "moveTo")]
+    #[doc(alias = "joint_move")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveTo {
@@ -1424,7 +1425,7 @@ impl Client {
     ///
     /// # Examples
     ///
-    /// ```no_run
+    /// ```rust,no_run
     /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
     /// use jaka_sync::shapes::MoveTo;
     ///
@@ -1447,6 +1448,7 @@ impl Client {
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     #[doc(alias = "moveTo")]
+    #[doc(alias = "joint_move")]
     #[inline]
     pub fn move_to(&mut self, request: &self::shapes::MoveTo) -> Result<(), Error> {
         self.call(request)

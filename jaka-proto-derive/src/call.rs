@@ -1,18 +1,48 @@
-//! Rust code that sends the message of an example.
+//! Calls of a client: the parameter of a command's method, and code that sends the message of an example.
 //!
 //! A JSON text without escapes is Rust tokens, too, and is read as such.
 
 use std::collections::BTreeSet;
 use std::iter;
 
-use jaka_spec::{COMMAND_NAME, Command, Field, Request, Scalar, Spec, Topic, Type, TypeId, TypeKind, is_floats};
+use jaka_spec::{COMMAND_NAME, Command, Field, Reply, Request, Scalar, Spec, Topic, Type, TypeId, TypeKind, is_floats};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-use crate::client::{self, Parameter};
 use crate::construct;
 
 /// Longest line of the code in one piece.
 const LINE: usize = 100;
+
+/// Parameter of a method, which follows from the fields that its request requires.
+pub(crate) enum Parameter<'f> {
+    /// Nothing: no field is required.
+    None,
+    /// The value of the one field that is required: a number, a text or a named type.
+    Value(&'f Field),
+    /// The request itself.
+    Request,
+}
+
+/// The parameter of the method that sends a request.
+///
+/// Optional fields do not count, so that a method stays as it is where one comes: a request with some of them is sent
+/// by `call`.
+pub(crate) fn parameter(request: &Request) -> Parameter<'_> {
+    let Request::Fields(fields) = request else { return Parameter::Request };
+    let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
+    match required.as_slice() {
+        [] => Parameter::None,
+        [field] if is_argument(field) => Parameter::Value(field),
+        _ => Parameter::Request,
+    }
+}
+
+fn is_argument(field: &Field) -> bool {
+    match &field.ty {
+        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
+        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
+    }
+}
 
 /// A request with the values of an example, as code.
 pub(crate) struct Call {
@@ -24,6 +54,8 @@ pub(crate) struct Call {
     method: String,
     /// Arguments of the method.
     arguments: String,
+    /// Binding for the reply where that carries data.
+    reply: &'static str,
 }
 
 impl Call {
@@ -50,7 +82,7 @@ impl Call {
             return None;
         }
         let has_optional = fields.iter().any(|field| field.optional && get(&field.wire).is_some());
-        let (method, arguments) = match client::parameter(&command.request) {
+        let (method, arguments) = match parameter(&command.request) {
             Parameter::Request => (command.name.clone(), format!("&{request}")),
             _ if has_optional => ("call".to_owned(), format!("&{request}")),
             Parameter::Value(field) => (command.name.clone(), code.argument(field, get(&field.wire)?)?),
@@ -59,7 +91,9 @@ impl Call {
         if arguments.starts_with('&') {
             code.imports.insert(format!("{}::{name}", topic.name));
         }
-        Some(Self { imports: code.imports, request, method, arguments })
+        let is_empty = matches!(&command.reply, Reply::Fields(fields) if fields.is_empty());
+        let reply = if is_empty { "" } else { "let reply = " };
+        Some(Self { imports: code.imports, request, method, arguments, reply })
     }
 
     /// Expression for the request, which needs the types of all topics.
@@ -68,14 +102,14 @@ impl Call {
         &self.request
     }
 
-    /// Lines that import the types and call the method of a client `robot`.
-    pub(crate) fn lines(&self, has_reply: bool) -> Vec<String> {
-        let Self { imports, request, method, arguments } = self;
-        let mut lines: Vec<_> = imports.iter().map(|path| format!("use jaka_sync::{path};")).collect();
-        if !lines.is_empty() {
+    /// Program that imports the types and calls the method. Its first and last line are those of a test.
+    pub(crate) fn code(&self) -> String {
+        let Self { imports, request, method, arguments, reply } = self;
+        let mut lines = vec!["# let mut robot = jaka_sync::Client::connect(\"10.5.5.100\")?;".to_owned()];
+        lines.extend(imports.iter().map(|path| format!("use jaka_sync::{path};")));
+        if !imports.is_empty() {
             lines.push(String::new());
         }
-        let reply = if has_reply { "let reply = " } else { "" };
         let line = format!("{reply}robot.{method}({arguments})?;");
         if line.len() > LINE && arguments.starts_with('&') {
             lines.push(format!("let request = {request};"));
@@ -83,7 +117,8 @@ impl Call {
         } else {
             lines.push(line);
         }
-        lines
+        lines.push("# Ok::<(), jaka_sync::Error>(())".to_owned());
+        lines.join("\n")
     }
 }
 

@@ -1,9 +1,10 @@
 //! A method for each command.
 
-use jaka_spec::{Command, Field, Request, Scalar, Spec, Type};
+use jaka_spec::{Command, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::call::{Call, Parameter, parameter};
 use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
 use crate::{construct, topic};
@@ -45,7 +46,8 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
         let module = scope.module(topic);
         let methods = topic.commands.iter().map(|command| {
             let Method { head, parameter, argument, reply } = Method::new(scope, &module, command);
-            let docs = docs.method(command, "[`call`](Self::call)");
+            let code = |message: &str| Call::new(spec, topic, command, message).map(|call| call.code());
+            let docs = docs.method(command, "[`call`](Self::call)", code);
             let name = ident(&command.name);
             quote! {
                 #docs
@@ -93,39 +95,8 @@ impl Method {
             }
             Parameter::Request => (quote!(, request: &#request), quote!(request)),
         };
-        let alias = docs::alias(&command.wire, &command.name);
+        let (alias, sdk) = (docs::alias(&command.wire, &command.name), docs::sdk_aliases(command));
         let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
-        Self { head: quote!(#alias #deprecated), parameter, argument, reply }
-    }
-}
-
-/// Parameter of a method, which follows from the fields that its request requires.
-pub(crate) enum Parameter<'f> {
-    /// Nothing: no field is required.
-    None,
-    /// The value of the one field that is required: a number, a text or a named type.
-    Value(&'f Field),
-    /// The request itself.
-    Request,
-}
-
-/// The parameter of the method that sends a request.
-///
-/// Optional fields do not count, so that a method stays as it is where one comes: a request with some of them is sent
-/// by `call`.
-pub(crate) fn parameter(request: &Request) -> Parameter<'_> {
-    let Request::Fields(fields) = request else { return Parameter::Request };
-    let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
-    match required.as_slice() {
-        [] => Parameter::None,
-        [field] if is_argument(field) => Parameter::Value(field),
-        _ => Parameter::Request,
-    }
-}
-
-fn is_argument(field: &Field) -> bool {
-    match &field.ty {
-        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
+        Self { head: quote!(#alias #sdk #deprecated), parameter, argument, reply }
     }
 }

@@ -9,8 +9,6 @@ use jaka_spec::{Command, Effect, Field, Module, Reply, Spec, Topic, TypeKind, ev
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::call::Call;
-
 /// The place of docs: what they link the names of commands to.
 #[derive(Clone, Copy)]
 pub(crate) struct Docs<'s> {
@@ -129,14 +127,15 @@ impl<'s> Docs<'s> {
         own(&format!("What the controller answers to [`{}`].", self.request(command)))
     }
 
-    /// Docs of a method: those of its request, with an example, and with errors that refer to those of `call`.
-    pub(crate) fn method(self, command: &'s Command, call: &str) -> TokenStream {
+    /// Docs of a method: those of its request, with examples, and with errors that refer to those of `call`. `code` is a
+    /// program of ours that sends the message of an example.
+    pub(crate) fn method(self, command: &'s Command, call: &str, code: impl Fn(&str) -> Option<String>) -> TokenStream {
         let (path, name) = (self.request(command), code_span(&command.wire));
         let sent =
             if command.wire == command.request_type() { format!("[`{path}`]") } else { format!("[{name}]({path})") };
         let about = self.about(command, &sent, "");
-        let example = self.examples(command);
-        own(&format!("{about}{example}\n\n# Errors\nAs {call}.{}", refusal(command)))
+        let examples = examples(command, code);
+        own(&format!("{about}{examples}\n\n# Errors\nAs {call}.{}", refusal(command)))
     }
 
     fn prose(self, text: &str) -> String {
@@ -219,33 +218,6 @@ impl<'s> Docs<'s> {
         }
     }
 
-    /// Section with the examples of a command: the call, where the client has it, the request and the reply as they go
-    /// over the wire.
-    fn examples(self, command: &Command) -> String {
-        let examples = command.examples.iter().map(|example| {
-            let request = example.request.as_ref();
-            let call = request.and_then(|request| self.call(command, request)).unwrap_or_default();
-            let sent = request.map(|request| message("Request", "->", request)).unwrap_or_default();
-            let reply = example.reply.as_ref().map(|reply| message("Reply", "<-", reply)).unwrap_or_default();
-            call + &sent + &reply
-        });
-        let examples: String = examples.collect();
-        if examples.is_empty() { examples } else { format!("\n\n# Examples{examples}") }
-    }
-
-    /// The call of the client that sends the message of an example, as a block that is compiled as a test.
-    fn call(self, command: &Command, message: &str) -> Option<String> {
-        let Place::Client = self.place else { return None };
-        let has_command = |topic: &&Topic| topic.commands.iter().any(|other| other.wire == command.wire);
-        let topic = self.spec.topics.iter().find(has_command)?;
-        let has_reply = !matches!(&command.reply, Reply::Fields(fields) if fields.is_empty());
-        let lines = Call::new(self.spec, topic, command, message)?.lines(has_reply).join("\n");
-        Some(format!(
-            "\n\n```no_run\n# let mut robot = jaka_sync::Client::connect(\"10.5.5.100\")?;\n{lines}\n# Ok::<(), \
-             jaka_sync::Error>(())\n```"
-        ))
-    }
-
     /// The method of a pack's command, where its trait stands in the same module.
     fn trait_method(self, command: &Command) -> Option<String> {
         let Place::Pack(module) = self.place else { return None };
@@ -290,6 +262,12 @@ pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
     if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
 }
 
+/// Aliases under which rustdoc's search finds what belongs to a command by the names of the vendor's SDK.
+pub(crate) fn sdk_aliases(command: &Command) -> TokenStream {
+    let aliases = &command.aliases;
+    quote!(#(#[doc(alias = #aliases)])*)
+}
+
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
@@ -315,6 +293,20 @@ fn remarks(command: &Command) -> String {
     let errata = (!command.errata.is_empty()).then(|| format!("\n\n# Errata\n\n{}", list(&command.errata)));
     let known = words::known_to(command).map(|known| format!("\n\n{known}"));
     [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
+}
+
+/// Section with the examples of a command: the request and the reply as they go over the wire, after the code that sends
+/// the request, where there is some.
+fn examples(command: &Command, code: impl Fn(&str) -> Option<String>) -> String {
+    let examples = command.examples.iter().map(|example| {
+        let request = example.request.as_deref();
+        let code = request.and_then(&code).map(|code| format!("\n\n```rust,no_run\n{code}\n```")).unwrap_or_default();
+        let sent = request.map(|request| message("Request", "->", request)).unwrap_or_default();
+        let reply = example.reply.as_deref().map(|reply| message("Reply", "<-", reply)).unwrap_or_default();
+        code + &sent + &reply
+    });
+    let examples: String = examples.collect();
+    if examples.is_empty() { examples } else { format!("\n\n# Examples{examples}") }
 }
 
 /// A message of an example as a block. A message that is no object stands after an arrow, so that no message of a pack
