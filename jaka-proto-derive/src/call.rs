@@ -10,8 +10,8 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::construct;
 
-/// Longest line of the code in one piece.
-const LINE: usize = 100;
+/// Longest line of the code, for which a page of rustdoc has room.
+const LINE: usize = 80;
 
 /// Parameter of a method, which follows from the fields that its request requires.
 pub(crate) enum Parameter<'f> {
@@ -48,12 +48,11 @@ fn is_argument(field: &Field) -> bool {
 pub(crate) struct Call {
     /// Paths of the types in the code, from the root of jaka-sync.
     imports: BTreeSet<String>,
-    /// Expression for the request.
-    request: String,
+    request: Made,
     /// Name of the method that sends it.
     method: String,
-    /// Arguments of the method.
-    arguments: String,
+    /// The argument of the method, if that is not the request; empty where there is none.
+    value: Option<String>,
     /// Binding for the reply where that carries data.
     reply: &'static str,
 }
@@ -71,9 +70,9 @@ impl Call {
             Request::Choice(choice) => {
                 let tag = number(get(&choice.tag)?)?;
                 let variant = choice.variants.iter().find(|variant| variant.wire.to_string() == tag)?;
-                let function = construct::function_name(&variant.name, &[]);
+                let function = format!("{name}::{}", construct::function_name(&variant.name, &[]));
                 let arguments = code.arguments(&with_values(&variant.fields, get))?;
-                (&variant.fields, Some(&choice.tag), format!("{name}::{function}({arguments})"))
+                (&variant.fields, Some(&choice.tag), Made { function, arguments, setters: Vec::new() })
             }
         };
         let is_known =
@@ -82,43 +81,73 @@ impl Call {
             return None;
         }
         let has_optional = fields.iter().any(|field| field.optional && get(&field.wire).is_some());
-        let (method, arguments) = match parameter(&command.request) {
-            Parameter::Request => (command.name.clone(), format!("&{request}")),
-            _ if has_optional => ("call".to_owned(), format!("&{request}")),
-            Parameter::Value(field) => (command.name.clone(), code.argument(field, get(&field.wire)?)?),
-            Parameter::None => (command.name.clone(), String::new()),
+        let (method, value) = match parameter(&command.request) {
+            Parameter::Request => (&*command.name, None),
+            _ if has_optional => ("call", None),
+            Parameter::Value(field) => (&*command.name, Some(code.argument(field, get(&field.wire)?)?)),
+            Parameter::None => (&*command.name, Some(String::new())),
         };
-        if arguments.starts_with('&') {
+        if value.is_none() {
             code.imports.insert(format!("{}::{name}", topic.name));
         }
         let is_empty = matches!(&command.reply, Reply::Fields(fields) if fields.is_empty());
         let reply = if is_empty { "" } else { "let reply = " };
-        Some(Self { imports: code.imports, request, method, arguments, reply })
+        Some(Self { imports: code.imports, request, method: method.to_owned(), value, reply })
     }
 
     /// Expression for the request, which needs the types of all topics.
     #[cfg(test)]
-    pub(crate) fn request(&self) -> &str {
-        &self.request
+    pub(crate) fn request(&self) -> String {
+        self.request.line()
     }
 
     /// Program that imports the types and calls the method. Its first and last line are those of a test.
     pub(crate) fn code(&self) -> String {
-        let Self { imports, request, method, arguments, reply } = self;
+        let Self { imports, request, method, value, reply } = self;
         let mut lines = vec!["# let mut robot = jaka_sync::Client::connect(\"10.5.5.100\")?;".to_owned()];
         lines.extend(imports.iter().map(|path| format!("use jaka_sync::{path};")));
         if !imports.is_empty() {
             lines.push(String::new());
         }
-        let line = format!("{reply}robot.{method}({arguments})?;");
-        if line.len() > LINE && arguments.starts_with('&') {
-            lines.push(format!("let request = {request};"));
-            lines.push(format!("{reply}robot.{method}(&request)?;"));
+        let argument = value.clone().unwrap_or_else(|| format!("&{}", request.line()));
+        let call = format!("{reply}robot.{method}({argument})?;");
+        if call.len() <= LINE || value.is_some() {
+            lines.push(call);
         } else {
-            lines.push(line);
+            lines.push(request.binding());
+            lines.push(format!("{reply}robot.{method}(&request)?;"));
         }
         lines.push("# Ok::<(), jaka_sync::Error>(())".to_owned());
         lines.join("\n")
+    }
+}
+
+/// A constructor with its setters, as code.
+struct Made {
+    /// Path of the constructor.
+    function: String,
+    arguments: Vec<String>,
+    /// Calls of setters, each with its dot.
+    setters: Vec<String>,
+}
+
+impl Made {
+    fn line(&self) -> String {
+        format!("{}({}){}", self.function, self.arguments.join(", "), self.setters.concat())
+    }
+
+    /// Statement that names it `request`, in several lines where one is too long.
+    fn binding(&self) -> String {
+        let line = format!("let request = {};", self.line());
+        if line.len() <= LINE {
+            return line;
+        }
+        let Self { function, arguments, setters } = self;
+        let made = format!("let request = {function}({})", arguments.join(", "));
+        if made.len() <= LINE {
+            return format!("{made}\n    {};", setters.join("\n    "));
+        }
+        format!("let request = {function}(\n    {},\n){};", arguments.join(",\n    "), setters.join("\n"))
     }
 }
 
@@ -136,28 +165,27 @@ struct Code<'s> {
 }
 
 impl Code<'_> {
-    /// A constructor with its setters.
-    fn made(&mut self, name: &str, fields: &[WithValue<'_>]) -> Option<String> {
-        let (mut function, mut fields) = ("new".to_owned(), fields.to_vec());
+    fn made(&mut self, name: &str, fields: &[WithValue<'_>]) -> Option<Made> {
+        let (mut function, mut fields) = (format!("{name}::new"), fields.to_vec());
         if let Some(at) = fields.iter().position(|(field, _)| field.constructors && !field.optional) {
             let all: Vec<_> = fields.iter().map(|(field, _)| (*field).clone()).collect();
             let (selector, value) = fields.remove(at);
-            function = construct::function_name(&self.variant(selector.ty.named()?, value?)?, &all).to_string();
+            let variant = self.variant(selector.ty.named()?, value?)?;
+            function = format!("{name}::{}", construct::function_name(&variant, &all));
         }
-        let made = format!("{name}::{function}({})", self.arguments(&fields)?);
+        let arguments = self.arguments(&fields)?;
         let optional = fields.iter().filter(|(field, _)| field.optional);
         let given = optional.filter_map(|(field, value)| Some((*field, (*value)?)));
         let set =
             |(field, value)| Some(format!(".{}({})", construct::setter_name(field), self.argument(field, value)?));
-        let setters: Option<String> = given.map(set).collect();
-        Some(made + &setters?)
+        let setters = given.map(set).collect::<Option<_>>()?;
+        Some(Made { function, arguments, setters })
     }
 
     /// Arguments for the required fields.
-    fn arguments(&mut self, fields: &[WithValue<'_>]) -> Option<String> {
+    fn arguments(&mut self, fields: &[WithValue<'_>]) -> Option<Vec<String>> {
         let required = fields.iter().filter(|(field, _)| !field.optional);
-        let arguments: Option<Vec<_>> = required.map(|(field, value)| self.argument(field, (*value)?)).collect();
-        Some(arguments?.join(", "))
+        required.map(|(field, value)| self.argument(field, (*value)?)).collect()
     }
 
     /// The argument of a constructor, a setter or a method that stands for a field.
@@ -210,7 +238,7 @@ impl Code<'_> {
                     return None;
                 }
                 let values = elements.iter().map(|element| Some(element.as_slice())).chain(iter::repeat(None));
-                self.made(&def.name, &fields.iter().zip(values).collect::<Vec<_>>())?
+                self.made(&def.name, &fields.iter().zip(values).collect::<Vec<_>>())?.line()
             }
             TypeKind::Object(_) | TypeKind::Choice(_) => return None,
         };

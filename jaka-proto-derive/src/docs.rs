@@ -298,11 +298,12 @@ fn remarks(command: &Command) -> String {
 /// Section with the examples of a command: the request and the reply as they go over the wire, after the code that sends
 /// the request, where there is some.
 fn examples(command: &Command, code: impl Fn(&str) -> Option<String>) -> String {
-    let examples = command.examples.iter().map(|example| {
+    let examples = command.examples.iter().enumerate().map(|(at, example)| {
         let request = example.request.as_deref();
         let code = request.and_then(&code).map(|code| format!("\n\n```rust,no_run\n{code}\n```")).unwrap_or_default();
         let sent = request.map(|request| message("Request", "->", request)).unwrap_or_default();
-        let reply = example.reply.as_deref().map(|reply| message("Reply", "<-", reply)).unwrap_or_default();
+        let title = if at > 0 && request.is_none() { "Another reply" } else { "Reply" };
+        let reply = example.reply.as_deref().map(|reply| message(title, "<-", reply)).unwrap_or_default();
         code + &sent + &reply
     });
     let examples: String = examples.collect();
