@@ -135,7 +135,7 @@ fn errors_of_all_packs_are_reported_at_their_places() {
 fn a_pack_that_the_spec_has_overtaken_is_noted() {
     let folder = folder_with("overtaken", "newer.toml");
     expect![[r#"
-        overtaken/motion.toml:621:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
+        overtaken/motion.toml:624:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         overtaken/payload.toml:32:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         overtaken: 123 commands, 54 types, 5 error codes, 894 events
         newer.toml:1:1: note: this pack no longer changes anything: the spec has all of it by now
@@ -153,7 +153,7 @@ fn a_whole_spec_is_checked_with_its_examples() {
     let newer = fs::read_to_string(pack("newer.toml")).unwrap();
     file("whole/newer.toml", &newer.replace("\"queue\": 3", "\"queue\": [3]"));
     expect![[r#"
-        whole/motion.toml:621:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
+        whole/motion.toml:624:10: note: command `wait_complete`, reply of an example: `cmdName` is " wait_complete"; expected is `wait_complete`
         whole/payload.toml:32:10: note: command `set_payload`, reply of an example: `cmdName` is " set_payload "; expected is `set_payload`
         whole/newer.toml:31:10: command `demo_motion_state`, reply of an example: `queue` is [3]; expected is a whole number
         whole: 123 commands, 54 types, 5 error codes, 894 events

@@ -68,9 +68,9 @@ pub mod collision {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetClsnSensitivityReply {
-        /// Collision level, from 0 to 5. `sensitivityLevel` on the wire.
+        /// Collision level: 0 to 5 in the document, up to 7 on newer firmware (one client). `sensitivityLevel` on the wire.
         ///
-        /// 0 says that detection is off, 1 is the most sensitive, 5 the least. See [`set_clsn_sensitivity`](type@SetClsnSensitivity) for the forces, and for newer firmware.
+        /// 0 says that detection is off. Of 1 to 5, 1 is the most sensitive and 5 the least. See [`set_clsn_sensitivity`](type@SetClsnSensitivity) for the forces.
         pub level: i64,
     }
     /// Leaves the collision protection that the robot enters after a collision.

@@ -218,10 +218,18 @@ pub mod changed {
         ///
         /// - The text calls the motion blocking. The vendor's page for firmware 1.7 calls all commands asynchronous: a reply says that the command was received and preprocessed.
         ///
-        /// # Example
-        /// ```text
-        /// -> {"cmdName": "joint_move", "relFlag": 0, "jointPosition": [0, 90.5, 90.5, 0, 90.5, 0], "speed": 20.5, "accel": 20.5}
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "joint_move"}
+        /// # Examples
+        ///
+        /// Request:
+        ///
+        /// ```json
+        /// {"cmdName": "joint_move", "relFlag": 0, "jointPosition": [0, 90.5, 90.5, 0, 90.5, 0], "speed": 20.5, "accel": 20.5}
+        /// ```
+        ///
+        /// Reply:
+        ///
+        /// ```json
+        /// {"errorCode": "0", "errorMsg": "", "cmdName": "joint_move"}
         /// ```
         ///
         /// # Errors
@@ -237,10 +245,18 @@ pub mod changed {
         ///
         /// Sends [`rapid_rate`](type@SetRapidRate) (4.17).
         ///
-        /// # Example
-        /// ```text
-        /// -> {"cmdName": "rapid_rate", "rate_value": 0.2}
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}
+        /// # Examples
+        ///
+        /// Request:
+        ///
+        /// ```json
+        /// {"cmdName": "rapid_rate", "rate_value": 0.2}
+        /// ```
+        ///
+        /// Reply:
+        ///
+        /// ```json
+        /// {"errorCode": "0", "errorMsg": "", "cmdName": "rapid_rate"}
         /// ```
         ///
         /// # Errors
@@ -260,10 +276,18 @@ pub mod changed {
         ///
         /// Sends [`set_tio_vout_param`](type@SetTioVoutParam) (4.80).
         ///
-        /// # Example
-        /// ```text
-        /// -> {"cmdName": "set_tio_vout_param", "tio_vout_ena": 0, "tio_vout_vol": 0}
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "set_tio_vout_param"}
+        /// # Examples
+        ///
+        /// Request:
+        ///
+        /// ```json
+        /// {"cmdName": "set_tio_vout_param", "tio_vout_ena": 0, "tio_vout_vol": 0}
+        /// ```
+        ///
+        /// Reply:
+        ///
+        /// ```json
+        /// {"errorCode": "0", "errorMsg": "", "cmdName": "set_tio_vout_param"}
         /// ```
         ///
         /// # Errors
@@ -283,10 +307,18 @@ pub mod changed {
         ///
         /// Not in the document. Evidence: bytes of the vendor's client library (SDK 1.0.19 sends it); several independent clients (seven programs, on controllers from 1.4 on).
         ///
-        /// # Example
-        /// ```text
-        /// -> {"cmdName":"get_data"}
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "get_data", "tio_din": [0, 0, 0, 0, 0, 0, 0, 0], "current_tool_id": 0, "current_user_id": 0, "inpos": true}
+        /// # Examples
+        ///
+        /// Request:
+        ///
+        /// ```json
+        /// {"cmdName":"get_data"}
+        /// ```
+        ///
+        /// Reply:
+        ///
+        /// ```json
+        /// {"errorCode": "0", "errorMsg": "", "cmdName": "get_data", "tio_din": [0, 0, 0, 0, 0, 0, 0, 0], "current_tool_id": 0, "current_user_id": 0, "inpos": true}
         /// ```
         ///
         /// # Errors

@@ -64,9 +64,12 @@ pub mod newer {
         ///
         /// Sends [`demo_motion_state`](type@DemoMotionState). Changes nothing on the robot.
         ///
-        /// # Example
-        /// ```text
-        /// <- {"errorCode": "0", "errorMsg": "", "cmdName": "demo_motion_state", "inpos": true, "paused": false, "queue": 3, "active_queue": 1}
+        /// # Examples
+        ///
+        /// Reply:
+        ///
+        /// ```json
+        /// {"errorCode": "0", "errorMsg": "", "cmdName": "demo_motion_state", "inpos": true, "paused": false, "queue": 3, "active_queue": 1}
         /// ```
         ///
         /// # Errors

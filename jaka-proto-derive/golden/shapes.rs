@@ -63,6 +63,7 @@ pub mod shapes {
     ///
     /// - The sample has `toll`.
     #[doc(alias = "moveTo")]
+    #[doc(alias = "joint_move")]
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct MoveTo {
@@ -1422,15 +1423,32 @@ impl Client {
     ///
     /// - The sample has `toll`.
     ///
-    /// # Example
-    /// ```text
-    /// -> {"cmdName":"moveTo","relFlag":0,"position":[0,0,0,0,0,0],"speed":20.5}
-    /// <- {"errorCode":"0","errorMsg":"","cmdName":"moveTo"}
+    /// # Examples
+    ///
+    /// ```rust,no_run
+    /// # let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
+    /// use jaka_sync::shapes::MoveTo;
+    ///
+    /// robot.move_to(&MoveTo::absolute([0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.5))?;
+    /// # Ok::<(), jaka_sync::Error>(())
+    /// ```
+    ///
+    /// Request:
+    ///
+    /// ```json
+    /// {"cmdName":"moveTo","relFlag":0,"position":[0,0,0,0,0,0],"speed":20.5}
+    /// ```
+    ///
+    /// Reply:
+    ///
+    /// ```json
+    /// {"errorCode":"0","errorMsg":"","cmdName":"moveTo"}
     /// ```
     ///
     /// # Errors
     /// As [`call`](Self::call). In another state than the one it needs, expect a refusal.
     #[doc(alias = "moveTo")]
+    #[doc(alias = "joint_move")]
     #[inline]
     pub fn move_to(&mut self, request: &self::shapes::MoveTo) -> Result<(), Error> {
         self.call(request)

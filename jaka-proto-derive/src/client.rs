@@ -1,9 +1,10 @@
 //! A method for each command.
 
-use jaka_spec::{Command, Field, Request, Scalar, Spec, Type};
+use jaka_spec::{Command, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::call::{Call, Parameter, parameter};
 use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
 use crate::{construct, topic};
@@ -45,7 +46,8 @@ pub(crate) fn methods(spec: &Spec) -> TokenStream {
         let module = scope.module(topic);
         let methods = topic.commands.iter().map(|command| {
             let Method { head, parameter, argument, reply } = Method::new(scope, &module, command);
-            let docs = docs.method(command, "[`call`](Self::call)");
+            let code = |message: &str| Call::new(spec, topic, command, message).map(|call| call.code());
+            let docs = docs.method(command, "[`call`](Self::call)", code);
             let name = ident(&command.name);
             quote! {
                 #docs
@@ -85,35 +87,16 @@ impl Method {
         let request = ident(&command.request_type());
         let request = quote!(#module #request);
         let reply = scope.reply_type(module, command);
-        let (parameter, argument) = match &command.request {
-            Request::Fields(fields) => of_fields(scope, fields, &request),
-            Request::Choice(_) => (quote!(, request: &#request), quote!(request)),
+        let (parameter, argument) = match parameter(&command.request) {
+            Parameter::None => (TokenStream::new(), quote!(&#request::new())),
+            Parameter::Value(field) => {
+                let (name, (ty, _)) = (ident(&field.name), construct::argument(scope, field));
+                (quote!(, #name: #ty), quote!(&#request::new(#name)))
+            }
+            Parameter::Request => (quote!(, request: &#request), quote!(request)),
         };
-        let alias = docs::alias(&command.wire, &command.name);
+        let (alias, sdk) = (docs::alias(&command.wire, &command.name), docs::sdk_aliases(command));
         let deprecated = command.deprecated.as_ref().map(|note| quote!(#[deprecated(note = #note)]));
-        Self { head: quote!(#alias #deprecated), parameter, argument, reply }
-    }
-}
-
-/// The parameter of a method, and the request made from it, by what the request requires.
-///
-/// Nothing: no parameter. One number, text or named type: that. Otherwise the request itself. Optional fields do not
-/// count, so that a method stays as it is where one comes: a request with some of them is sent by `call`.
-fn of_fields(scope: Scope<'_>, fields: &[Field], request: &TokenStream) -> (TokenStream, TokenStream) {
-    let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
-    match required.as_slice() {
-        [] => (TokenStream::new(), quote!(&#request::new())),
-        [field] if is_argument(field) => {
-            let (name, (ty, _)) = (ident(&field.name), construct::argument(scope, field));
-            (quote!(, #name: #ty), quote!(&#request::new(#name)))
-        }
-        _ => (quote!(, request: &#request), quote!(request)),
-    }
-}
-
-fn is_argument(field: &Field) -> bool {
-    match &field.ty {
-        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
+        Self { head: quote!(#alias #sdk #deprecated), parameter, argument, reply }
     }
 }

@@ -12,7 +12,8 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let name = ident(&command.request_type());
     let alias = (command.wire != command.request_type()).then(|| docs::alias(&command.wire, &command.name));
     let docs = scope.docs.request_type(command);
-    let docs = quote!(#docs #alias);
+    let sdk = docs::sdk_aliases(command);
+    let docs = quote!(#docs #alias #sdk);
     let (request, constructors) = match &command.request {
         Request::Fields(fields) => {
             (typedef::object(scope, &name, &docs, fields), construct::object(scope, &name, fields))

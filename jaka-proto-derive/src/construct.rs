@@ -72,7 +72,7 @@ fn names_and_docs<T>(values: &[EnumValue<T>]) -> Vec<(&str, &str)> {
 }
 
 /// The name of the constructor for a variant. An underscore follows where Rust or another function has the name.
-fn function_name(variant: &str, fields: &[Field]) -> Ident {
+pub(crate) fn function_name(variant: &str, fields: &[Field]) -> Ident {
     let name = to_snake(variant);
     let is_taken = name == NEW || fields.iter().any(|field| field.optional && field.name == name);
     if is_taken || !jaka_spec::is_snake(&name) { ident(&format!("{name}_")) } else { ident(&name) }
@@ -81,10 +81,15 @@ fn function_name(variant: &str, fields: &[Field]) -> Ident {
 /// The name of the constructor of the required fields.
 const NEW: &str = "new";
 
+/// The name of the setter of an optional field.
+pub(crate) fn setter_name(field: &Field) -> Ident {
+    if field.name == NEW { ident("new_") } else { ident(&field.name) }
+}
+
 fn setter(scope: Scope<'_>, field: &Field) -> TokenStream {
     let docs = scope.docs.setter(field);
     let name = ident(&field.name);
-    let function = if field.name == NEW { ident("new_") } else { name.clone() };
+    let function = setter_name(field);
     let (ty, value) = argument(scope, field);
     quote! {
         #docs

@@ -5,7 +5,7 @@
 
 use jaka_spec::prose::{code_span, linked_prose, shown};
 use jaka_spec::words::{self, first_sentence};
-use jaka_spec::{Command, Effect, Example, Field, Module, Reply, Spec, Topic, TypeKind, evidence_sentence};
+use jaka_spec::{Command, Effect, Field, Module, Reply, Spec, Topic, TypeKind, evidence_sentence};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -127,14 +127,15 @@ impl<'s> Docs<'s> {
         own(&format!("What the controller answers to [`{}`].", self.request(command)))
     }
 
-    /// Docs of a method: those of its request, with an example, and with errors that refer to those of `call`.
-    pub(crate) fn method(self, command: &'s Command, call: &str) -> TokenStream {
+    /// Docs of a method: those of its request, with examples, and with errors that refer to those of `call`. `code` is a
+    /// program of ours that sends the message of an example.
+    pub(crate) fn method(self, command: &'s Command, call: &str, code: impl Fn(&str) -> Option<String>) -> TokenStream {
         let (path, name) = (self.request(command), code_span(&command.wire));
         let sent =
             if command.wire == command.request_type() { format!("[`{path}`]") } else { format!("[{name}]({path})") };
         let about = self.about(command, &sent, "");
-        let example = example(&command.examples);
-        own(&format!("{about}{example}\n\n# Errors\nAs {call}.{}", refusal(command)))
+        let examples = examples(command, code);
+        own(&format!("{about}{examples}\n\n# Errors\nAs {call}.{}", refusal(command)))
     }
 
     fn prose(self, text: &str) -> String {
@@ -261,6 +262,12 @@ pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
     if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
 }
 
+/// Aliases under which rustdoc's search finds what belongs to a command by the names of the vendor's SDK.
+pub(crate) fn sdk_aliases(command: &Command) -> TokenStream {
+    let aliases = &command.aliases;
+    quote!(#(#[doc(alias = #aliases)])*)
+}
+
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
@@ -288,17 +295,29 @@ fn remarks(command: &Command) -> String {
     [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
 }
 
-/// Section with the messages that are sent and received, one a line. After an arrow, no message of a pack can end the
-/// block.
-fn example(examples: &[Example]) -> String {
-    let lines = examples.iter().map(|example| {
-        let line = |arrow: &str, message: &Option<String>| {
-            message.as_ref().map(|message| format!("\n{arrow} {}", shown(message))).unwrap_or_default()
-        };
-        line("->", &example.request) + &line("<-", &example.reply)
+/// Section with the examples of a command: the request and the reply as they go over the wire, after the code that sends
+/// the request, where there is some.
+fn examples(command: &Command, code: impl Fn(&str) -> Option<String>) -> String {
+    let examples = command.examples.iter().enumerate().map(|(at, example)| {
+        let request = example.request.as_deref();
+        let code = request.and_then(&code).map(|code| format!("\n\n```rust,no_run\n{code}\n```")).unwrap_or_default();
+        let sent = request.map(|request| message("Request", "->", request)).unwrap_or_default();
+        let title = if at > 0 && request.is_none() { "Another reply" } else { "Reply" };
+        let reply = example.reply.as_deref().map(|reply| message(title, "<-", reply)).unwrap_or_default();
+        code + &sent + &reply
     });
-    let lines: String = lines.collect();
-    if lines.is_empty() { lines } else { format!("\n\n# Example\n```text{lines}\n```") }
+    let examples: String = examples.collect();
+    if examples.is_empty() { examples } else { format!("\n\n# Examples{examples}") }
+}
+
+/// A message of an example as a block. A message that is no object stands after an arrow, so that no message of a pack
+/// ends the block.
+fn message(title: &str, arrow: &str, message: &str) -> String {
+    let message = shown(message);
+    if message.starts_with('{') {
+        return format!("\n\n{title}:\n\n```json\n{message}\n```");
+    }
+    format!("\n\n{title}:\n\n```text\n{arrow} {message}\n```")
 }
 
 /// Sentence about the controller's refusal where a requirement is not met; empty for a command without requirements.

@@ -9,6 +9,7 @@ use jaka_spec::{Module, Source, Spec};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::call::Call;
 use crate::scope::{ModulePaths, Scope};
 use crate::{client, compile_errors, error_codes, pack, topic};
 use interface::{interface, interface_without, signatures};
@@ -32,6 +33,31 @@ fn the_interface_of_all_messages() {
     expect_file!["../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
     expect_file!["../golden/client.rs"].assert_eq(&signatures(client::methods(&spec)));
+}
+
+/// The requests of the calls in the docs. A test of the whole project compares them with the messages.
+#[test]
+fn the_calls_of_the_examples() {
+    let spec = builtin();
+    let topics = spec.topics.iter().filter(|topic| topic::has_module(topic));
+    let modules: Vec<_> = topics.clone().map(|topic| format!("{}::*", topic.name)).collect();
+    let commands = topics.flat_map(|topic| topic.commands.iter().map(move |command| (topic, command)));
+    let messages = commands.filter(|(_, command)| !command.is_bare()).flat_map(|(topic, command)| {
+        let messages = command.examples.iter().filter_map(|example| example.request.as_deref());
+        messages.map(move |message| (topic, command, message))
+    });
+    let rows = messages.filter_map(|(topic, command, message)| {
+        let call = Call::new(&spec, topic, command, message)?;
+        Some(format!("(r#\"{message}\"#, {}.into()),", call.request()))
+    });
+    let (rows, modules) = (rows.collect::<String>(), modules.join(", "));
+    let text = format!(
+        "use jaka_proto::messages::{{Request, {modules}}};
+        /// Requests of the calls in the docs of jaka-sync, each after its message.
+        pub(super) fn calls() -> Vec<(&'static str, Request)> {{ Vec::from([{rows}]) }}"
+    );
+    let file = syn::parse_file(&text).expect("the calls are valid Rust");
+    expect_file!["../golden/calls.rs"].assert_eq(&prettyplease::unparse(&file));
 }
 
 #[test]
@@ -222,15 +248,17 @@ fn no_text_of_a_pack_becomes_code() {
         let line = line.trim_start();
         line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))
     });
-    let (mut hostile, mut is_example) = (0, false);
+    // In an example, each line begins with one of these, and so ends no block.
+    let (mut hostile, mut example) = (0, None);
     for line in docs {
         hostile += usize::from(line.contains("compile_error!"));
         assert!(!line.contains(['\t', '\u{1b}', '\u{202e}', '\r']), "{line}");
-        match line {
-            " ```text" => is_example = true,
-            " ```" if is_example => is_example = false,
-            _ if is_example => assert!(line.starts_with(" -> ") || line.starts_with(" <- "), "{line}"),
-            _ => assert_is_prose(line),
+        match (line, example) {
+            (" ```json", None) => example = Some([" {", " {"]),
+            (" ```text", None) => example = Some([" -> ", " <- "]),
+            (" ```", Some(_)) => example = None,
+            (_, Some(starts)) => assert!(starts.iter().any(|start| line.starts_with(start)), "{line}"),
+            (_, None) => assert_is_prose(line),
         }
     }
     assert!(hostile > 10, "{hostile}");

@@ -238,7 +238,7 @@ fn methods(module: &Module, scope: Scope<'_>, sync: &TokenStream) -> Option<Toke
     }
     let methods = commands.iter().map(|(path, command)| {
         let Method { head, parameter, argument, reply } = Method::new(scope, path, command);
-        let docs = scope.docs.method(command, "`Call::call`");
+        let docs = scope.docs.method(command, "`Call::call`", |_| None);
         let name = ident(&module.method(command));
         quote! {
             #docs

@@ -56,6 +56,8 @@ pub struct Command {
     pub wire: String,
     /// Method name in Rust.
     pub name: String,
+    /// Functions of the vendor's SDK with the same purpose.
+    pub aliases: Vec<String>,
     /// Section of the vendor's document, such as `4.7`.
     pub section: Option<String>,
     /// The section's title in the document, which is Chinese.

@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::item::{Item, parse};
 use crate::keys::{COMMAND_NAME, ENVELOPE};
 use crate::model::{Choice, Command, Effect, ErrorCode, Example, Refusal, Reply, Request, Requirement, Topic, Type};
-use crate::names::{RESERVED_MODULES, is_snake};
+use crate::names::{RESERVED_MODULES, is_snake, to_camel};
 use crate::report::{At, Report};
 use crate::resolve::{Index, Need};
 use crate::scalar::Scalar;
@@ -106,6 +106,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
         item.error(item.at, OPTIONAL_ONLY);
     }
     let command = Command {
+        aliases: aliases(item, [&wire.value, &name.value, &to_camel(&name.value)]),
         section: section.map(|text| text.value),
         title_zh: item.text("title_zh").map(|text| text.value),
         evidence,
@@ -144,6 +145,21 @@ pub(crate) const OPTIONAL_ONLY: &str = "a reply that may never come can have opt
 pub(crate) fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
     let list = item.texts("requires");
     list.iter().filter_map(|text| word(item, "requires", text, Requirement::WORDS)).collect()
+}
+
+/// Other names of a command. rustdoc takes no alias that is a name of the item itself.
+fn aliases(item: &Item<'_, '_>, own: [&str; 3]) -> Vec<String> {
+    let mut aliases: Vec<String> = Vec::new();
+    for alias in item.texts("alias") {
+        let is_part = |c: char| c == '_' || c.is_ascii_alphanumeric();
+        if alias.value.is_empty() || !alias.value.chars().all(is_part) {
+            item.error(alias.at, "`alias` is the name of a function: letters, digits and underscores");
+        } else if own.contains(&&*alias.value) || aliases.contains(&alias.value) {
+            item.error(alias.at, &format!("the command has the name `{}` already", alias.value));
+        }
+        aliases.push(alias.value);
+    }
+    aliases
 }
 
 pub(crate) fn deadline(item: &Item<'_, '_>) -> Option<Duration> {

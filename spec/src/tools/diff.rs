@@ -97,7 +97,7 @@ impl fmt::Display for Difference {
 /// | event of the controller: added, removed, or of another severity | minor | a program that waits acts otherwise at run time |
 /// | `[robot_status]` | minor | a robot reads the status otherwise; major where the module's `RobotStatus` becomes, or is no longer, a `MotionStatus` |
 /// | deprecated | minor | the method gets `#[deprecated]`: a warning; patch where that goes |
-/// | doc, errata, disputed readings, firmware versions, remembered setting, section, titles, evidence, sources, refusal and its causes, examples, message of an error code, explanation of an event | patch | documentation, and what the simulator answers |
+/// | doc, aliases, errata, disputed readings, firmware versions, remembered setting, section, titles, evidence, sources, refusal and its causes, examples, message of an error code, explanation of an event | patch | documentation, and what the simulator answers |
 pub fn diff(old: &Spec, new: &Spec) -> Vec<Difference> {
     let mut differ = Differ::new(old, new);
     topics(&mut differ);

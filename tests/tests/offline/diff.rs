@@ -112,6 +112,7 @@ fn what_is_said_about_a_command() {
                 "deprecated = \"watch the status of port 10000 until the robot is in position\"\n",
                 "",
             ),
+            ("motion/jog", "alias = [\"jog_stop\"]\n", ""),
             ("motion/wait_complete", "Waits until", "Waits as long as it takes until"),
             ("motion/wait_complete", r#"{"cmdName":"wait_complete"}"#, r#"{"cmdName": "wait_complete"}"#),
             ("servo/servo_j", "can only be excuted", "is executed only"),
@@ -138,6 +139,7 @@ fn what_is_said_about_a_command() {
             minor: command `servo_move`: requirement removed, was `powered and enabled`
             minor: command `set_servo_move_filter`: requirement changed from `outside servo mode` to `powered and enabled`
             minor: command `set_tool_id`: change removed, was `the tool frame`
+            patch: command `jog`: aliases changed
             patch: command `joint_move`: section changed from `4.7` to `4.107`
             patch: command `joint_move`: `since` added: `1.6`
             patch: command `joint_move`: `until` added: `2`
@@ -166,6 +168,7 @@ fn what_is_said_about_a_command() {
             minor: command `set_tool_id`: change added: `the tool frame`
             minor: command `shutdown`: the reply is no longer certain
             minor: command `wait_complete`: deprecated: watch the status of port 10000 until the robot is in position
+            patch: command `jog`: aliases changed
             patch: command `joint_move`: section changed from `4.107` to `4.7`
             patch: command `joint_move`: `since` removed, was `1.6`
             patch: command `joint_move`: `until` removed, was `2`

@@ -162,6 +162,28 @@ fn the_examples_of_the_spec_decode() {
     }
 }
 
+#[allow(clippy::pedantic, unused_imports, reason = "it is generated")]
+mod calls {
+    include!("../../../jaka-proto-derive/golden/calls.rs");
+}
+
+/// The docs of jaka-sync show a call for each request, whose value only the compiler sees there.
+#[test]
+fn the_calls_of_the_docs_send_the_examples() {
+    let calls = calls::calls();
+    for (message, request) in &calls {
+        assert_eq!(Request::read(message).as_ref(), Ok(request), "{message}");
+    }
+    let spec = spec();
+    let is_without_call = |command: &&jaka_spec::Command| {
+        let mut requests = command.examples.iter().filter_map(|example| example.request.as_deref());
+        !command.is_bare() && requests.any(|request| calls.iter().all(|(message, _)| *message != request))
+    };
+    let without_call: Vec<_> = spec.commands().filter(is_without_call).map(|command| &*command.wire).collect();
+    // Its value is any JSON, for which the docs have no code.
+    assert_eq!(without_call, ["setOptionalInfoConfig"]);
+}
+
 #[test]
 fn seven_sections_are_marked_reconstructed() {
     let spec = spec();

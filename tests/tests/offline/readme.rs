@@ -1,8 +1,11 @@
 //! The pages that a reader begins with: their links lead somewhere, and the Chinese README has the code of the English
 //! one.
 
+mod examples;
+mod features;
 mod hosted;
 mod numbers;
+mod rustdoc;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -52,6 +52,7 @@ fn texts(d: &mut Differ<'_>, place: &str, old: &Command, new: &Command) {
     d.option(place, "section", (old.section.as_ref(), new.section.as_ref()), Impact::Patch);
     d.versions(place, &old.versions, &new.versions);
     d.reworded(place, "doc", &old.doc, &new.doc);
+    d.reworded(place, "aliases", &old.aliases, &new.aliases);
     d.reworded(place, "errata", &old.errata, &new.errata);
     d.reworded(place, "Chinese title", &old.title_zh, &new.title_zh);
     d.reworded(place, "evidence", &old.evidence, &new.evidence);
