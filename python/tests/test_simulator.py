@@ -85,16 +85,27 @@ def test_a_failed_test_ends_the_process(pytester):
         os.kill(int(line.split()[1]), 0)
 
 
+@pytest.mark.parametrize("page", ["python/README.md", "docs/install.md"])
+def test_the_test_of_a_page_passes(pytester, request, page):
+    text = (request.config.rootpath.parent / page).read_text(encoding="utf-8")
+    pytester.makepyfile(text.split("\n```python\n")[1].split("```\n")[0])
+    pytester.runpytest_subprocess("--strict-markers").assert_outcomes(passed=1)
+
+
 def test_a_wrong_option_is_in_the_error():
     with pytest.raises(RuntimeError, match="the simulator did not start, exit code 2: .*--no-such-option"):
         Simulator("--no-such-option")
 
 
-def test_events_that_nobody_reads_do_not_stop_the_simulator():
-    # More text than a pipe holds.
-    events = ",".join(["input 3 high at 1ms", "input 3 low at 2ms"] * 4000)
-    with Simulator("--schedule", events) as simulator:
-        assert power(simulator) == "powered_off"
+@pytest.mark.jaka_simulator("--log")
+def test_a_log_that_nobody_reads_does_not_hold_the_simulator_up(jaka_simulator):
+    # Requests whose log is more than a pipe holds.
+    count = 2000
+    with socket.create_connection(jaka_simulator.commands, timeout=60) as connection:
+        connection.sendall(b'{"cmdName": "get_joint_pos"}' * count)
+        connection.shutdown(socket.SHUT_WR)
+        replies = connection.makefile(encoding="utf-8").read()
+    assert replies.count('"get_joint_pos"') == count
 
 
 def test_a_missing_program_is_named(pytester):

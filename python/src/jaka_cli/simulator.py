@@ -30,7 +30,7 @@ class Simulator:
         self.process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._errors, encoding="utf-8"
         )
-        # Reads the events of `--schedule`, which the simulator prints.
+        # Reads events and the log, which the simulator prints, for the same reason.
         self._reader = threading.Thread(target=self.process.stdout.read, daemon=True)
         try:
             self.host, self.command_port, self.status_port = self._read_addresses()
