@@ -71,8 +71,8 @@ impl Points {
         }
     }
 
-    /// Returns the longest permitted time to make the trajectory, in milliseconds; none with corners, for which the time
-    /// is in proportion to the duration of the motion.
+    /// Returns the longest permitted time to make the trajectory, in milliseconds. With corners there is none, because
+    /// the time is in proportion to the duration of the motion.
     fn target_ms(&self) -> Option<f64> {
         match self {
             Self::Timed(_) => Some(TIMED_MS),
@@ -118,7 +118,8 @@ fn joints(count: u32, step: f64) -> Vec<Via> {
     (0..count).map(at).collect()
 }
 
-/// Makes a spiral of lines of a length; the tool sways. With a ripple, as a share of the length, each point is a corner.
+/// Makes a spiral of lines of a length, along which the orientation changes. With a ripple, as a share of the length,
+/// each point is a corner.
 fn lines(count: u32, length_mm: f64, ripple: f64) -> Vec<Via> {
     let start = Pose::from(Model::named("Zu 5").expect("a published arm").forward(HOME));
     let turn_mm = REACH_MM * REACH_MM / (2.0 * length_mm * f64::from(WAY_POINTS));

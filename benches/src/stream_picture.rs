@@ -49,7 +49,7 @@ pub fn svg() -> Result<String, Box<dyn Error>> {
     Ok(moving(&drawn?))
 }
 
-/// The picture with a cover on what is still to come, which withdraws to the right in the time that the set-points take.
+/// Adds a cover to the picture; it withdraws to the right in the time of the set-points.
 fn moving(picture: &str) -> String {
     // Of the plots, in the picture's own units.
     let (left, right) = (408, 4680);

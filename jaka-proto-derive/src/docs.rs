@@ -127,8 +127,8 @@ impl<'s> Docs<'s> {
         own(&format!("What the controller answers to [`{}`].", self.request(command)))
     }
 
-    /// Docs of a method: those of its request, with examples, and with errors that refer to those of `call`. `code` is a
-    /// program of ours that sends the message of an example.
+    /// Docs of a method: those of its request, with examples, and with errors that refer to those of `call`. `code`
+    /// returns the lines of a program that send the message of an example.
     pub(crate) fn method(self, command: &'s Command, call: &str, code: impl Fn(&str) -> Option<String>) -> TokenStream {
         let (path, name) = (self.request(command), code_span(&command.wire));
         let sent =
@@ -295,8 +295,8 @@ fn remarks(command: &Command) -> String {
     [known, withdrawn, evidence, reconstructed, refused, errata].into_iter().flatten().collect()
 }
 
-/// Section with the examples of a command: the request and the reply as they go over the wire, after the code that sends
-/// the request, where there is some.
+/// Section with the examples of a command: the code that sends the request, if there is some, then the request and the
+/// reply on the wire.
 fn examples(command: &Command, code: impl Fn(&str) -> Option<String>) -> String {
     let examples = command.examples.iter().enumerate().map(|(at, example)| {
         let request = example.request.as_deref();

@@ -116,7 +116,7 @@ pub struct State {
     pub variables: Vec<UserVariable>,
     /// Payload of the arm.
     pub payload: GetPayloadReply,
-    /// Collision level, from 0 to 7; 0 is off. The document has levels up to 5, and one client has levels up to 7 on newer
+    /// Collision level, from 0 to 7; 0 is off. The document has levels up to 5; one client has levels up to 7 on newer
     /// firmware.
     pub collision_level: i64,
     /// Reaction of the arm to a failure of the network, as last set.

@@ -22,26 +22,6 @@ const REFUSALS: &str = include_str!("../../../spec/reference/refusals.md");
 /// Period of packets.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// The longest line of prose, in characters.
-const WIDTH: usize = 130;
-
-#[test]
-fn prose_keeps_to_the_width() {
-    for edition in ["reference", "reference/zh"] {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../spec/").to_owned() + edition;
-        for entry in std::fs::read_dir(folder).expect("there are pages") {
-            let path = entry.expect("it can be read").path();
-            if path.extension().is_none_or(|extension| extension != "md") {
-                continue;
-            }
-            let text = std::fs::read_to_string(&path).expect("a page is text");
-            for line in text.split("```").step_by(2).flat_map(str::lines).filter(|line| !line.starts_with('|')) {
-                assert!(line.chars().count() <= WIDTH, "{}: {line}", path.display());
-            }
-        }
-    }
-}
-
 #[test]
 fn a_controller_answers_as_in_the_session() {
     let controller = controller(Arm::stepped());

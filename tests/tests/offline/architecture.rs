@@ -65,6 +65,11 @@ fn no_crate_depends_upward() {
 
 /// The source files below a folder, without what is built.
 pub(crate) fn all_sources(folder: &Path) -> Vec<PathBuf> {
+    all_files(folder, "rs")
+}
+
+/// The files with this extension below a folder.
+pub(crate) fn all_files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
@@ -73,7 +78,7 @@ pub(crate) fn all_sources(folder: &Path) -> Vec<PathBuf> {
             match path.is_dir() {
                 true if path.ends_with("target") && path.with_file_name("Cargo.toml").exists() => {}
                 true => folders.push(path),
-                false if path.extension().is_some_and(|extension| extension == "rs") => files.push(path),
+                false if path.extension().is_some_and(|own| own == extension) => files.push(path),
                 false => {}
             }
         }

@@ -1,9 +1,9 @@
-//! Counts of comments: first words of docs, and widths. They may only fall.
+//! Counts of comments, which may only fall: first words of docs, and widths. Widths of pages.
 
 use std::fs;
 use std::path::Path;
 
-use crate::architecture::all_sources;
+use crate::architecture::{all_files, all_sources};
 
 /// Words with which the first sentence of a doc comment does not begin: it begins with a noun or a verb.
 const OPENINGS: &[&str] =
@@ -12,7 +12,8 @@ const OPENINGS: &[&str] =
 /// Doc comments that begin so all the same: texts of the command line's help, and strings of tests.
 const LEFT: usize = 6;
 
-/// Greatest width of a line with a comment, in characters. Lines with a link and rows of tables may be wider.
+/// Greatest width of a line with a comment or prose, in characters. Lines with an address and rows of tables may be
+/// wider.
 const WIDTH: usize = 120;
 
 /// A doc comment: its first line, and the line of the item below it.
@@ -69,4 +70,27 @@ fn docs_begin_with_a_noun_or_a_verb_and_comments_keep_to_their_width() {
     assert!(count > 10_000, "{count} doc comments");
     assert_eq!(wide, [""; 0]);
     assert!(loose.len() == LEFT, "{} of {count} docs, of {LEFT}: {loose:#?}", loose.len());
+}
+
+#[test]
+fn pages_keep_to_their_width() {
+    let (mut count, mut wide) = (0, Vec::new());
+    let workspace = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    for path in all_files(workspace, "md") {
+        let name = path.display().to_string();
+        // Pages made of tables alone, and texts that a test compares with an output.
+        if ["/target/", "/.git/", "/EVENTS.", "/REFERENCE.", "/table.md"].iter().any(|part| name.contains(part)) {
+            continue;
+        }
+        count += 1;
+        let text = fs::read_to_string(&path).expect("a page is text");
+        for line in text.split("```").step_by(2).flat_map(str::lines) {
+            let is_exempt = line.trim_start().starts_with('|') || line.contains("http") || line.starts_with("    ");
+            if line.chars().count() > WIDTH && !is_exempt {
+                wide.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    assert!(count > 50, "{count} pages");
+    assert_eq!(wide, [""; 0]);
 }

@@ -1,4 +1,4 @@
-//! The moving picture of the dashboard, `docs/monitor.svg`: an arm gets power, is enabled, moves, and meets an obstacle.
+//! Moving picture of the dashboard, `docs/monitor.svg`: an arm gets power, is enabled, moves, and meets an obstacle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
