@@ -38,11 +38,12 @@ fn the_help_has_an_example() {
     assert!(help.contains("Examples:\n  jaka check -r 10.5.5.100\n"), "{help}");
     let help = help.split("Robot:").next().unwrap_or_default();
     expect![[r#"
-        Look at a robot before it is used: ports, power, stops, payload, rates, model; nothing is changed
+        Check a robot before its use: ports, power, stops, payload, rates, model; changes nothing
 
-        Each item is `nothing found`, `look`, `wrong` or `not checked`, with what was seen and what to do.
-        Only reads: it sends queries, and reads status packets for a second. The command port serves one
-        client: another program that is connected there may be disconnected, so this asks first.
+        Each item is `nothing found`, `look`, `wrong` or `not checked`, with the observation and a remedy.
+        This command only reads: it sends queries, and reads status packets for a second. The command port
+        serves one client: another program that is connected there may be disconnected, so this command asks
+        first.
 
         Usage: jaka check [OPTIONS]
 
@@ -51,10 +52,10 @@ fn the_help_has_an_example() {
                   Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
 
               --model <NAME>
-                  The arm's model, such as zu5 [default: whichever published one agrees with the controller]
+                  Model of the arm, such as zu5 [default: the published one that agrees with the controller]
 
               --limits <FILE>
-                  The arm's limits, with its model: a TOML file
+                  TOML file with the limits of the arm and its model
 
           -y, --yes
                   Connect to the command port without asking

@@ -121,20 +121,20 @@ fn the_help_says_what_is_measured() {
     assert!(help.contains("Examples:\n  jaka jitter\n"), "{help}");
     let help = help.split("Robot:").next().unwrap_or_default();
     expect![[r#"
-        Measure how late this machine begins cycles of set-points, and how long a robot's replies take;
-        nothing is moved
+        Measure the lateness of this machine's set-point cycles, and the reply times of a robot; moves
+        nothing
 
-        A cycle of 8 ms is awaited as a servo session does it: asleep and spinning for its last 200 µs, with
-        the thread's usual priority and with a real-time one, in turns. Then follows what to change, by
-        these figures. If --robot or --sim is given, queries are sent first, one in each 8 ms; a robot that
-        only the environment or the config file names is left alone. The command port serves one client:
-        another program that is connected there may be disconnected, so this asks first.
+        The program waits for cycles of 8 ms as a servo session does: asleep, and spinning for the last 200
+        µs, each with the usual priority of the thread and with a real-time one, in turns. Advice on changes
+        follows from the figures. With --robot or --sim, it sends queries first, one every 8 ms; it does not
+        contact a robot that only the environment or the config file names. The command port serves one
+        client: another program that is connected there may be disconnected, so this command asks first.
 
         Usage: jaka jitter [OPTIONS]
 
         Options:
               --seconds <SECONDS>
-                  How long all of it takes [default: 60]
+                  Duration of the whole measurement [default: 60]
 
               --json
                   Print one JSON object: `jaka`, `period_us`, `lateness`, `round_trip` and `advice`

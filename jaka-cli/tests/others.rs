@@ -155,29 +155,29 @@ fn the_help_explains_exit_codes() {
           status       Print the robot's state, once or repeatedly
           monitor      Show the robot's state live in the terminal
           call         Send one command of the protocol, and print the reply
-          up           Power and enable the arm, each step when the one before is done
-          down         Disable the arm and switch its power off, each step when the one before is done
-          stop         Stop the motion or the program that is running; sent without a question
-          clear        Leave the protective stop that a collision has caused
+          up           Power and enable the arm, each step after the previous one is done
+          down         Disable the arm and switch its power off, each step after the previous one is done
+          stop         Stop the running motion or program; sent without a question
+          clear        Leave the protective stop after a collision
           move         Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C
                        stops it
           jog          Move one joint, or the tool centre point along one axis, by an increment, and wait;
                        Ctrl-C stops it
-          follow       Follow a trajectory from a file, from where the arm is; Ctrl-C stops it on the
+          follow       Follow a trajectory from a file, starting where the arm is; Ctrl-C stops it on the
                        trajectory
-          check        Look at a robot before it is used: ports, power, stops, payload, rates, model;
-                       nothing is changed
+          check        Check a robot before its use: ports, power, stops, payload, rates, model; changes
+                       nothing
           explain      Explain a code or a refusal of the controller
-          probe        Send a controller every query of the protocol, and report where its answers depart
-                       from the spec
-          jitter       Measure how late this machine begins cycles of set-points, and how long a robot's
-                       replies take; nothing is moved
+          probe        Send a controller every query of the protocol, and report the departures of its
+                       answers from the spec
+          jitter       Measure the lateness of this machine's set-point cycles, and the reply times of a
+                       robot; moves nothing
           sim          Run a simulated controller until it is interrupted
           record       Record a session to a new file, until it is interrupted
           replay       Serve a recording in place of a robot until it is interrupted, or show it
-          report       Make a page with pictures of a recording: an HTML file, for browsers and for print
-          export       Write the status packets of a recording as a table, a line for each packet
-          spec         Check specs and packs, compare them, and make documents from them
+          report       Write a page with pictures of a recording: an HTML file, for browsers and for print
+          export       Write the status packets of a recording as a table, with a line for each packet
+          spec         Check specs and packs, compare them, and write documents from them
           completions  Print the completion script of a shell
           man          Write the pages of the manual, one for each command
           help         Print this message or the help of the given subcommand(s)
@@ -191,11 +191,11 @@ fn the_help_explains_exit_codes() {
 
         Messages:
           -v, --verbose...
-                  Log connections, requests and replies on standard error; `-vv` also what a simulated
-                  controller does
+                  Log connections, requests and replies on standard error; `-vv` also the actions of a
+                  simulated controller
 
           -q, --quiet
-                  Print nothing on standard error but errors, questions, and what has become of a motion
+                  Print only errors, questions and outcomes of motions on standard error
 
               --color <WHEN>
                   Colours: always, never, or auto: on terminals, unless `NO_COLOR` is set [default: auto]

@@ -16,7 +16,7 @@ pub mod beyond_io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalOutput {
-        /// Where the output is. `type` on the wire.
+        /// Place of the output. `type` on the wire.
         pub kind: super::io::DigitalOutputKind,
         /// Number of the output, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
@@ -72,7 +72,7 @@ pub mod beyond_io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetDigitalInput {
-        /// Where the input is. At least 0. No source lists the values; for digital outputs 0 is the cabinet. `type` on the wire.
+        /// Place of the input. At least 0. No source lists the values; for digital outputs 0 is the cabinet. `type` on the wire.
         pub kind: i64,
         /// Number of the input, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of outputs: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
@@ -101,7 +101,7 @@ pub mod beyond_io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetAnalogOutput {
-        /// Where the output is. `type` on the wire.
+        /// Place of the output. `type` on the wire.
         pub kind: super::io::AnalogOutputKind,
         /// Number of the output, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of digital ones: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
@@ -157,7 +157,7 @@ pub mod beyond_io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetAnalogInput {
-        /// Where the input is. At least 0. No source lists the values; for analog outputs 0 is the cabinet. `type` on the wire.
+        /// Place of the input. At least 0. No source lists the values; for analog outputs 0 is the cabinet. `type` on the wire.
         pub kind: i64,
         /// Number of the input, sent as given. At least 0. Whether it counts from 0 or from 1 depends on the controller, as of outputs: see [`set_digital_output`](crate::messages::io::SetDigitalOutput).
         pub index: i64,
@@ -439,7 +439,7 @@ pub mod beyond_io {
         pub signal_type: i64,
         /// Address of the signal's register, by the name. At least 0. `tio_signal_sigAddr` on the wire.
         pub address: i64,
-        /// How often the signal is read, at most 10. 0 to 10. Unit not stated.
+        /// Rate at which the signal is read, at most 10. 0 to 10. Unit not stated.
         pub frequency: f64,
     }
     impl AddTioRsSignal {
@@ -556,7 +556,7 @@ pub mod beyond_io {
         pub address: i64,
         /// Value that was read last.
         pub value: i64,
-        /// How often the signal is read. Unit not stated.
+        /// Rate at which the signal is read. Unit not stated.
         pub frequency: f64,
     }
 }

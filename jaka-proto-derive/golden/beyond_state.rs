@@ -46,15 +46,15 @@ pub mod beyond_state {
         pub in_position: bool,
         /// Whether motion is paused.
         pub paused: Option<bool>,
-        /// How many commands wait in the motion queue.
+        /// Number of commands in the motion queue.
         pub queue: i64,
-        /// How many motions are in the buffer for blending.
+        /// Number of motions in the buffer for blending.
         pub active_queue: i64,
         /// A line that belongs to the motion, by the name. Not explained.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line: Option<wire::Typed<i64>>,
-        /// The same for the vendor's SDK, by the name. Not explained.
+        /// A line that belongs to the motion, for the vendor's SDK, by the name. Not explained.
         ///
         /// The sources leave doubt about the shape: a value of another shape is kept as raw JSON.
         pub motion_line_sdk: Option<wire::Typed<i64>>,

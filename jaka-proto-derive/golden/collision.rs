@@ -1,7 +1,7 @@
 pub mod collision {
     //! Collision detection and protective stop.
     //!
-    //! How hard a contact must be for the arm to stop, whether it has stopped, and the way back.
+    //! Force of a contact at which the arm stops, state of that stop, and recovery from it.
     //!
     //! A protective stop usually follows a collision (4.40). [`clear_error`](type@ClearError) leaves the collision protection (4.48); the document
     //! does not say whether that is the same state.

@@ -211,7 +211,7 @@ pub mod force {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct GetTorqSensorIdentifyStatusReply {
-        /// How far the identification is. `identify_status` on the wire.
+        /// Progress of the identification. `identify_status` on the wire.
         pub status: IdentifyStatus,
     }
     /// Reads the payload that the identification found.
@@ -498,7 +498,7 @@ pub mod force {
         /// Normal tracking. The document does not say which values there are.
         pub normal_track: i64,
     }
-    /// How far the identification of a payload is.
+    /// Progress of the identification of a payload.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum IdentifyStatus {
@@ -532,7 +532,7 @@ pub mod force {
     impl From<ComplianceType> for i64 {}
     /// The value in words; one that the spec does not list as its number.
     impl ::core::fmt::Display for ComplianceType {}
-    /// How the controller reaches the torque sensor.
+    /// Connection of the controller to the torque sensor.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum TorqueSensorCommunication {

@@ -15,7 +15,7 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetDigitalOutput {
-        /// Where the output is. `type` on the wire.
+        /// Place of the output. `type` on the wire.
         pub kind: DigitalOutputKind,
         /// Number of the output, sent as given: counted from 0 on some firmware, from 1 on other. At least 0.
         pub index: i64,
@@ -98,7 +98,7 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetAnalogOutput {
-        /// Where the output is. `type` on the wire.
+        /// Place of the output. `type` on the wire.
         pub kind: AnalogOutputKind,
         /// Number of the output, sent as given. At least 0. The document numbers the cabinet's outputs from 0 to 7. Whether a controller counts from 0 or from 1
         /// depends on it, as of digital outputs: see [`set_digital_output`](type@SetDigitalOutput).
@@ -275,7 +275,7 @@ pub mod io {
         /// - vendor headers (SDK 2.2.2 and another), vendor manual, six users, one program on port 10001: 0 = 24 V, 1 = 12 V
         pub output_voltage: i64,
     }
-    /// Where a digital output is.
+    /// Place of a digital output.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum DigitalOutputKind {
@@ -300,7 +300,7 @@ pub mod io {
     impl From<DigitalOutputKind> for i64 {}
     /// The value in words; one that the spec does not list as its number.
     impl ::core::fmt::Display for DigitalOutputKind {}
-    /// Where an analog output is.
+    /// Place of an analog output.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum AnalogOutputKind {
@@ -340,12 +340,12 @@ pub mod io {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioModule {
-        /// How the module is connected, and its pins.
+        /// Connection of the module, and its pins.
         pub setup: ExtioSetup,
-        /// Where the module's pins start; of interest with several modules. `pinmap` on the wire.
+        /// First pins of the module; of interest with several modules. `pinmap` on the wire.
         pub pin_map: ExtioPinMap,
     }
-    /// How an extension I/O module is connected, and its pins.
+    /// Connection of an extension I/O module, and its pins.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum ExtioSetup {
@@ -417,7 +417,7 @@ pub mod io {
         /// Digital inputs. `di` on the wire.
         pub digital_inputs: ExtioPinRange,
     }
-    /// Where the registers of some pins start, and how many pins there are.
+    /// First register of some pins, and their number.
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct ExtioPinRange {
@@ -458,12 +458,12 @@ pub mod io {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct FunctionInput {
-        /// Where the input is.
+        /// Place of the input.
         pub kind: FunctionInputKind,
         /// Number of the input, counted from 0, or -1 where there is none.
         pub index: i64,
     }
-    /// Where a function input is.
+    /// Place of a function input.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum FunctionInputKind {

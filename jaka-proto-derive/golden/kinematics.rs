@@ -1,7 +1,7 @@
 pub mod kinematics {
     //! Kinematics and present position.
     //!
-    //! Where the arm is, and the way between joint positions and poses.
+    //! Position of the arm, and conversions between joint positions and poses.
     //!
     //! None of these commands moves the arm.
     /// Computes the pose of the robot's end at a joint position (forward kinematics).

@@ -161,7 +161,7 @@ pub mod motion {
         ///
         /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
         ///
         /// Its unit is not stated, so a robot with limits refuses a motion that has it.
         ///
@@ -200,7 +200,7 @@ pub mod motion {
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
         /// Id of the line that the motion belongs to, by the name.
         pub fn executing_line_id(mut self, executing_line_id: i64) -> Self {}
@@ -276,7 +276,7 @@ pub mod motion {
         ///
         /// Advised: more than 0, at most 8000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
         /// With a positive value the arm may never be there (vendor's texts). The document explains the key in 4.10 alone, as the
         /// greatest error, and names no unit. Controllers take the command without it (field notes).
@@ -318,7 +318,7 @@ pub mod motion {
         ) -> Self {}
         /// Acceleration of the tool centre point along the line. In mm/s², at least 0. `accel` on the wire.
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
         /// Speed of the orientation. In deg/s, at least 0. `ori_vel` on the wire.
         pub fn orientation_speed(mut self, orientation_speed: f64) -> Self {}
@@ -365,7 +365,7 @@ pub mod motion {
         ///
         /// Advised: more than 0, at most 8000. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: f64,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. In mm, at least 0. `tol` on the wire.
         ///
         /// With a positive value the arm may never be there (vendor's texts). The document calls it the greatest error allowed.
         pub tolerance: f64,
@@ -442,7 +442,7 @@ pub mod motion {
         /// Without any optional field.
         pub const fn new() -> Self {}
     }
-    /// What a jog moves along or about.
+    /// Frame of a jog, or its joints.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum JogFrame {

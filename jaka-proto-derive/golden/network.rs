@@ -1,7 +1,7 @@
 pub mod network {
     //! Lost network.
     //!
-    //! What the arm does when the network fails while a program on another machine commands it.
+    //! Reaction of the arm to a failure of the network while a program on another machine commands it.
     /// Sets what the arm does when the network fails, and how long after the failure.
     ///
     /// The document does not say what counts as a failure, or whether the setting outlives the connection.
@@ -15,9 +15,9 @@ pub mod network {
     #[derive(Debug, Clone, Copy, PartialEq)]
     #[non_exhaustive]
     pub struct SetNetworkExceptionHandle {
-        /// How long after the failure the arm acts. In ms, at least 0. `timeLimit` on the wire.
+        /// Time from the failure to the reaction of the arm. In ms, at least 0. `timeLimit` on the wire.
         pub delay: i64,
-        /// What the arm does. `motType` on the wire.
+        /// Reaction of the arm. `motType` on the wire.
         pub action: NetworkExceptionAction,
     }
     impl SetNetworkExceptionHandle {
@@ -26,7 +26,7 @@ pub mod network {
         /// - `delay`: in ms, at least 0
         pub const fn new(delay: i64, action: NetworkExceptionAction) -> Self {}
     }
-    /// What the arm does when the network fails.
+    /// Reaction of the arm to a failure of the network.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum NetworkExceptionAction {

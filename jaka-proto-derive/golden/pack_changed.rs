@@ -48,7 +48,7 @@ pub mod changed {
         ///
         /// Advised: more than 0, at most 720. Anything else is refused unless that is left to the controller: see [`AdvisoryRanges`](check::AdvisoryRanges).
         pub acceleration: Option<f64>,
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
         ///
         /// Its unit is not stated, so a robot with limits refuses a motion that has it.
         ///
@@ -91,7 +91,7 @@ pub mod changed {
         ) -> Self {}
         /// Joint acceleration. In deg/s², at least 0. `accel` on the wire.
         pub fn acceleration(mut self, acceleration: f64) -> Self {}
-        /// How far from its end the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
+        /// Distance from its end at which the motion may blend into the next one: 0 reaches the end. At least 0. `tol` on the wire.
         pub fn tolerance(mut self, tolerance: f64) -> Self {}
         /// Id of the line that the motion belongs to, by the name.
         pub fn executing_line_id(mut self, executing_line_id: i64) -> Self {}

@@ -194,11 +194,11 @@ pub mod servo {
             ///
             /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's texts).
             window_width: i64,
-            /// How closely the position is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kp` on the wire.
+            /// Coefficient for the following of the position. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kp` on the wire.
             position_coefficient: f64,
-            /// How closely the speed is followed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kv` on the wire.
+            /// Coefficient for the following of the speed. A smaller one smooths more; a greater one is more accurate, but may cause jitter. `mmf_kv` on the wire.
             speed_coefficient: f64,
-            /// How closely the acceleration is followed. A smaller one smooths more; a greater one is more accurate, but may cause
+            /// Coefficient for the following of the acceleration. A smaller one smooths more; a greater one is more accurate, but may cause
             /// jitter. `mmf_ka` on the wire.
             acceleration_coefficient: f64,
         },
@@ -225,7 +225,7 @@ pub mod servo {
             ///
             /// Fewer than 3 buffered points fail, and more than about 100 delay the motion (vendor's texts).
             buffer_size: i64,
-            /// How closely the position is followed. The document calls it a coefficient of the acceleration here. `mmf_kp` on the wire.
+            /// Coefficient for the following of the position. The document calls it a coefficient of the acceleration here. `mmf_kp` on the wire.
             position_coefficient: f64,
         },
     }

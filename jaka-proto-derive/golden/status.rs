@@ -1,7 +1,7 @@
 pub mod status {
     //! Status packet of port 10000.
     //!
-    //! What the controller sends on port 10000, again and again, without being asked.
+    //! Packets that the controller sends on port 10000 periodically, without a request.
     //!
     //! The packets follow each other without anything between them: about every 30 ms on firmware 1.5.14, every 50 or 100 ms
     //! elsewhere (field notes). Keys may be missing, newer firmware adds some, and lengths of arrays differ.
@@ -268,11 +268,11 @@ pub mod status {
     pub struct ExtioReport {
         /// State of all pins of all modules. `status` on the wire.
         pub pin_states: ExtioPinStates,
-        /// How each module is connected, and its pins; 8 modules at most.
+        /// Connection of each module, and its pins; 8 modules at most.
         pub setup: Vec<ExtioReportSetup>,
         /// Number of modules. `num` on the wire.
         pub count: i64,
-        /// Where the pins of each module start, in the order of `setup`. `pinmap` on the wire.
+        /// First pins of each module, in the order of `setup`. `pinmap` on the wire.
         pub pin_maps: Vec<ExtioReportPinMap>,
         /// Raw state of the modules. The document contradicts itself on which value says that they run, if this is the `state` of 4.34.
         ///
@@ -295,7 +295,7 @@ pub mod status {
         /// Values of the analog outputs. Unit not stated.
         pub analog_outputs: Vec<f64>,
     }
-    /// How an extension I/O module is connected, and its pins, as port 10000 gives them.
+    /// Connection of an extension I/O module, and its pins, as port 10000 gives them.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum ExtioReportSetup {
@@ -347,7 +347,7 @@ pub mod status {
         /// Analog outputs.
         pub analog_outputs: super::io::ExtioPinRange,
     }
-    /// Where the pins of an extension I/O module start, as port 10000 gives it.
+    /// First pins of an extension I/O module, as port 10000 gives them.
     ///
     /// The document calls each value an offset of registers here, and an index of pins in 4.34. It prints `pinmap[N][2]` for
     /// the analog inputs and again for the analog outputs; the second is read as `pinmap[N][3]`.
@@ -432,12 +432,12 @@ pub mod status {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub struct TorqueSensorReport {
-        /// How the sensor is connected, and its payload.
+        /// Connection of the sensor, and its payload.
         pub settings: TorqueSensorSettings,
         /// Whether the sensor works, and what it reads.
         pub state: TorqueSensorState,
     }
-    /// How the torque sensor is connected, and its payload.
+    /// Connection of the torque sensor, and its payload.
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum TorqueSensorSettings {

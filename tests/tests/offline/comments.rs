@@ -33,11 +33,20 @@ fn docs(text: &str) -> Vec<Doc<'_>> {
     found.collect()
 }
 
+/// True if the text begins with this word.
+fn begins_with(text: &str, word: &str) -> bool {
+    text.strip_prefix(word).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
+}
+
+/// The docs in a file of the spec, without the quotation marks of those on one line.
+fn spec_docs(toml: &str) -> impl Iterator<Item = &str> {
+    let texts = toml.split("\ndoc = \"").skip(1);
+    texts.map(|text| text.strip_prefix("\"\"").unwrap_or(text).trim_start())
+}
+
 /// True for an opening that is none of a noun or a verb. `Whether` is one of a truth value.
 fn is_loose(doc: &Doc<'_>) -> bool {
-    let opening = OPENINGS.iter().find(|opening| {
-        doc.first.strip_prefix(**opening).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
-    });
+    let opening = OPENINGS.iter().find(|opening| begins_with(doc.first, opening));
     opening.is_some_and(|opening| *opening != "Whether" || !doc.item.contains("bool"))
 }
 
@@ -65,6 +74,18 @@ fn docs_begin_with_a_noun_or_a_verb_and_comments_keep_to_their_width() {
             count += docs.len();
             loose.extend(docs.iter().filter(|doc| is_loose(doc)).map(|doc| format!("{name}: {}", doc.first)));
             wide.extend(text.lines().filter(|line| is_wide(line)).map(|line| format!("{name}: {line}")));
+        }
+    }
+    for path in
+        all_files(&workspace.join("spec"), "toml").iter().filter(|path| !path.to_string_lossy().contains("/tests/"))
+    {
+        let text = fs::read_to_string(path).expect("a spec is text");
+        for doc in spec_docs(&text) {
+            count += 1;
+            // A field of the spec has its type next to its docs: `Whether` is checked by eye.
+            if OPENINGS.iter().any(|opening| *opening != "Whether" && begins_with(doc, opening)) {
+                loose.push(format!("{}: {doc}", path.display()));
+            }
         }
     }
     assert!(count > 10_000, "{count} doc comments");

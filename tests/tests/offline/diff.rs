@@ -187,7 +187,7 @@ fn what_is_said_about_a_command() {
 fn fields_of_requests() {
     let extra = "\n[[command.request]]\nwire = \"blend\"\ntype = \"float\"\noptional = true\ndoc = \"Blending.\"\n";
     let with_extra = format!("{extra}\n[[command.example]]");
-    let last = "[[command.request]]\nwire = \"motType\"\nname = \"action\"\ntype = \"NetworkExceptionAction\"\ndoc = \"What the arm does.\"\n";
+    let last = "[[command.request]]\nwire = \"motType\"\nname = \"action\"\ntype = \"NetworkExceptionAction\"\ndoc = \"Reaction of the arm.\"\n";
     let last_first = format!("{last}\n[[command.request]]");
     check(
         &[
@@ -545,7 +545,7 @@ fn events_of_the_controller() {
 
 #[test]
 fn a_type_that_moves_takes_its_path_along() {
-    let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"What a jog moves along or about.\"\n";
+    let old = "[[type]]\nname = \"JogFrame\"\nkind = \"enum\"\ndoc = \"Frame of a jog, or its joints.\"\n";
     let values = "\n[[type.value]]\nwire = 0\nname = \"World\"\ndoc = \"The axes of the robot's base, or of the selected user frame (vendor's texts). The document calls it the world frame.\"\n\n[[type.value]]\nwire = 1\nname = \"Joint\"\ndoc = \"A joint.\"\n\n[[type.value]]\nwire = 2\nname = \"Tool\"\ndoc = \"The axes of the tool frame.\"\n";
     let whole = format!("{old}{values}");
     let moved = format!("{whole}\n[[type]]\nname = \"Switch\"");

@@ -37,7 +37,7 @@ fn each_field_is_an_argument() {
             --acceleration NUMBER (optional) [accel, acceleration] []
               Joint acceleration. In deg/s². Allowed: at least 0. Advised: more than 0, at most 720.
             --tolerance NUMBER (optional) [tol, tolerance] []
-              How far from its end the motion may blend into the next one: 0 reaches the end. Allowed: at least 0.
+              Distance from its end at which the motion may blend into the next one: 0 reaches the end. Allowed: at least 0.
             --executing-line-id INTEGER (optional) [executing_line_id, executing_line_id] []
               Id of the line that the motion belongs to, by the name.
         "#]],
@@ -66,7 +66,7 @@ fn each_field_is_an_argument() {
             --acceleration NUMBER (optional) [accel, acceleration] []
               Acceleration of the tool centre point along the line. In mm/s². Allowed: at least 0. Advised: more than 0, at most 8000.
             --tolerance NUMBER (optional) [tol, tolerance] []
-              How far from its end the motion may blend into the next one: 0 reaches the end. In mm. Allowed: at least 0.
+              Distance from its end at which the motion may blend into the next one: 0 reaches the end. In mm. Allowed: at least 0.
             --orientation-speed NUMBER (optional) [ori_vel, orientation_speed] []
               Speed of the orientation. In deg/s. Allowed: at least 0.
             --orientation-acceleration NUMBER (optional) [ori_acc, orientation_acceleration] []
@@ -124,11 +124,11 @@ fn a_tag_says_which_arguments_there_are() {
             --window-width INTEGER [mmf_max_buf, window_width] ["joint-mean"]
               Width of the filter's window. Allowed: at least 0.
             --position-coefficient NUMBER [mmf_kp, position_coefficient] ["joint-mean", "speed-lookahead"]
-              How closely the position is followed.
+              Coefficient for the following of the position.
             --speed-coefficient NUMBER [mmf_kv, speed_coefficient] ["joint-mean"]
-              How closely the speed is followed.
+              Coefficient for the following of the speed.
             --acceleration-coefficient NUMBER [mmf_ka, acceleration_coefficient] ["joint-mean"]
-              How closely the acceleration is followed.
+              Coefficient for the following of the acceleration.
             --max-rotation-speed NUMBER [nlf_max_vr, max_rotation_speed] ["cartesian-nonlinear"]
               Greatest speed at which the orientation changes. In deg/s (printed as %/s). Allowed: at least 0.
             --max-rotation-acceleration NUMBER [nlf_max_ar, max_rotation_acceleration] ["cartesian-nonlinear"]
