@@ -98,6 +98,10 @@ impl Failure {
         match self {
             Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
             Self::Robot(error) => verb(error.remedy()),
+            Self::Local { source, .. } if source.kind() == io::ErrorKind::AddrInUse => Some(
+                "end the program that uses the port; or `--commands` and `--status` set other ports, 0 a free one"
+                    .into(),
+            ),
             _ => None,
         }
     }

@@ -40,16 +40,17 @@ impl ListenArgs {
             let opened = TcpListener::bind((self.address, *port));
             opened.is_err_and(|error| error.kind() == ErrorKind::AddrInUse)
         };
-        let ports = [self.commands, self.status].iter().filter(|port| is_taken(port)).join(" and ");
-        let what = if ports.is_empty() || error.kind() != ErrorKind::AddrInUse {
-            "cannot start the controller".to_owned()
-        } else {
-            format!(
-                "cannot start the controller: port {ports} of {} is in use; --commands and --status name other ports, 0 a free one",
-                self.address
-            )
-        };
-        Failure::local(what, error)
+        let mut taken = vec![self.commands, self.status];
+        taken.retain(|port| error.kind() == ErrorKind::AddrInUse && is_taken(port));
+        let what = "cannot start the controller";
+        match taken[..] {
+            [] => Failure::local(what, error),
+            [port] => Failure::local(format!("{what}: port {port} of {} is in use", self.address), error),
+            _ => {
+                let ports = taken.iter().join(" and ");
+                Failure::local(format!("{what}: ports {ports} of {} are in use", self.address), error)
+            }
+        }
     }
 }
 

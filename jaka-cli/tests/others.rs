@@ -74,9 +74,12 @@ fn a_port_in_use_is_named() {
     let port = other.local_addr().unwrap().port().to_string();
     for options in [["--commands", &port, "--status", "0"], ["--commands", "0", "--status", &port]] {
         let failed = failure(&mut jaka(&[&["sim"][..], &options].concat()));
-        let named =
-            format!("error: cannot start the controller: port {port} of 127.0.0.1 is in use; --commands and --status");
-        assert!(failed.starts_with(&named) && failed.ends_with("exit code Some(6)"), "{failed}");
+        let named = format!("error: cannot start the controller: port {port} of 127.0.0.1 is in use: ");
+        assert!(
+            failed.starts_with(&named) && failed.contains("\nhint: end the program that uses the port; "),
+            "{failed}"
+        );
+        assert!(failed.ends_with("exit code Some(6)"), "{failed}");
     }
 }
 
