@@ -134,33 +134,33 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
             "find out who has changed it, and select the frames for which the motion is meant: `jaka call set_tool_id`, \
              `jaka call set_user_id`"
         }
-        Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
+        Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm",
         Remedy::Connection(jaka_sync::Remedy::CheckFirmware) => "`jaka call get_version` reads the firmware",
         Remedy::Connection(jaka_sync::Remedy::CheckNetwork | jaka_sync::Remedy::ConnectStatusAgain) => {
-            "check the network; `jaka stop` is worth a try: commands may still pass"
+            "check the network; try `jaka stop`: commands may still pass"
         }
-        Remedy::UnloadMachine => "`jaka jitter` shows how late this machine is, and what helps",
-        Remedy::FindObstacle => "find out what holds the arm",
+        Remedy::UnloadMachine => "`jaka jitter` measures the lateness of this machine and names remedies",
+        Remedy::FindObstacle => "look for an obstacle at the arm",
         Remedy::MoveToStart => "`--approach` moves the arm to the start first",
         Remedy::LeaveOutPort => "leave out the port; `--command-port` and `--status-port` name other ones",
         Remedy::Connection(jaka_sync::Remedy::FreeSeat) => {
-            "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat"
+            "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port"
         }
         Remedy::Connection(jaka_sync::Remedy::CheckStatusPort) => {
             "check that this is the status port, 10000, and that the controller has started"
         }
         Remedy::Connection(jaka_sync::Remedy::WaitForPackets) => {
-            "wait until more status packets have come: `jaka status --watch` shows them"
+            "wait for more status packets: `jaka status --watch` shows them"
         }
         Remedy::Connection(jaka_sync::Remedy::TryAgain) => "try again in a moment",
         Remedy::SwitchSensorOn => "switch the sensor on: `jaka call set_torque_sensor_mode`",
         Remedy::MoveMoreSlowly => "move more slowly",
         Remedy::MoveOnLine => "move on a line or an arc towards a contact",
-        Remedy::GiveAcceleration => "`--acceleration` gives the motion one",
+        Remedy::GiveAcceleration => "`--acceleration` sets it",
         Remedy::WaitForMotions => "wait for the end of all motions first: `jaka status --watch` shows it",
         Remedy::GiveAbsoluteTarget => "give an absolute target",
         Remedy::GiveLimits => "`--model` gives the robot limits",
-        Remedy::LengthenReaction => "give the limit a reaction that is longer than the lag",
+        Remedy::LengthenReaction => "set a reaction longer than the lag",
         Remedy::AllowRealtimePriority => {
             "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
              shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
@@ -172,9 +172,9 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
 /// Returns the text for a failed stop: the arm may still move.
 pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     if may_have_run {
-        "it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop"
+        "it is not known whether the controller accepted the stop; the arm may still move, use the emergency stop"
     } else {
-        "the controller has not taken the stop; the arm may still move, use the emergency stop"
+        "the controller did not accept the stop; the arm may still move, use the emergency stop"
     }
 }
 

@@ -138,7 +138,7 @@ fn what_is_wrong_on_a_line_has_one_form() {
             "status --sim --format",
             expect![[r"
             error: `--format <FORMAT>` needs a value: it is one of `table`, `json`, `csv`
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -146,7 +146,7 @@ fn what_is_wrong_on_a_line_has_one_form() {
             "status --sim --format xml",
             expect![[r"
             error: `--format <FORMAT>` cannot be `xml`: it is one of `table`, `json`, `csv`
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -154,7 +154,7 @@ fn what_is_wrong_on_a_line_has_one_form() {
             "status --sim --raw --fields x",
             expect![[r"
             error: `--raw` cannot be used with `--fields <NAMES>`
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -162,7 +162,7 @@ fn what_is_wrong_on_a_line_has_one_form() {
             "status --sim more",
             expect![[r"
             error: `more` is not expected here
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -192,7 +192,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "status --sim --timeout 0",
             expect![[r"
             error: `--timeout <SECONDS>` cannot be `0`: must be more than 0 seconds
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -200,7 +200,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "status --sim --sim",
             expect![[r"
             error: `--sim[=<MODEL>]` is given more than once
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -208,7 +208,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "jog 1 --sim",
             expect![[r"
             error: `--speed <SPEED>`, `<DISTANCE>` are missing
-            hint: `jaka jog --help` explains what there is
+            hint: `jaka jog --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -216,7 +216,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "status --color blue",
             expect![[r"
             error: `--color <WHEN>` cannot be `blue`: it is one of `auto`, `always`, `never`
-            hint: `jaka status --help` explains what there is
+            hint: `jaka status --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -232,7 +232,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "call joint_move --advisory-ranges no",
             expect![[r"
             error: `--advisory-ranges <WHAT>` cannot be `no`: it is one of `enforce`, `ignore`
-            hint: `jaka call joint_move --help` explains what there is
+            hint: `jaka call joint_move --help` lists commands and options
             exit code 2
         "]],
         ),
@@ -240,7 +240,7 @@ fn what_is_wrong_with_values_and_fields_has_the_same_form() {
             "call power_on --stdin --json",
             expect![[r"
             error: `--stdin` cannot be used with `--json[=<KEYS>]`
-            hint: `jaka call power_on --help` explains what there is
+            hint: `jaka call power_on --help` lists commands and options
             exit code 2
         "]],
         ),

@@ -227,7 +227,7 @@ fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
         // simulated time is certain of its moment.
         let has_stopped = match lines[0] {
             "note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too" => false,
-            "note: interrupted: the controller has taken the stop (`stop_program`)" => true,
+            "note: interrupted: the controller accepted the stop (`stop_program`)" => true,
             _ => panic!("{}", run.text()),
         };
         assert!(lines[1].starts_with("error: the motion was stopped before its target ("), "{}", run.text());

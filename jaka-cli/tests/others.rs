@@ -59,11 +59,11 @@ fn what_happens_to_the_simulated_arm_is_scheduled_or_typed() {
         error: input 900 high: the cabinet has 135 digital inputs, from 0, and not one with number 900"#]].assert_eq(&errors.join("\n"));
     expect![[r#"
         error: `--schedule <LIST>` cannot be ` trip`: `trip`: expected one of `collide`, `press-emergency-stop`, `release-emergency-stop`, `cut-power`, `input 3 high`, `tool-input 0 low`, `analog-input 3 2.5`, `tool-analog-input 0 2.5`, `link status to-client hold`
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide at 2s, trip"])));
     expect![[r#"
         error: `--schedule <LIST>` cannot be `collide 2s`: `2s`: a time may follow, as in `collide at 2s`
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--schedule", "collide 2s"])));
 }
@@ -115,21 +115,21 @@ fn the_help_of_sim_lists_the_faults() {
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
         error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document, odd
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));
     expect![[r#"
         error: `--faults <TEXT>` cannot be `drip`: line 1: `drip`: unknown fault; the faults of replies are none, drop, delay, hold, split, with-next, twice, nameless, renamed, before, after, instead, garbage, oversized, half-open, close, close-after, reset, takeover; `jaka sim --help` has all
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--faults", "drip"])));
     expect![[r#"
         error: `--trips <LIST>` cannot be ` sped 3`: `sped`: unknown trip; the trips, each with a threshold, are `deviation 1`, `speed 1`, `speed-deviation 1`, `command-speed 1`, `command-acceleration 1`
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--trips", "deviation 1, sped 3"])));
     expect![[r#"
         error: `--underrun <TEXT>` cannot be `stop`: `stop`: expected one of `hold`, `fault`, `fault 40ms` and `run-out 300`
-        hint: `jaka sim --help` explains what there is
+        hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));
     expect![[r#"

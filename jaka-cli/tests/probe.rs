@@ -86,7 +86,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
         name = "brake_state"
         type = "int"
         optional = true
-        doc = "TODO: what it means is not known yet. 1.6.5_01_X86 sends 1."
+        doc = "TODO: its meaning is not known yet. 1.6.5_01_X86 sends 1."
 
         [[extend]]
         target = "ExtioReport"
@@ -96,7 +96,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
         name = "watch_dog"
         type = "bool"
         optional = true
-        doc = "TODO: what it means is not known yet. 1.6.5_01_X86 sends true."
+        doc = "TODO: its meaning is not known yet. 1.6.5_01_X86 sends true."
     "#]]
     .assert_eq(&text);
     load_pack(&spec(), Source { path: "status.toml", text: &text }).expect("the draft loads");

@@ -209,7 +209,7 @@ fn a_recording_of_nothing_is_a_page_that_says_so() {
         assert_page(&page);
         assert!(part(&page, "joints").contains("The recording has no status packets."));
         assert!(part(&page, "calls").contains("The recording has no requests."));
-        assert!(part(&page, "problems").contains("Nothing that the recording shows."));
+        assert!(part(&page, "problems").contains("The recording shows none."));
     }
 }
 

@@ -203,7 +203,7 @@ fn a_lost_connection_is_reported() {
     let errors: Vec<_> = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap).collect();
     expect![[r#"
         error: the status connection to 127.0.0.1:PORT is broken: the controller closed the connection
-        hint: check the network; `jaka stop` is worth a try: commands may still pass"#]]
+        hint: check the network; try `jaka stop`: commands may still pass"#]]
     .assert_eq(&errors.join("\n").replace(&port, "PORT"));
     assert_eq!(end(child).code(), Some(5));
 }

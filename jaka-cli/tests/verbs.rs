@@ -190,7 +190,7 @@ fn a_dry_run_prints_the_request_and_takes_no_seat() {
     .assert_eq(&dry("jog 6 5 --speed 5"));
     expect![[r#"
         {"cmdName":"joint_move","relFlag":0,"jointPosition":[0,90,80,90,-90,0],"speed":10,"accel":72}
-        note: compared with the limits of joints from where the arm is; regions and the tool's speed are compared when it is sent
+        note: compared with the limits of joints, from the position of the arm; regions and the tool's speed are compared before it is sent
         exit code 0
     "#]].assert_eq(&dry("move --joints 0,90,80,90,-90,0 --speed 10 --model zu5"));
     expect![[r#"
@@ -200,13 +200,13 @@ fn a_dry_run_prints_the_request_and_takes_no_seat() {
     .assert_eq(&dry("jog 3 86 --speed 10 --model zu5"));
     expect![[r#"
         {"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,5,0,0,0],"speed":10}
-        note: of limits, the tool's speed alone was compared: the tool and the frames are asked for when it is sent
+        note: only the tool's speed was compared with limits: the tool and the frames are read before it is sent
         exit code 0
     "#]]
     .assert_eq(&dry("jog z 5 --speed 10 --model zu5"));
     expect![[r#"
         {"cmdName":"joint_move","relFlag":1,"jointPosition":[0,0,86,0,0,0],"speed":10,"accel":72}
-        note: only the pace was compared with limits: where the arm is was not asked; --robot or --sim name an arm
+        note: only the speed was compared with limits, because the position of the arm is not known; --robot or --sim name an arm
         exit code 0
     "#]]
     .assert_eq(&jaka("jog 3 86 --speed 10 --model zu5 --dry-run".split(' ')).text());
@@ -266,7 +266,7 @@ fn each_asks_but_stop() {
     "]]
     .assert_eq(&run(&controller, "up").text());
     expect![[r"
-        the controller has taken the stop (`stop_program`)
+        the controller accepted the stop (`stop_program`)
         exit code 0
     "]]
     .assert_eq(&run(&controller, "stop").text());
@@ -361,18 +361,18 @@ fn what_is_wrong_on_the_line_is_told() {
     let text = |line: &str| jaka(line.split(' ')).text();
     expect![[r"
         error: `--joints <DEG,...>` cannot be `0,90`: six numbers with commas between them are needed, such as 0,90,90,90,-90,0
-        hint: `jaka move --help` explains what there is
+        hint: `jaka move --help` lists commands and options
         exit code 2
     "]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
     expect![[r"
         error: `--joints <DEG,...>` or `--pose <X,Y,Z,RX,RY,RZ>` is missing
-        hint: `jaka move --help` explains what there is
+        hint: `jaka move --help` lists commands and options
         exit code 2
     "]]
     .assert_eq(&text("move --speed 10 --sim"));
     expect![[r"
         error: `<AXIS>` cannot be `7`: there are joints 1 to 6, and the axes x, y and z
-        hint: `jaka jog --help` explains what there is
+        hint: `jaka jog --help` lists commands and options
         exit code 2
     "]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
@@ -392,7 +392,7 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         wait_for_motion(&controller);
         interrupt(&child);
         expect![[r"
-            note: interrupted: the controller has taken the stop (`stop_program`)
+            note: interrupted: the controller accepted the stop (`stop_program`)
             error: the motion was stopped before its target
             hint: look at the arm before it moves again
             exit code 22
@@ -409,11 +409,11 @@ fn a_stop_that_is_not_taken_names_the_emergency_stop() {
     controller.inject_for("stop_program", Fault::Instead(refusal.into()));
     let refused = run(&controller, "stop");
     assert_eq!(refused.code, Some(29), "{refused:?}");
-    let text = "error: the controller has not taken the stop; the arm may still move, use the emergency stop: ";
+    let text = "error: the controller did not accept the stop; the arm may still move, use the emergency stop: ";
     assert!(refused.err.starts_with(text), "{refused:?}");
     controller.inject_for("stop_program", Fault::Drop);
     let unanswered = run(&controller, "stop --timeout 0.2");
     assert_eq!(unanswered.code, Some(29), "{unanswered:?}");
-    let text = "error: it is not known whether the controller has taken the stop; the arm may still move, use the emergency stop: ";
+    let text = "error: it is not known whether the controller accepted the stop; the arm may still move, use the emergency stop: ";
     assert!(unanswered.err.starts_with(text), "{unanswered:?}");
 }

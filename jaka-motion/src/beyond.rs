@@ -261,7 +261,7 @@ impl fmt::Display for Beyond {
                 let way = Apart(*way_mm, *limit_mm);
                 write!(
                     f,
-                    "the arm could not stop before the tool centre point has gone on for {way} mm; limit {limit_mm}"
+                    "the arm could not stop before the tool centre point has moved on by {way} mm; limit {limit_mm}"
                 )?;
             }
             Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", Apart(*by_mm, 0.0))?,
@@ -271,13 +271,13 @@ impl fmt::Display for Beyond {
             }
             Exceeded::NotConfirmed => write!(f, "at the edge of reach{at}: no joint position was confirmed")?,
             Exceeded::NoArc => f.write_str("the positions of the three poses lie on a line: there is no arc")?,
-            Exceeded::HalfTurn => f.write_str("the tool would turn half way round, and which way is not known")?,
+            Exceeded::HalfTurn => f.write_str("the tool would turn by 180 deg, and the direction is not known")?,
             Exceeded::Asked { what, given } => write!(f, "{what}: {given} is not a {what}")?,
             Exceeded::NotFinite => f.write_str("a number of the joint positions, poses or frames is not finite")?,
-            Exceeded::TooLong => f.write_str("the way is too long to be checked")?,
+            Exceeded::TooLong => f.write_str("the path is too long for a check")?,
         }
         if self.way == Way::EndMove {
-            f.write_str(", if the controller chooses so among the joint positions for the pose")?;
+            f.write_str(", for one of the joint positions that the controller may choose for the pose")?;
         }
         write!(f, " ({})", self.model)
     }

@@ -39,10 +39,10 @@ pub struct Preflight {
 impl Preflight {
     /// Settings that no query tells, each with its effect. Look at them at the pendant.
     pub const AT_THE_PENDANT: &[(&str, &str)] = &[
-        ("remote control", "whether the controller takes motions from this program"),
-        ("mounting", "how the arm is mounted: poses and kinematics follow it"),
-        ("network exception", "what the arm does when the connection is lost (4.75)"),
-        ("soft limits", "the joint ranges, speeds and zones that the controller itself keeps"),
+        ("remote control", "acceptance of motions from this program"),
+        ("mounting", "direction of the mounting; poses and kinematics depend on it"),
+        ("network exception", "reaction of the arm to a lost connection (4.75)"),
+        ("soft limits", "joint ranges, speeds and zones in the controller itself"),
     ];
 
     /// Note on the limits of the verdicts.
@@ -148,7 +148,7 @@ impl Display for Preflight {
         for finding in &self.findings {
             writeln!(f, "{finding}")?;
         }
-        writeln!(f, "\nLook at the pendant for what no query tells:")?;
+        writeln!(f, "\nLook at the pendant for these, which no query reads:")?;
         for (what, decides) in Self::AT_THE_PENDANT {
             writeln!(f, "{what:17}  {decides}")?;
         }

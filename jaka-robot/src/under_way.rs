@@ -149,7 +149,7 @@ impl UnderWay {
             return before;
         }
         if off(before) < f64::EPSILON {
-            log::warn!(target: "jaka_robot", "the rapid rate is {rate} of 1: motions have another speed than they ask for");
+            log::warn!(target: "jaka_robot", "the rapid rate is {rate} of 1: motions run at another speed than requested");
         }
         rate
     }

@@ -70,7 +70,7 @@ impl Disconnect {
     /// controller has ended it.
     pub(crate) fn seat_hint(&self) -> &'static str {
         if self.is_by_controller() {
-            "; the controller may have shut down, or another client, such as the vendor's app, may hold its one seat"
+            "; the controller may have shut down, or another client, such as the vendor's app, may have taken the command port"
         } else {
             ""
         }

@@ -15,13 +15,13 @@ jaka_proto::worded! {
         CheckNetwork => "check the network, and that the controller is on",
         /// Check that the controller is on, and that no other client occupies its command port, which serves one.
         FreeSeat =>
-            "check that the controller is on, and that no other client, such as the vendor's app, holds its one seat",
+            "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port",
         /// Check that the address belongs to the status port, and that the controller has started.
         CheckStatusPort => "check that this is the status port, 10000, and that the controller has started",
         /// Connect to the status port again.
         ConnectStatusAgain => "connect again, or set `Config::reconnect`",
         /// Wait for status packets.
-        WaitForPackets => "wait until more status packets have come",
+        WaitForPackets => "wait for more status packets",
         /// Try again in a moment.
         TryAgain => "try again in a moment",
     }

@@ -97,13 +97,13 @@ impl GoArgs {
         planned.check(limits, from)?;
         output::note(match from {
             Some(_) => {
-                "compared with the limits of joints from where the arm is; regions and the tool's speed are compared when it is sent"
+                "compared with the limits of joints, from the position of the arm; regions and the tool's speed are compared before it is sent"
             }
             None if planned.goal.is_of_joints() => {
-                "only the pace was compared with limits: where the arm is was not asked; --robot or --sim name an arm"
+                "only the speed was compared with limits, because the position of the arm is not known; --robot or --sim name an arm"
             }
             None => {
-                "of limits, the tool's speed alone was compared: the tool and the frames are asked for when it is sent"
+                "only the tool's speed was compared with limits: the tool and the frames are read before it is sent"
             }
         });
         Ok(())

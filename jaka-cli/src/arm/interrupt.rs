@@ -160,7 +160,7 @@ fn stop_arm(stop: &RobotStop) {
     let stopped = stop.stop();
     drop(answered);
     match stopped {
-        Ok(()) => output::urgent_note("interrupted: the controller has taken the stop (`stop_program`)"),
+        Ok(()) => output::urgent_note("interrupted: the controller accepted the stop (`stop_program`)"),
         Err(error) => end_with(
             exit::NOT_STOPPED,
             &format!("interrupted, but {}: {}", not_taken(error.may_have_run()), fact(error.kind(), &error)),

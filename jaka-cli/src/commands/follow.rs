@@ -69,7 +69,7 @@ pub(crate) struct Follow {
 impl Follow {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let limits = self.limits.read()?.ok_or_else(|| {
-            Failure::Usage("without limits it is not known what the arm can do: give --model or --limits".to_owned())
+            Failure::Usage("the limits of the arm are not known: give --model or --limits".to_owned())
         })?;
         let plan = self.plan.read(&self.file)?;
         let checker = Checker::new(limits.clone(), Frames::new());

@@ -51,7 +51,7 @@ impl Jitter {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let round_trip = if self.robot.is_given() { Some(self.round_trip(self.seconds / 5)?) } else { None };
         if stderr().is_terminal() {
-            output::note(&format!("this takes {:?}; nothing is moved", self.seconds));
+            output::note(&format!("this takes {:?}; it moves nothing", self.seconds));
         }
         let left = if round_trip.is_some() { self.seconds * 4 / 5 } else { self.seconds };
         let measured = Measured { lateness: Lateness::measure(left)?, round_trip };

@@ -24,6 +24,6 @@ impl Stop {
         let act = Act::at_once(&self.robot)?;
         let stopped = act.with(Target::client, "`stop_program`", |client| client.call(&StopProgram::new()));
         stopped.map_err(|failure| Failure::NotStopped(Box::new(failure)))?;
-        output::line("the controller has taken the stop (`stop_program`)")
+        output::line("the controller accepted the stop (`stop_program`)")
     }
 }

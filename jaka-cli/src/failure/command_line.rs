@@ -71,7 +71,7 @@ fn hint(error: &Error) -> String {
     // Values are not suggested, since they are listed.
     let suggested = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg];
     match suggested.into_iter().flat_map(|kind| list(error, kind)).join(" or ").as_str() {
-        "" => format!("`{} --help` explains what there is", command()),
+        "" => format!("`{} --help` lists commands and options", command()),
         suggested => format!("did you mean {suggested}?"),
     }
 }

@@ -58,19 +58,19 @@ const EVENTS: [Row; 8] = [
         |arm| arm.take_over().expect("it listens"),
         4,
         "the command connection is lost, and no stop can be sent on it",
-        "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
+        "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm",
     ),
     (
         Controller::disconnect,
         4,
         "the command connection is lost, and no stop can be sent on it",
-        "use the emergency stop, or `jaka stop`, which takes the seat back and stops the arm",
+        "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm",
     ),
     (
         |arm| arm.link(Port::Status).to_client().hold(),
         28,
         "the state of the robot is unknown",
-        "check the network; `jaka stop` is worth a try: commands may still pass",
+        "check the network; try `jaka stop`: commands may still pass",
     ),
 ];
 

@@ -100,11 +100,11 @@ fn nothing_is_found_on_a_healthy_arm() {
         DH parameters    nothing found  those of a Zu 5, or near them
         limits           nothing found  the arm is within those of Zu 5, Pro 5, S5, C5
 
-        Look at the pendant for what no query tells:
-        remote control     whether the controller takes motions from this program
-        mounting           how the arm is mounted: poses and kinematics follow it
-        network exception  what the arm does when the connection is lost (4.75)
-        soft limits        the joint ranges, speeds and zones that the controller itself keeps
+        Look at the pendant for these, which no query reads:
+        remote control     acceptance of motions from this program
+        mounting           direction of the mounting; poses and kinematics depend on it
+        network exception  reaction of the arm to a lost connection (4.75)
+        soft limits        joint ranges, speeds and zones in the controller itself
 
         0 wrong, 0 to look at, 0 not checked.
         "Nothing found" is not "safe": states and settings were read, and nothing is known of the cell, the people in it, the tool, and where the arm will move.
@@ -134,19 +134,19 @@ fn the_report_in_json_has_one_shape() {
           "at_the_pendant": [
             {
               "item": "remote_control",
-              "what": "whether the controller takes motions from this program"
+              "what": "acceptance of motions from this program"
             },
             {
               "item": "mounting",
-              "what": "how the arm is mounted: poses and kinematics follow it"
+              "what": "direction of the mounting; poses and kinematics depend on it"
             },
             {
               "item": "network_exception",
-              "what": "what the arm does when the connection is lost (4.75)"
+              "what": "reaction of the arm to a lost connection (4.75)"
             },
             {
               "item": "soft_limits",
-              "what": "the joint ranges, speeds and zones that the controller itself keeps"
+              "what": "joint ranges, speeds and zones in the controller itself"
             }
           ],
           "findings": null,

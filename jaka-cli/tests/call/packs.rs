@@ -108,7 +108,7 @@ fn run_with_names_of_options(file: &str, line: &str) -> String {
 fn an_option_that_is_taken_for_a_field_is_explained() {
     expect![[r"
         error: `--color <WHEN>` cannot be `red`: it is one of `auto`, `always`, `never`
-        hint: `jaka call --help` explains what there is
+        hint: `jaka call --help` lists commands and options
         hint: `--color` is an option of `jaka call`; the field `color` is given by `--field-color`, or by --params
         exit code 2
     "]]

@@ -215,7 +215,7 @@ fn a_silent_controller_may_have_carried_out_the_command() {
     .assert_eq(&call(&controller, "get_version --timeout 0.2").text());
     controller.inject(Fault::Close);
     expect![[r"
-        error: the connection to ADDRESS broke during `get_version`, which may have run; the controller may have shut down, or another client, such as the vendor's app, may hold its one seat: the controller closed the connection
+        error: the connection to ADDRESS broke during `get_version`, which may have run; the controller may have shut down, or another client, such as the vendor's app, may have taken the command port: the controller closed the connection
         exit code 4
     "]]
     .assert_eq(&call(&controller, "get_version").text().replace(&controller.command_addr().to_string(), "ADDRESS"));

@@ -71,7 +71,7 @@ fn clap_reports_unknown_options() {
         "joint_move --speed",
         &expect![[r"
             error: `--speed <NUMBER>` needs a value
-            hint: `jaka call joint_move --help` explains what there is
+            hint: `jaka call joint_move --help` lists commands and options
             exit code 2
         "]],
     );
@@ -79,7 +79,7 @@ fn clap_reports_unknown_options() {
         "joint_move --speed 1 --params {}",
         &expect![[r"
             error: `--speed <NUMBER>` cannot be used with `--params <JSON>`
-            hint: `jaka call joint_move --help` explains what there is
+            hint: `jaka call joint_move --help` lists commands and options
             exit code 2
         "]],
     );
@@ -282,7 +282,7 @@ fn raw_requests_go_out_as_they_are() {
         "joint_move --raw --params {} --speed 1 --dry-run",
         &expect![[r"
             error: there is no option `--speed`
-            hint: `jaka call joint_move --help` explains what there is
+            hint: `jaka call joint_move --help` lists commands and options
             exit code 2
         "]],
     );

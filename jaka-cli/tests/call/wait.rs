@@ -76,7 +76,7 @@ fn an_interrupt_stops_the_arm() {
     assert!(controller.wait_for_requests(1, LONG), "the motion comes");
     interrupt(&child);
     expect![[r"
-        note: interrupted: the controller has taken the stop (`stop_program`)
+        note: interrupted: the controller accepted the stop (`stop_program`)
         error: the motion was stopped before its target
         hint: look at the arm before it moves again
         exit code 22

@@ -86,7 +86,7 @@ jaka_proto::worded! {
         /// The first way-point is a pose, which several joint positions reach, and no [`near`](crate::Through::near) is
         /// set.
         StartsWithPose =>
-            "way-point 1 is a pose, which several joint positions reach; name joint positions near it, or start with some",
+            "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints",
         /// A curve goes through joint positions and poses.
         Mixed {
             /// Number of the first way-point of the other kind.

@@ -21,21 +21,21 @@ jaka_proto::worded! {
         /// The arm is not enabled: call `enable_robot`.
         NotEnabled => "the arm is not enabled",
         /// Servo mode is off: call `set_servo_mode`, and wait until `is_in_servomove` says that it is on.
-        NotInServoMode => "servo mode is not as it should be: it is off",
+        NotInServoMode => "servo mode is in the wrong state: it is off",
         /// The controller does not accept commands from this client: grant remote control on its panel.
         NoRemoteControl =>
             "the controller does not accept commands from this client",
         /// The arm is moving, or a motion has not been waited for: wait for its end, or stop it.
-        Moving => "the arm is moving, or a motion has not been waited for",
+        Moving => "the arm is moving, or the program has not waited for the end of a motion",
         /// Servo mode is on already: another program may send set-points, or a session of this one that was forgotten.
         /// If it is left over, call `set_servo_mode` with off.
         ServoModeOn =>
-            "servo mode is not as it should be: it is on already, perhaps with set-points of another program or session",
+            "servo mode is in the wrong state: it is on already, perhaps with set-points of another program or session",
         /// The controller acknowledged servo mode but did not enter it, which happens while the arm moves.
         ServoModeNotEntered =>
-            "servo mode is not as it should be: the controller acknowledged it but did not enter it, as while the arm moves",
+            "servo mode is in the wrong state: the controller acknowledged it but did not enter it, for example because the arm moved",
         /// The controller acknowledged the end of servo mode but is still in it.
-        ServoModeNotLeft => "servo mode is not as it should be: the controller acknowledged its end but is still in it",
+        ServoModeNotLeft => "servo mode is in the wrong state: the controller acknowledged its end but is still in it",
         /// The controller reports an error event, which ends servo mode, or may keep the arm from moving.
         Event(event: ControllerEvent) => "the controller reports an error: {event}",
         /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.

@@ -40,11 +40,11 @@ jaka_proto::worded! {
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
         /// Give the thread a priority, or the machine less to do.
-        UnloadMachine => "give the thread a priority (`ServoConfig::realtime_priority`), or the machine less to do",
+        UnloadMachine => "set a real-time priority (`ServoConfig::realtime_priority`), or reduce the load of the machine",
         /// Find out what holds the arm.
-        FindObstacle => "find out what holds the arm",
+        FindObstacle => "look for an obstacle at the arm",
         /// Move the arm to the start of the trajectory, or ask for an approach.
-        MoveToStart => "move the arm there first, or ask for an approach (`FollowConfig::approach`)",
+        MoveToStart => "move the arm there first, or set an approach (`FollowConfig::approach`)",
         /// Leave the port out of the address of a robot, or name both ports.
         LeaveOutPort => "give its address without a port, or both addresses to `Robot::connect_at`",
         /// Switch the force sensor on.
@@ -54,7 +54,7 @@ jaka_proto::worded! {
         /// Move on a line or an arc towards a contact.
         MoveOnLine => "move on a line or an arc towards a contact (`move_l`, `move_c`)",
         /// Give the motion an acceleration.
-        GiveAcceleration => "give the motion an acceleration",
+        GiveAcceleration => "set an acceleration of the motion",
         /// Wait for the end of all motions.
         WaitForMotions => "wait for the end of all motions first",
         /// Give an absolute target.
@@ -62,7 +62,7 @@ jaka_proto::worded! {
         /// Give the robot limits.
         GiveLimits => "give the robot limits with `RobotConfig::limits`",
         /// Give the limit of force a longer reaction.
-        LengthenReaction => "give the limit a reaction that is longer than the lag (`ForceLimit::reaction`)",
+        LengthenReaction => "set a reaction longer than the lag (`ForceLimit::reaction`)",
         /// Allow the user, or the program, real-time priorities.
         AllowRealtimePriority =>
             "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \

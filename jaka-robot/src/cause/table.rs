@@ -86,9 +86,9 @@ causes! {
     /// The controller does not accept commands from this client.
     NoRemoteControl "no_remote_control" Robot "the controller does not accept commands from this client" GrantRemoteControl,
     /// The arm is in servo mode, or was to be and is not.
-    ServoMode "servo_mode" Robot "servo mode is not as it should be" SeeServoMode,
+    ServoMode "servo_mode" Robot "servo mode is in the wrong state" SeeServoMode,
     /// A motion goes on, or has not been waited for.
-    Moving "moving" Program "the arm is moving, or a motion has not been waited for" WaitOrStop,
+    Moving "moving" Program "the arm is moving, or the program has not waited for the end of a motion" WaitOrStop,
     /// Status packets show another tool frame or user frame than at the start of a motion that depends on them.
     FramesChanged "frames_changed" Ended "another tool or user frame is selected than at the start" SelectFrames,
     /// A guard has tripped.
@@ -100,7 +100,7 @@ causes! {
     /// The state of the robot is unknown: no status packets come that can be read.
     StatusLost "status_lost" Connection "the state of the robot is unknown" Connection(CheckNetwork),
     /// Packets do not show what has to be known.
-    NotShown "not_shown" Robot "status packets do not show what has to be known" SeeError,
+    NotShown "not_shown" Robot "status packets do not show a state that the program needs" SeeError,
     /// It has not ended in time.
     Deadline "deadline" Ended "the motion has not ended in time" WaitOrStop,
     /// A set-point was due too long ago.
@@ -116,7 +116,7 @@ causes! {
     /// No status packet has shown the arm at rest.
     RestNotSeen "rest_not_seen" Following "the arm was not seen at rest" LookAtArm,
     /// The request is wrong, or something on this machine.
-    Failed "failed" Program "it could not be done" SeeError,
+    Failed "failed" Program "the operation failed" SeeError,
     /// There was nothing to wait for.
     NoMotion "no_motion" Done "there was nothing to wait for: no motion of this robot was accepted" None,
     /// The arm is at rest, and it is not known whether it is at its target.

@@ -129,7 +129,7 @@ impl fmt::Display for GuardTrip {
         match &self.reason {
             TripReason::Holds => write!(f, "{}", self.text)?,
             TripReason::NotShown(reason) => write!(f, "it is not known whether {}: {reason}", self.text)?,
-            TripReason::Panicked => write!(f, "the question panicked that says whether {}", self.text)?,
+            TripReason::Panicked => write!(f, "a panic in the code that checks whether {}", self.text)?,
         }
         if self.is_before_start {
             f.write_str("; nothing was sent")?;

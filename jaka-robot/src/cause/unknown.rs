@@ -141,13 +141,13 @@ jaka_proto::worded! {
              contact",
         /// The speed of the tool centre point does not follow from the motion: only that of a line or an arc does.
         SpeedUnknown =>
-            "the speed of the tool does not follow from it",
+            "the request does not determine the speed of the tool",
         /// The motion does not say its acceleration, and the limit says nothing of the braking.
-        BrakingUnknown => "it does not say with which acceleration, from which the braking follows",
+        BrakingUnknown => "the request has no acceleration, which determines the braking distance",
         /// The arm moves, or motions wait that were started before: the sensor's values at the start do not count then.
         Moving => "the arm is not at rest, or another motion is waiting",
         /// Too few packets have come in time to know their period.
-        PeriodUnknown => "too few status packets have come to know their period",
+        PeriodUnknown => "the period of status packets is not known yet",
     }
 }
 
@@ -173,13 +173,13 @@ jaka_proto::worded! {
     pub enum Unchecked {
         /// The start is not known: the arm moves, or the motion follows one whose end was not known. Wait for the end
         /// of all motions.
-        Start => "where it begins is not known",
+        Start => "the start of the motion is not known",
         /// The request does not determine where it ends, such as an arc by offsets or a relative motion with a
         /// rotation. Give an absolute target.
-        Target => "the request does not say where it ends",
+        Target => "the request does not determine the end of the motion",
         /// The request does not determine its path: name the `path` in the `[command.motion]` of a pack, or send it
         /// without limits.
-        Path => "the request does not say on which way the arm goes",
+        Path => "the request does not determine the path of the arm",
         /// The controller's pose of the arm does not fit its joint positions, for the frames that its `kine_forward`
         /// shows: a frame was changed at this moment, or the arm moved.
         Frames => "the arm's pose does not fit its joint positions: a frame is changing, or the arm moves",
@@ -188,7 +188,7 @@ jaka_proto::worded! {
         /// The robot has no limits, by which streams and trajectories know the arm: see
         /// [`RobotConfig::limits`](crate::RobotConfig::limits).
         NoLimits =>
-            "the robot has none, by which streams and trajectories know the arm",
+            "the robot has no limits, and streams and trajectories need them",
     }
 }
 

@@ -148,7 +148,7 @@ jaka_proto::worded! {
         ModelMismatch {
             /// Difference between the model's poses and the controller's.
             source: jaka_motion::FitError,
-        } => "the limits are not those of this robot: its controller computes other poses than their model",
+        } => "the limits are for another arm: the controller computes other poses than their model",
         /// A trajectory was not started, because it is beyond a limit of the robot. Nothing that moves the arm was
         /// sent.
         Trajectory {
@@ -189,7 +189,7 @@ jaka_proto::worded! {
         Thread {
             /// Reason, in the system's words.
             source: io::Error,
-        } => "the system has no thread for this",
+        } => "the system cannot start a thread",
         /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs
         /// the feature `realtime`.
         RealtimePriority {

@@ -62,7 +62,7 @@ fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> Found
     if let Some(agreeing) = Model::published().iter().find_map(|model| calibrated(model, dh, &pairs)) {
         return Ok((own_parameters(&agreeing), vec![agreeing]));
     }
-    let advice = "give motions no limits by a published model: they would be those of another arm";
+    let advice = "do not use limits of a published model: they are for another arm";
     Ok((Judgement::look("no published model agrees with the controller", advice), Vec::new()))
 }
 
@@ -122,7 +122,7 @@ fn parameters(agreeing: &[Agreeing], reply: &GetDhParamReply) -> Judgement {
         }
     }
     let Some(mismatch) = differs else { return Judgement::not_checked(NO_MODEL) };
-    let advice = "no source says how a controller means them: what counts is that the model agrees with its poses";
+    let advice = "no source states their definition: the agreement of the model with the controller's poses decides";
     Judgement::look(mismatch.to_string(), advice)
 }
 
@@ -144,7 +144,7 @@ fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Judgement {
             }
             _ => beyond.to_string(),
         };
-        Judgement::look(seen, "lead it back, by a motion that goes no further out, or at the pendant")
+        Judgement::look(seen, "move it back, by a motion that goes no further out, or at the pendant")
     })
 }
 

@@ -139,14 +139,14 @@ fn rapid_rate(rate: f64) -> Judgement {
     if (rate - 1.0).abs() < f64::EPSILON {
         return Judgement::nothing(seen);
     }
-    Judgement::look(seen, "motions have another speed than they ask for: set it with `set_rapid_rate`")
+    Judgement::look(seen, "motions run at another speed than requested: set it with `set_rapid_rate`")
 }
 
 fn soft_limit(flag: i64) -> Judgement {
     if flag == 0 {
         return Judgement::nothing("not hit");
     }
-    let advice = "look which joint it is, and jog it back";
+    let advice = "find the joint, and jog it back";
     Judgement::look(format!("hit (`on_soft_limit` is {flag})"), advice)
 }
 
@@ -175,7 +175,7 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
         seen.push(format!("missing: {}", missing.join(", ")));
     }
     if dropped > 0 {
-        seen.push(format!("{dropped} bytes came that are not a packet"));
+        seen.push(format!("{dropped} bytes that are not a packet"));
     }
     let is_whole = seen.is_empty();
     if !absent.is_empty() {

@@ -49,14 +49,14 @@ pub(super) fn of_status(error: &Error, dropped: u64) -> Judgement {
     let (seen, advice) = match error.kind() {
         ErrorKind::Connect { address, source, .. } => not_connected(address, source, NO_STATUS),
         ErrorKind::StatusTimeout { address, after } if dropped > 0 => {
-            (format!("no status packet from {address} within {after:?}; what came is something else"), NOT_A_CONTROLLER)
+            (format!("no status packet from {address} within {after:?}; other data came"), NOT_A_CONTROLLER)
         }
         ErrorKind::StatusTimeout { address, after } => (
             format!("no status packet from {address} within {after:?}"),
-            "check that this is port 10000 and not 10001, which sends nothing without being asked, and the network",
+            "check the network, and that this is port 10000; port 10001 sends only replies",
         ),
         ErrorKind::Disconnected { cause, .. } => lost(cause, STATUS_ENDED),
-        _ => (facts(error), "see what comes with `jaka status --raw`"),
+        _ => (facts(error), "print the received bytes with `jaka status --raw`"),
     };
     Judgement::wrong(seen, advice)
 }
@@ -79,7 +79,7 @@ pub(super) fn advice(error: &Error) -> &'static str {
         ErrorKind::Refused { .. } => "look at it at the pendant: this controller does not answer the query",
         ErrorKind::UnexpectedReply { .. } => "look at it at the pendant; `jaka probe` shows the reply",
         ErrorKind::Disconnected { .. } => ANOTHER_CLIENT,
-        _ => "check the network, and whether the controller is busy, and check again",
+        _ => "check the network and the load of the controller, then run the check again",
     }
 }
 

@@ -19,7 +19,7 @@ const COLLISION_LEVELS: std::ops::RangeInclusive<i64> = 1..=7;
 
 const LEAVE_SERVO_MODE: &str =
     "other motions are refused: leave it with `set_servo_mode`, if no other program needs it";
-const LEAVE_DRAG_MODE: &str = "the arm gives way to a hand: leave it at the pendant or the arm";
+const LEAVE_DRAG_MODE: &str = "a hand can move the arm: switch it off at the pendant or at the arm";
 
 /// Asks for all of them.
 pub(super) fn read(commands: &mut Commands<'_>, packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
@@ -88,7 +88,7 @@ fn protective_stop(commands: &mut Commands<'_>, packet: Option<&RobotStatus>) ->
     match (answer, shown) {
         (Ok(true), _) | (_, Some(true)) => Judgement::wrong(
             "the robot is in a protective stop",
-            "find out what the arm has hit, free it, and call `clear_error`",
+            "find the obstacle, free the arm, and call `clear_error`",
         ),
         (Ok(false), _) => Judgement::nothing("not in one"),
         (Err(failed), Some(false)) if failed.verdict == Verdict::NotChecked => Judgement::nothing("not in one"),
@@ -105,9 +105,9 @@ fn program(state: &ProgramState, packet: Option<&RobotStatus>) -> Judgement {
     let paused = packet.is_some_and(|packet| packet.paused == Some(true));
     match state {
         ProgramState::Idle if !paused => Judgement::nothing("none runs"),
-        ProgramState::Running => Judgement::look("a program runs", "the arm moves by it: stop it first, or let it end"),
+        ProgramState::Running => Judgement::look("a program runs", "it may move the arm: stop it first, or wait for its end"),
         ProgramState::Idle | ProgramState::Paused => {
-            Judgement::look("a program is paused", "it moves the arm when somebody resumes it: `stop_program` ends it")
+            Judgement::look("a program is paused", "it may move the arm when somebody resumes it: `stop_program` ends it")
         }
         other => {
             Judgement::look(format!("the state is {:?}, which is not known", other.as_ref()), "look at the pendant")
@@ -123,7 +123,7 @@ fn frame(id: i64, fixed: &str, offsets: impl FnOnce() -> Result<Vec<Pose>, Judge
     let offsets = offsets()?;
     let Some(offset) = usize::try_from(id).ok().and_then(|id| offsets.get(id)) else {
         let advice = "look at its offset at the pendant: poses are of this frame";
-        return Ok(Judgement::look(format!("{id}, of which the controller tells no offset"), advice));
+        return Ok(Judgement::look(format!("{id}, without an offset from the controller"), advice));
     };
     if <[f64; 6]>::from(*offset).iter().all(|part| *part == 0.0) {
         let advice = "it is the same as frame 0: set its offset, or select frame 0";
@@ -137,7 +137,7 @@ fn payload(mass: f64) -> Judgement {
     if mass > 0.0 {
         return Judgement::nothing(seen);
     }
-    let advice = "set what the arm carries, the gripper included: `set_payload`";
+    let advice = "set the load of the arm with the gripper: `set_payload`";
     Judgement::look(seen, advice)
 }
 

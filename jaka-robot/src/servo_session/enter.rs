@@ -20,7 +20,7 @@ use crate::{Error, Explanation, Report, Rest};
 /// at once. A stop passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a
 /// stop brakes it.
 const MEANWHILE: Reservation = Reservation {
-    because: "a servo session, a stream or a trajectory leads the arm, and only outputs, short queries and stops pass",
+    because: "a servo session, a stream or a trajectory moves the arm, and only outputs, short queries and stops are sent meanwhile",
     lets_pass: |info| info.and_then(|info| info.role).is_some_and(Role::passes_beside_set_points),
 };
 

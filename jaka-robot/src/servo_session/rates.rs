@@ -106,8 +106,8 @@ impl Rates {
             SetPoint::Joints(_) | SetPoint::JointOffset(_) => (ServoJ::INFO.name, "joint_position"),
             SetPoint::Pose(_) | SetPoint::PoseOffset(_) => (ServoP::INFO.name, "pose"),
         };
-        let value = "a set-point whose distance from the one before is not known".to_owned();
-        let allowed = "one of the same kind as before; or enter servo mode again".to_owned();
+        let value = "a set-point at an unknown distance from the previous one".to_owned();
+        let allowed = "a set-point of the same kind as the previous one, or a new servo session".to_owned();
         Err(InvalidArgument::new(command, field, value, allowed))
     }
 

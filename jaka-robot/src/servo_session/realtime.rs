@@ -43,7 +43,7 @@ impl fmt::Debug for RealtimePriority {
 impl Drop for RealtimePriority {
     fn drop(&mut self) {
         if thread::current().id() != self.thread {
-            log::warn!(target: "jaka_robot", "a servo session has ended in another thread than the one that entered it, which keeps its real-time priority");
+            log::warn!(target: "jaka_robot", "a servo session ended in another thread than it began; the first thread keeps its real-time priority");
         } else if let Err(error) = (self.restore)() {
             log::warn!(target: "jaka_robot", "the thread keeps the real-time priority of its servo session: {error}");
         }

@@ -101,7 +101,7 @@ fn not_generated(error: GeneratorError) -> Error {
             let expected = format!("at most {limit} {unit}, the arm's limit");
             option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)
         }
-        other => option.refuse(other, "what the robot's limits allow"),
+        other => option.refuse(other, "a value within the robot's limits"),
     }
 }
 

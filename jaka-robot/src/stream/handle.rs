@@ -107,7 +107,7 @@ impl StreamHandle {
 
     fn give(&self, (given_in, goal): (Quantity, Goal), for_at_most: Option<Duration>) -> Result<(), Error> {
         if let Some(time) = for_at_most.filter(|time| *time > LONGEST) {
-            let expected = format!("at most {LONGEST:?}: give the velocity again for as long as it is wanted");
+            let expected = format!("at most {LONGEST:?}: give the velocity again before it expires");
             return Err(OptionName::new("StreamHandle", "for_at_most").refuse(format_args!("{time:?}"), expected));
         }
         self.desk.check_goal(&goal).map_err(beyond_limit)?;

@@ -208,7 +208,7 @@ fn what_may_not_be_is_refused_at_once_and_the_stream_goes_on() {
     let error = stream.handle().set_joint_velocity([1.0; 6], Duration::from_secs(1)).expect_err("too long");
     assert_eq!(
         error.to_string(),
-        "option `for_at_most` of `StreamHandle` is 1s, expected at most 500ms: give the velocity again for as long as it is wanted"
+        "option `for_at_most` of `StreamHandle` is 1s, expected at most 500ms: give the velocity again before it expires"
     );
     stream.handle().set_joints(turned(6, 1.0)).expect("within its range");
     let handle = stream.handle();

@@ -41,7 +41,7 @@ pub(super) fn text<'f>(spec: &'f Spec, findings: &'f Findings) -> Option<String>
 }
 
 fn head(version: &str, packs: &[String]) -> String {
-    let title = quoted(&visible(&format!("What {version} sends beyond the spec")));
+    let title = quoted(&visible(&format!("Messages of {version} beyond the spec")));
     let on_top_of = if packs.is_empty() {
         String::new()
     } else {
@@ -230,7 +230,7 @@ impl<'f> Draft<'f> {
     }
 
     fn entry(&self, departure: &Departure, location: &Location<'_>, (name, ty): (&str, &str)) -> String {
-        let doc = format!("TODO: what it means is not known yet. {} sends {}.", self.version, departure.found);
+        let doc = format!("TODO: its meaning is not known yet. {} sends {}.", self.version, departure.found);
         let Location { target, part, key, .. } = location;
         format!(
             "\n[[extend]]\ntarget = {}\n\n[[extend.{part}]]\nwire = {}\nname = \"{name}\"\ntype = \"{ty}\"\noptional = \

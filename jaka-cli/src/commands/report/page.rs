@@ -127,7 +127,7 @@ pub(super) fn problems(session: &Session<'_>) -> String {
         vec![seconds(problem.time), text(&problem.what) + &again, messages]
     });
     let titles = ["time (s)", "what", "the last messages of the command port up to then"];
-    list(&titles, rows, "row").unwrap_or_else(|| paragraph("Nothing that the recording shows."))
+    list(&titles, rows, "row").unwrap_or_else(|| paragraph("The recording shows none."))
 }
 
 fn messages(entries: &[&Entry]) -> String {

@@ -45,10 +45,10 @@ pub(super) fn sections(session: &Session<'_>) -> Result<Vec<(&'static str, &'sta
         ("joints", "Joints", known("Actual positions, by status packets.", joints(packets))?),
         ("speeds", "Speeds", known(SPEEDS, speeds(packets))?),
         ("path", "Path of the tool centre point", path(packets)?),
-        ("state", "State", known("As status packets say; high is true.", state(packets))?),
+        ("state", "State", known("By status packets; high is true.", state(packets))?),
         ("io", "Inputs and outputs", timed(io_text, io)?),
         ("calls", "Calls", requests(session)?),
-        ("events", "Events", timed("What the list at the end of this page has.".to_owned(), events(session))?),
+        ("events", "Events", timed("The events in the list at the end of this page.".to_owned(), events(session))?),
         ("lateness", "Lateness of set-points", lateness(&session.lateness)?),
     ];
     if !packets.packed.is_empty() {
@@ -101,7 +101,7 @@ fn inputs_and_outputs(packets: &Packets) -> (Vec<Strip>, String) {
     }
     let on = packets.digital.iter().filter(|(_, series)| series.range() == Some((1.0, 1.0)));
     let on = on.map(|(key, _)| title(key)).join(", ");
-    let mut text = vec!["Those that change; high is true.".to_owned()];
+    let mut text = vec!["The signals that change; high is true.".to_owned()];
     text.push(if on.is_empty() { "None is on throughout.".to_owned() } else { format!("On throughout: {on}.") });
     text.extend(more(digital.len(), MOST_DIGITAL, "digital one"));
     text.extend(more(analog.len(), MOST_ANALOG, "analog one"));

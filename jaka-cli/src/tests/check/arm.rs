@@ -79,7 +79,7 @@ fn other_parameters_than_those_of_the_poses() {
         |controller| controller.set_state(|state| state.dh_parameters = longer_by(40.0)),
         &expect![[r#"
             dh_parameters: look: DH parameter a of joint 4 is 408.5 mm; that of the Zu 5 is 368.5 mm
-              no source says how a controller means them: what counts is that the model agrees with its poses
+              no source states their definition: the agreement of the model with the controller's poses decides
         "#]],
     );
 }
@@ -91,7 +91,7 @@ fn an_arm_beyond_its_limits() {
         |controller| controller.set_state(|state| state.joint_position = beyond.into()),
         &expect![[r#"
             limits: look: joint 3 is at 176.5 deg; limit 175 (Zu 5)
-              lead it back, by a motion that goes no further out, or at the pendant
+              move it back, by a motion that goes no further out, or at the pendant
         "#]],
     );
 }
@@ -107,7 +107,7 @@ fn limits_of_a_file() {
         &report,
         &expect![[r#"
         limits: look: joint 2 is at 90 deg; limit 80 (Zu 5)
-          lead it back, by a motion that goes no further out, or at the pendant
+          move it back, by a motion that goes no further out, or at the pendant
     "#]],
     );
     fs::write(&path, "model = \"Zu 5\"\n[tcp]\nspeed_mms = 250\n").expect("the folder is there");

@@ -104,7 +104,7 @@ fn a_controller_that_says_nothing() {
         |controller| controller.status_fault(StatusFault::Silent),
         &expect![[r#"
         status_port: wrong: no status packet from 127.0.0.1:PORT within 5s
-          check that this is port 10000 and not 10001, which sends nothing without being asked, and the network
+          check the network, and that this is port 10000; port 10001 sends only replies
     "#]],
     );
 }
@@ -129,7 +129,7 @@ fn packets_that_are_none() {
     assert_found(
         |controller| controller.status_fault(StatusFault::Instead(b"(nothing of this protocol)".to_vec())),
         &expect![[r#"
-            status_port: wrong: no status packet from 127.0.0.1:PORT within 5s; what came is something else
+            status_port: wrong: no status packet from 127.0.0.1:PORT within 5s; other data came
               check the address and the port: something else may listen there, or a controller that expects TLS
         "#]],
     );

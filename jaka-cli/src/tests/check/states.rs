@@ -43,7 +43,7 @@ fn power_and_enabling() {
         |state| state.protective_stop = true,
         &expect![[r#"
         protective_stop: wrong: the robot is in a protective stop
-          find out what the arm has hit, free it, and call `clear_error`
+          find the obstacle, free the arm, and call `clear_error`
     "#]],
     );
 }
@@ -98,21 +98,21 @@ fn modes_and_programs() {
         |state| state.drag_mode = true,
         &expect![[r#"
         drag_mode: look: on
-          the arm gives way to a hand: leave it at the pendant or the arm
+          a hand can move the arm: switch it off at the pendant or at the arm
     "#]],
     );
     assert_state(
         |state| state.program_state = ProgramState::Running,
         &expect![[r#"
         program: look: a program runs
-          the arm moves by it: stop it first, or let it end
+          it may move the arm: stop it first, or wait for its end
     "#]],
     );
     assert_state(
         |state| state.program_state = ProgramState::Paused,
         &expect![[r#"
         program: look: a program is paused
-          it moves the arm when somebody resumes it: `stop_program` ends it
+          it may move the arm when somebody resumes it: `stop_program` ends it
     "#]],
     );
     assert_state(
@@ -143,7 +143,7 @@ fn frames() {
     assert_found(
         |controller| controller.set_status([("current_tool_id".to_owned(), json!(15))]),
         &expect![[r#"
-        tool_frame: look: 15, of which the controller tells no offset
+        tool_frame: look: 15, without an offset from the controller
           look at its offset at the pendant: poses are of this frame
     "#]],
     );
@@ -155,14 +155,14 @@ fn settings() {
         |state| state.payload.mass = 0.0,
         &expect![[r#"
         payload: look: 0 kg
-          set what the arm carries, the gripper included: `set_payload`
+          set the load of the arm with the gripper: `set_payload`
     "#]],
     );
     assert_state(
         |state| state.rapid_rate = 0.5,
         &expect![[r#"
         rapid_rate: look: 0.5 of 1
-          motions have another speed than they ask for: set it with `set_rapid_rate`
+          motions run at another speed than requested: set it with `set_rapid_rate`
     "#]],
     );
     assert_state(
@@ -183,7 +183,7 @@ fn settings() {
         |state| state.on_soft_limit = 1,
         &expect![[r#"
         soft_limit: look: hit (`on_soft_limit` is 1)
-          look which joint it is, and jog it back
+          find the joint, and jog it back
     "#]],
     );
 }
@@ -240,7 +240,7 @@ fn a_query_without_an_answer() {
         |controller| controller.inject_for("get_payload", Fault::Drop),
         &expect![[r#"
             payload: look: no reply to `get_payload` within 5s
-              check the network, and whether the controller is busy, and check again
+              check the network and the load of the controller, then run the check again
         "#]],
     );
     // Later items are not checked.

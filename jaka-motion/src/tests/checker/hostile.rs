@@ -97,7 +97,7 @@ fn each_branch_of_an_end_move_counts() {
     let checker = bare(zu5().with_joint_range(3, -175.0, 0.0).expect("tighter"));
     assert!(checker.check_line(ELBOW_UP.into(), to, SLOW).is_ok());
     let found = checker.check_end_move(ELBOW_UP.into(), to, PACE).unwrap_err().to_string();
-    let end = "; limit 0, if the controller chooses so among the joint positions for the pose (Zu 5)";
+    let end = "; limit 0, for one of the joint positions that the controller may choose for the pose (Zu 5)";
     assert!(found.starts_with("joint 3 would be at ") && found.ends_with(end), "{found}");
     let far = checker.check_end_move(ELBOW_UP.into(), moved(ELBOW_UP, [2e3, 0.0, 0.0]), PACE).unwrap_err();
     assert!(matches!(far.exceeded, Exceeded::OutOfReach { .. }), "{far}");

@@ -123,7 +123,7 @@ fn a_line_that_only_turns_is_checked_but_for_joint_speeds() {
     assert!(matches!(found.exceeded, Exceeded::JointRange { joint: 6, .. }), "{found}");
     refused(
         &checker.check_line(ELBOW_UP.into(), turned(ELBOW_UP, 180.0).into(), SLOW),
-        "the tool would turn half way round, and which way is not known (Zu 5)",
+        "the tool would turn by 180 deg, and the direction is not known (Zu 5)",
     );
 }
 

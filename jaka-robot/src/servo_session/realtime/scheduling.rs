@@ -33,7 +33,7 @@ impl Scheduling {
             ThreadSchedulePolicy::Realtime(_) => parameters.sched_priority,
         };
         let priority = priority_of(policy, number).ok_or_else(|| {
-            io::Error::new(io::ErrorKind::Unsupported, "its own scheduling policy could not be given back")
+            io::Error::new(io::ErrorKind::Unsupported, "its scheduling policy could not be restored")
         })?;
         Ok(Self { policy, priority })
     }
