@@ -134,7 +134,9 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
             "find out who has changed it, and select the frames for which the motion is meant: `jaka call set_tool_id`, \
              `jaka call set_user_id`"
         }
-        Remedy::ConnectAndStop => "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm",
+        Remedy::ConnectAndStop => {
+            "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm"
+        }
         Remedy::Connection(jaka_sync::Remedy::CheckFirmware) => "`jaka call get_version` reads the firmware",
         Remedy::Connection(jaka_sync::Remedy::CheckNetwork | jaka_sync::Remedy::ConnectStatusAgain) => {
             "check the network; try `jaka stop`: commands may still pass"

@@ -81,7 +81,10 @@ fn a_seat_that_is_taken_is_named_by_the_first_command_that_needs_it() {
     for line in ["call rapid_rate --rate 0.2 --yes", "up --yes", "jog 6 5 --speed 5 --yes"] {
         let broken = controller.run(line);
         assert_eq!((broken.code, broken.out.as_str()), (Some(4), ""), "{broken:?}");
-        assert!(broken.err.contains("another client, such as the vendor's app, may hold its one seat"), "{broken:?}");
+        assert!(
+            broken.err.contains("another client, such as the vendor's app, may have taken the command port"),
+            "{broken:?}"
+        );
     }
 }
 

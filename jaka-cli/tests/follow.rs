@@ -87,7 +87,7 @@ fn points_without_times_are_planned() {
         slow.text()
     );
     for (options, expected) in [
-        ("--within-mm 0.2", "name joint positions near it, or start with some (--near)"),
+        ("--within-mm 0.2", "give joint positions near it, or a first way-point in joints (--near)"),
         ("", "its points have no times: --within-mm or --within-deg lead along a smooth curve near them"),
     ] {
         let refused = dry(options);

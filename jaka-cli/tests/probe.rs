@@ -76,7 +76,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
     });
     expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
-        title = "What 1.6.5_01_X86 sends beyond the spec"
+        title = "Messages of 1.6.5_01_X86 beyond the spec"
 
         [[extend]]
         target = "RobotStatus"
@@ -111,7 +111,7 @@ fn a_key_of_the_status_packet_that_took_the_place_of_another_is_proposed_as_its_
     });
     expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
-        title = "What 1.6.5_01_X86 sends beyond the spec"
+        title = "Messages of 1.6.5_01_X86 beyond the spec"
 
         # TODO: a proposal, to be checked by somebody. status packet: `inpos` is missing, and `in_pos` is new and looks like it: true
         [[override]]

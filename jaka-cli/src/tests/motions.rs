@@ -87,7 +87,7 @@ fn a_seat_that_is_taken_during_a_move_is_told_at_once() {
     for part in [
         "the arm may still move",
         "such as the vendor's app",
-        "hint: use the emergency stop, or `jaka stop`, which takes the seat back",
+        "hint: use the emergency stop, or `jaka stop`, which takes the command port back",
     ] {
         assert!(run.err.contains(part), "{run:?}");
     }

@@ -148,7 +148,11 @@ fn a_connection_that_always_breaks_is_given_up() {
     controller.inject_always(Fault::Close);
     let run = probe(&controller, &[]);
     assert_eq!((run.code, run.out.as_str(), controller.requests().len()), (4, "", 1));
-    assert!(run.err.contains("another client, such as the vendor's app, may hold its one seat"), "{}", run.err);
+    assert!(
+        run.err.contains("another client, such as the vendor's app, may have taken the command port"),
+        "{}",
+        run.err
+    );
 
     let controller = arm(Firmware::Document);
     controller.inject(Fault::None);
@@ -173,7 +177,7 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
     assert_eq!(run.code, 7, "{}", run.text());
     expect![[r#"
         # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
-        title = "What a controller of unknown version sends beyond the spec"
+        title = "Messages of a controller of unknown version beyond the spec"
 
         # TODO: whether this is right. get_version: unreadable: `version` is 17; expected is text
         [[override]]

@@ -97,7 +97,7 @@ fn a_stop_that_is_not_taken_is_told() {
     interrupt(&child);
     let run = result(child);
     assert_eq!(run.code, Some(29), "{run:?}");
-    assert!(run.err.contains("the controller has not taken the stop; the arm may still move"), "{run:?}");
+    assert!(run.err.contains("the controller did not accept the stop; the arm may still move"), "{run:?}");
 }
 
 #[cfg(unix)]

@@ -105,10 +105,13 @@ fn program(state: &ProgramState, packet: Option<&RobotStatus>) -> Judgement {
     let paused = packet.is_some_and(|packet| packet.paused == Some(true));
     match state {
         ProgramState::Idle if !paused => Judgement::nothing("none runs"),
-        ProgramState::Running => Judgement::look("a program runs", "it may move the arm: stop it first, or wait for its end"),
-        ProgramState::Idle | ProgramState::Paused => {
-            Judgement::look("a program is paused", "it may move the arm when somebody resumes it: `stop_program` ends it")
+        ProgramState::Running => {
+            Judgement::look("a program runs", "it may move the arm: stop it first, or wait for its end")
         }
+        ProgramState::Idle | ProgramState::Paused => Judgement::look(
+            "a program is paused",
+            "it may move the arm when somebody resumes it: `stop_program` ends it",
+        ),
         other => {
             Judgement::look(format!("the state is {:?}, which is not known", other.as_ref()), "look at the pendant")
         }

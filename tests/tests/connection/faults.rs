@@ -69,8 +69,7 @@ fn refused_connect() {
     let address = nobody.address();
     let error = Client::connect(address).expect_err("nobody listens");
     assert!(error.is_connect() && !error.may_have_run());
-    let seat =
-        "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port";
+    let seat = "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port";
     assert_eq!(error.to_string(), format!("cannot connect to {address}; {seat}"));
     let ErrorKind::Connect { source, .. } = error.kind() else { panic!("it is a connect error") };
     assert_eq!(source.kind(), std::io::ErrorKind::ConnectionRefused);

@@ -211,7 +211,7 @@ fn a_start_elsewhere_is_refused_unless_an_approach_is_asked_for() {
     assert_eq!(
         error.to_string(),
         "the trajectory was not started: it starts with joint 3 at 80.000 deg, and the arm has it at 78.000 deg, 2.000 deg away; move the arm there \
-         first, or ask for an approach (`FollowConfig::approach`)"
+         first, or set an approach (`FollowConfig::approach`)"
     );
     assert_nothing_sent(&arm);
     let end = robot.start_follow(&made(&curve), &config().approach(10.0)).expect("the way is free").wait();

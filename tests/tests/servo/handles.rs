@@ -51,7 +51,7 @@ fn assert_outputs_alone_pass(arm: &Arm, other: &mut Client) {
     ];
     for error in errors {
         assert!(is_kept_back(&error), "{error:?}");
-        assert!(error.to_string().contains("leads the arm"), "{error}");
+        assert!(error.to_string().contains("moves the arm"), "{error}");
     }
     assert_eq!(names(arm).iter().filter(|name| !name.starts_with("servo_")).count(), before, "nothing was sent");
 }

@@ -309,7 +309,7 @@ fn a_way_that_is_not_known_is_not_gone() {
     let mut session = entered(&mut robot);
     session.send_pose(Pose { z: pose.z + 0.5, ..pose }).expect("a small step");
     let error = session.send_joints(arm.state().joint_position).expect_err("where the joints are is not known");
-    assert!(error.to_string().contains("whose distance from the one before is not known"), "{error}");
+    assert!(error.to_string().contains("a set-point at an unknown distance from the previous one"), "{error}");
     assert!(!names(&arm).contains(&"servo_j".to_owned()));
 }
 

@@ -171,8 +171,7 @@ fn what_cannot_be_is_refused_and_named() {
     refused(Trajectory::curve([HOME; 3]).within_deg(1.0), "all way-points are at one place");
     let text = "way-point 3: after the first, the points of a curve are all joint positions or all poses";
     refused(Trajectory::curve([Via::from(HOME), HOME.into(), home().into()]).within_deg(1.0), text);
-    let text =
-        "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
+    let text = "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
     refused(Trajectory::curve([home(), home()]), text);
     let far = Pose { x: 1500.0, ..home() };
     let error = through_poses(&[home(), poses[3], far]).within_mm(1.0).build(&checker).unwrap_err().to_string();

@@ -155,8 +155,7 @@ fn what_cannot_be_is_refused_and_named() {
     refused(through(&[]), "a trajectory takes at least 2 way-points; given 0");
     refused(through(&[start]), "a trajectory takes at least 2 way-points; given 1");
     refused(through(&[start, start, pose.into()]), "all way-points are at one place");
-    let text =
-        "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
+    let text = "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
     refused(through(&[pose.into(), start]), text);
     let two = through(&[start, [0.0; 6].into()]);
     refused(two.clone().corner_mm(-1.0), "corner_mm: -1 is not finite and at least 0");

@@ -32,9 +32,8 @@ impl Scheduling {
             ThreadSchedulePolicy::Normal(_) => nice_value()?,
             ThreadSchedulePolicy::Realtime(_) => parameters.sched_priority,
         };
-        let priority = priority_of(policy, number).ok_or_else(|| {
-            io::Error::new(io::ErrorKind::Unsupported, "its scheduling policy could not be restored")
-        })?;
+        let priority = priority_of(policy, number)
+            .ok_or_else(|| io::Error::new(io::ErrorKind::Unsupported, "its scheduling policy could not be restored"))?;
         Ok(Self { policy, priority })
     }
 
