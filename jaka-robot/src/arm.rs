@@ -37,14 +37,14 @@ use crate::{
     Snapshot,
 };
 
-/// Monitor of an arm, whatever it keeps of packets.
+/// Monitor of an arm, for any type of its status.
 pub(crate) trait StatusSource: Send + Sync {
     fn statistics(&self) -> MonitorStatistics;
 
     /// Fields that packets never have: [`MotionStatus::absent`].
     fn absent(&self) -> &'static [&'static str];
 
-    /// Fails where the connection has ended.
+    /// Fails if the connection has ended.
     fn check_open(&self) -> Result<(), jaka_sync::Error>;
 
     /// Waits for the next packet: as [`Monitor::next_packet`].
@@ -76,7 +76,7 @@ impl<S: MotionStatus> StatusSource for Monitor<S> {
     }
 }
 
-/// Status port of an arm: its monitor, and the status that it has told.
+/// Status port of an arm: its monitor, and the status from its packets.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StatusPort<'m> {
     pub(crate) source: &'m dyn StatusSource,
@@ -96,8 +96,8 @@ pub(crate) struct Arm {
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,
     pub(crate) position: Position,
-    /// Number of the last stop that had been reported to the program when the arm was lent: a stop after that ends what
-    /// it was lent for, whatever the program acknowledges.
+    /// Number of the last stop that had been reported to the program when the arm was lent. A later stop ends the use
+    /// of the arm, also after an acknowledgement by the program.
     told: Option<u64>,
     /// Number of this program's frame changes at the time of its last motion; packets may be older than a later change.
     frame_changes: u64,
@@ -121,7 +121,7 @@ impl Arm {
         Self { client, source, state, position, told, frame_changes: self.frame_changes }
     }
 
-    /// Client of the arm, for a command after which it may not be where it was.
+    /// Client of the arm, for a command that may change the position of the arm.
     pub(crate) fn client(&mut self) -> &mut Client {
         self.position.note_rest(false);
         &mut self.client
@@ -147,7 +147,7 @@ impl Arm {
         self.link().changes_but_of(self.client.handle())
     }
 
-    /// Record of changes under way (selected frames, rapid rate) that begins now.
+    /// Record of changes under way (selected frames, rapid rate), beginning now.
     pub(crate) fn under_way(&self) -> UnderWay {
         let is_current = self.frame_changes == self.link().frame_changes();
         let newest = self.state.newest_packet().filter(|_| is_current);
@@ -159,12 +159,12 @@ impl Arm {
         self.frame_changes = frame_changes;
     }
 
-    /// Keeps back what other handles of the connection send, but for what passes.
+    /// Keeps back commands of other handles of the connection, except those of the list.
     pub(crate) fn reserve(&self, reservation: Reservation) -> Reserved {
         self.link().reserve(self.client.handle(), reservation)
     }
 
-    /// Sends a command whose reply is polled for: as [`Link::ask`].
+    /// Sends a command; its reply is polled for, as in [`Link::ask`].
     pub(crate) fn ask<C: Command>(&self, command: &C) -> Result<jaka_sync::layer::Sent<'static>, jaka_sync::Error> {
         self.link().ask(self.client.handle(), C::INFO, &mut |out| command.write_request(out))
     }
@@ -179,7 +179,7 @@ impl Arm {
         self.link().attach(kind.into())
     }
 
-    /// Error for what the state of the arm keeps it from doing.
+    /// Error for an action that the state of the arm prevents.
     pub(crate) fn not_ready(&self, explanation: Explanation) -> Error {
         self.attach(ErrorKind::NotReady { explanation })
     }
@@ -205,8 +205,8 @@ impl Arm {
         self.state.unacknowledged_stop(self.told)
     }
 
-    /// Newest packet for what is not done without it; none where the program has allowed that. If none has come lately,
-    /// waits a little for one.
+    /// Newest packet, for actions that need one; none if the program has allowed them without status. Waits briefly if
+    /// no packet has come lately.
     pub(crate) fn known_status(&self, timeout: Duration) -> Result<Option<Arc<Snapshot>>, Error> {
         match self.state.status_within(timeout) {
             Ok(packet) => Ok(Some(packet)),

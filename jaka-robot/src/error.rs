@@ -21,7 +21,7 @@ use crate::Evidence;
 use crate::cause::Occurrence;
 use crate::{Cause, GuardTrip, Remedy};
 
-/// Error of a call: an [`ErrorKind`], and the last messages of the connection where they are recorded.
+/// Error of a call: an [`ErrorKind`], and the last messages of the connection if they were recorded.
 ///
 /// Two questions matter after an error: may the command have run ([`may_have_run`](Self::may_have_run)), and can the
 /// connection still be used ([`is_disconnected`](Self::is_disconnected)). Nothing is ever sent twice on its own.
@@ -68,7 +68,7 @@ impl Error {
         self.0.kind
     }
 
-    /// Cause of the end of moving, or why moving is kept back: the same for an event in each way of moving.
+    /// Cause of the end of a motion, or of its refusal: the same for an event in each kind of motion.
     pub fn cause(&self) -> Cause {
         self.kind().cause()
     }
@@ -78,7 +78,7 @@ impl Error {
         self.kind().remedy()
     }
 
-    /// Remedy where the arm may have moved: that of the cause, unless the error has one of its own.
+    /// Remedy if the arm may have moved: the cause's, unless the error has its own.
     fn remedy_of_event(&self) -> Remedy {
         match self.remedy() {
             Remedy::None | Remedy::SeeError => self.cause().remedy(),
@@ -93,13 +93,13 @@ impl Error {
 
     /// True if the controller may have carried out the command although the call failed.
     ///
-    /// A call that sends several commands, such as [`Robot::power_up`](crate::Robot::power_up), tells of the one that
-    /// failed: those before it were carried out.
+    /// A call that sends several commands, such as [`Robot::power_up`](crate::Robot::power_up), reports the failed one:
+    /// those before it were carried out.
     pub fn may_have_run(&self) -> bool {
         self.kind().meaning().may_have_run
     }
 
-    /// True if the connection can no longer be used.
+    /// True if the connection is unusable.
     pub fn is_disconnected(&self) -> bool {
         self.kind().meaning().group == Group::Disconnected
     }
@@ -152,7 +152,7 @@ impl Error {
         if let ErrorKind::Connection(error) = self.kind() { Some(error) } else { None }
     }
 
-    /// Error of an end that is not what was commanded.
+    /// Error of an end other than the commanded one.
     fn not_reached(end: End) -> Self {
         let exchanges = end.error.as_ref().map_or_else(Vec::new, |error| error.exchanges().to_vec());
         Self::from(ErrorKind::NotReached { end: Box::new(end) }).with_exchanges(exchanges)
@@ -181,8 +181,8 @@ impl fmt::Debug for Error {
     }
 }
 
-/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`](crate::Remedy) in the
-/// calls of this crate. With `{:#}` the last messages stand below it, where they were recorded.
+/// One line of text: the fact, which is the text of the [`kind`](Error::kind), and the [`Remedy`](crate::Remedy) in
+/// calls of this crate. With `{:#}`, the last messages follow below if they were recorded.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.kind())?;
@@ -219,7 +219,7 @@ impl From<ErrorKind> for Error {
     }
 }
 
-/// A refusal is [`ErrorKind::Refused`], whatever it concerns; all else is [`ErrorKind::Connection`].
+/// A refusal of any command is [`ErrorKind::Refused`]; all else is [`ErrorKind::Connection`].
 impl From<jaka_sync::Error> for Error {
     fn from(error: jaka_sync::Error) -> Self {
         let Some(refusal) = error.refusal().cloned() else { return ErrorKind::Connection(error).into() };
@@ -257,7 +257,7 @@ impl From<SendError<Error>> for Error {
 
 /// Errors with the last messages of a connection.
 pub(crate) trait Attach {
-    /// Attaches the last messages of the connection, where they are recorded.
+    /// Attaches the last messages of the connection, if they were recorded.
     fn attach(&self, error: Error) -> Error;
 }
 

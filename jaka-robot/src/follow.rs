@@ -24,25 +24,25 @@ use crate::{End, Error};
 
 /// A robot that follows a [`Trajectory`], from [`Robot::start_follow`](crate::Robot::start_follow).
 ///
-/// A thread of its own sends a set-point in each servo period, as `servo_j` (4.15). Each is where the trajectory is at
-/// some time of it: [`Follower`](jaka_motion::Follower) tells how that time passes and what is promised of the
-/// set-points. A pause, another speed and a stop, by [handles](FollowHandle), change how fast it passes, smoothly; the
-/// arm is not led off the curve.
+/// A separate thread sends a set-point in each servo period, as `servo_j` (4.15). Each set-point is a point of the
+/// trajectory: [`Follower`](jaka_motion::Follower) describes the passage of trajectory time and the promises for
+/// set-points. A pause, another speed and a stop, by [handles](FollowHandle), change this passage smoothly; the arm
+/// stays on the curve.
 ///
 /// # How it ends
-/// - At the end of the trajectory, or where it was stopped, the last set-point is held until status packets show the
-///   arm at rest there, and servo mode is left.
-/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is no longer known or
-///   does not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow,
-///   the arm is braked along the curve first. Where that would take more than twice as long as braking straight on in
-///   joint space, and half a second more, because the trajectory leaves no acceleration for it, or longer than a
-///   [`RobotStop`](crate::RobotStop) waits, it is braked straight on:
+/// - At the end of the trajectory, or after a stop, the run holds the last set-point until status packets show the arm
+///   at rest there, and leaves servo mode.
+/// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is unknown or does
+///   not show the joints for half a second, a set-point that the controller refuses, or joints that do not follow, the
+///   run brakes the arm along the curve first. It brakes straight on in joint space instead if the curve takes more
+///   than twice as long and half a second more, because the trajectory leaves no acceleration for it, or longer than a
+///   [`RobotStop`](crate::RobotStop) waits:
 ///   [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
 /// - A protective stop, an emergency stop, and a lost or stalled connection end it at once. No source says how an arm
 ///   behaves that is at speed then.
 ///
-/// After a late set-point nothing is skipped. After one that is late by three periods or more, an arm that was slow
-/// goes on from standstill; one at speed ends the run ([`ServoSession`](crate::ServoSession) says more, at "Late
+/// After a late set-point nothing is skipped. After one that is late by three periods or more, a slow arm continues
+/// from standstill; for an arm at speed the run ends ([`ServoSession`](crate::ServoSession) has details at "Late
 /// set-points").
 ///
 /// ```no_run
@@ -75,7 +75,7 @@ pub struct FollowRun<'r> {
 }
 
 impl<'r> FollowRun<'r> {
-    /// Begins a run in a thread of its own.
+    /// Begins a run in a separate thread.
     pub(crate) fn begin(led: LedArm<'r>, trajectory: &Trajectory, config: &FollowConfig) -> Result<Self, Error> {
         let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;

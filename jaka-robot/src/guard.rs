@@ -55,9 +55,9 @@ use crate::inputs::{AnalogCondition, InputCondition};
 /// needs trips it, too, and so does a question that panics: unknown is not good. If packets stay away for
 /// [`Config::stale_after`](crate::Config::stale_after), the arm is stopped.
 ///
-/// Newer firmware is said to have a condition of its own that ends a `movc` at a digital input (one client's remark,
-/// not in the document): where a controller has it, it reacts without packets and network. It is not in this SDK,
-/// because no source shows how it is used.
+/// According to one client's remark, which is not in the document, newer firmware has a condition of its own that ends
+/// a `movc` at a digital input. Such a condition reacts without packets and network. It is not in this SDK, because no
+/// source shows its use.
 #[derive(Debug, Clone)]
 #[must_use = "a guard does nothing until a motion runs under it"]
 pub struct Guard {
@@ -67,8 +67,8 @@ pub struct Guard {
 impl Guard {
     /// A guard by any question about a packet. `text` says when it holds, for reports and errors.
     ///
-    /// It is asked on the monitor's thread, where packets wait meanwhile: it should be short. A key that is absent is
-    /// for the question to decide.
+    /// It runs on the monitor's thread, and packets wait meanwhile: it should be short. It decides on an absent key
+    /// itself.
     pub fn when(text: impl Into<String>, holds: impl Fn(&RobotStatus) -> bool + Send + Sync + 'static) -> Self {
         Self::of(Condition::Question(Question { text: text.into(), holds: Arc::new(holds) }))
     }

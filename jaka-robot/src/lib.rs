@@ -37,7 +37,7 @@ mod sync;
 
 /// Kinematics and limits.
 pub use jaka_motion;
-/// The connection: the crate below, all names of which stand here, too.
+/// The connection: the crate below. This crate exports all its names.
 pub use jaka_sync;
 #[doc(no_inline)]
 pub use jaka_sync::*;

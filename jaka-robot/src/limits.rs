@@ -81,7 +81,7 @@ impl LimitChecks {
         Self(self.0.as_deref().map(lent))
     }
 
-    /// Forgets the end of the last motion: it is no longer known.
+    /// Forgets the end of the last motion.
     pub(crate) fn forget_plan(&mut self) {
         if let Some(limited) = &mut self.0 {
             limited.planned = None;
@@ -100,8 +100,8 @@ impl LimitChecks {
         self.0.as_ref().map(|limited| &limited.checker)
     }
 
-    /// Reason why the last motion, or the first such set-point of the last session, should not have been sent, where it
-    /// was sent all the same.
+    /// Reason against the last motion, or against the first such set-point of the last session, if it was sent all the
+    /// same.
     pub(crate) fn warning(&self) -> Option<String> {
         self.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
     }
@@ -165,7 +165,7 @@ impl LimitChecks {
         self.judged(error).map(|()| target)
     }
 
-    /// Checks a set-point of the tool centre point, and returns its joint positions where they are known.
+    /// Checks a set-point of the tool centre point, and returns its joint positions if they are known.
     pub(crate) fn check_pose(
         &mut self,
         arm: &Arm,
@@ -213,7 +213,7 @@ impl LimitChecks {
 }
 
 impl Limited {
-    /// Makes the checker's frames those of the controller, which has this pose at these joint positions.
+    /// Sets the checker's frames to the controller's, which has this pose at these joint positions.
     fn follow_frames(
         &mut self,
         arm: &mut Arm,
@@ -234,7 +234,7 @@ impl Limited {
         self.agrees(joints, pose) && self.frame_changes == arm.link().frame_changes()
     }
 
-    /// Decides on a check that failed: no error where the command is sent all the same.
+    /// Decides on a failed check: no error if the command is sent all the same.
     fn judged(&mut self, error: Error) -> Result<(), Error> {
         let is_limit = matches!(error.kind(), ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. });
         if !is_limit || self.policy != LimitPolicy::Warn {

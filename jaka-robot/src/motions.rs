@@ -66,8 +66,7 @@ pub struct Guarded<M> {
     guard: Guard,
 }
 
-/// Motion whose request is text, for programs that know its command at run time alone, such as a command line with
-/// packs.
+/// Motion whose request is text, for programs that learn its command at run time, such as a command line with packs.
 ///
 /// The text is sent unchanged, byte for byte, and unchecked: check it first, as `jaka-dynamic` does.
 #[derive(Debug, Clone)]

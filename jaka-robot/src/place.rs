@@ -24,7 +24,7 @@ pub(crate) enum Place {
     Pose(Pose),
 }
 
-/// Quantity in which a place is given: each has a query of its own.
+/// Quantity of a place: each has a query of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Joints,

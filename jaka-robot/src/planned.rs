@@ -184,7 +184,7 @@ impl Moving<'_> {
         let mut report = Report::of_wait(since.passed()).without(self.arm.absent());
         report.saw(&rule.batch.under_way);
         if consequence == Consequence::GoesOn {
-            // The motions may go on: they can be waited for again.
+            // The motions may continue: the program can wait for them again.
             self.planned.batch = Some(rule.batch);
         }
         let mut end = End::new(occurrence, rest, report);
@@ -241,7 +241,7 @@ impl Moving<'_> {
         self.arm.link().record_motion(step, || end.occurrence.to_string());
     }
 
-    /// The program is told of the stops that have ended a motion, if they have.
+    /// Reports to the program the stops that have ended a motion, if any.
     fn report(&mut self, end: &End) {
         if end.occurrence.cause == Cause::Stopped {
             self.arm.state.lock().stops.report_taken();

@@ -1,4 +1,4 @@
-//! Powering and enabling the arm, and the way back.
+//! Power and enabling of the arm, and the reverse.
 
 use std::fmt;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl fmt::Display for PowerStep {
 /// Called for each step.
 type Observer<'o> = &'o mut dyn FnMut(PowerStep);
 
-/// The steps of a call, how long all of them may take, and the stop after which no other is sent.
+/// The steps of a call, the time limit for all of them, and the last stop before it: a later one ends the steps.
 struct Steps<'o> {
     observer: Observer<'o>,
     since: Stopwatch,

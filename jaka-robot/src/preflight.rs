@@ -37,7 +37,7 @@ pub struct Preflight {
 }
 
 impl Preflight {
-    /// Settings that no query tells, each with its effect. Look at them at the pendant.
+    /// Settings without a query, each with its effect. Look at them at the pendant.
     pub const AT_THE_PENDANT: &[(&str, &str)] = &[
         ("remote control", "acceptance of motions from this program"),
         ("mounting", "direction of the mounting; poses and kinematics depend on it"),
@@ -49,8 +49,8 @@ impl Preflight {
     pub const NOTE: &str = "\"Nothing found\" is not \"safe\": states and settings were read, and nothing is known of the \
                             cell, the people in it, the tool, and where the arm will move.";
 
-    /// Connects to a controller's two ports, and does what [`Robot::preflight`](crate::Robot::preflight) does: for a
-    /// new robot, since a port that cannot be connected to is a finding.
+    /// Connects to a controller's two ports, and does the same as [`Robot::preflight`](crate::Robot::preflight): for a
+    /// new robot, since a port without a connection is a finding.
     ///
     /// The command port serves one client: another program that is connected there may be disconnected.
     pub fn read_at(config: &Config, commands_address: impl Display, status_address: impl Display) -> Self {
@@ -67,7 +67,7 @@ impl Preflight {
         Self::read_as::<RobotStatus>(config, commands_address, status_address, Some(limits))
     }
 
-    /// Reads an arm by another type of status packets, such as that of a [pack](crate::pack!):
+    /// Reads an arm by another type of status packets, such as a [pack](crate::pack!)'s:
     /// `Preflight::read_as::<newer::RobotStatus>(…)`.
     pub fn read_as<S: MotionStatus>(
         config: &Config,
@@ -95,7 +95,7 @@ impl Preflight {
         self.findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::NotChecked)
     }
 
-    /// Reads an arm that is connected, and should be that of these limits.
+    /// Reads a connected arm, and compares it with these limits.
     pub(crate) fn of(client: &mut Client, status: StatusPort<'_>, limits: Option<&Limits>) -> Self {
         Self::read(Ok(client), Ok(status), &Expected(limits.cloned()))
     }
@@ -141,8 +141,7 @@ impl serde::Serialize for Preflight {
     }
 }
 
-/// A table of the findings, and below it the settings that no query tells, the number of findings, and the note on the
-/// verdicts.
+/// A table of the findings, then the settings without a query, the number of findings, and the note on the verdicts.
 impl Display for Preflight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for finding in &self.findings {

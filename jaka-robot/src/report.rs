@@ -25,18 +25,18 @@ pub struct Report {
     pub cycles: u64,
     /// Set-points sent more than half a period late.
     pub late_cycles: u64,
-    /// Gaps: set-points that were late by three periods or more. The arm is taken to have stood then.
+    /// Gaps: set-points late by three periods or more. The SDK assumes that the arm rested then.
     pub gaps: u64,
     /// The longest of these, by the lateness of the set-point after it; zero without a gap.
     #[cfg_attr(feature = "serde", serde(rename = "longest_gap_s", serialize_with = "form::seconds"))]
     pub longest_gap: Duration,
-    /// Set-points of the landing: those that braked the arm, and those that held it.
+    /// Set-points of the landing, which braked the arm and held it.
     pub landing_cycles: u64,
     /// Answers that accepted a set-point.
     pub accepted: u64,
     /// Answers that refused one.
     pub refused: u64,
-    /// Set-points whose answers never came.
+    /// Set-points without an answer.
     pub unanswered: u64,
     /// The most answers that were outstanding at once.
     pub most_outstanding: usize,
@@ -67,11 +67,11 @@ pub struct TrajectoryReport {
     /// Duration of the trajectory at its own speed.
     #[cfg_attr(feature = "serde", serde(rename = "duration_s", serialize_with = "form::seconds"))]
     pub duration: Duration,
-    /// True if the arm was braked straight on in joint space, and so off the trajectory, because braking along it would
-    /// have taken too long: see [`FollowRun`](crate::FollowRun). So it is, at speed, also where the run's own thread
-    /// has panicked.
+    /// True if the arm was braked straight on in joint space, off the trajectory, because braking along it would have
+    /// taken too long: see [`FollowRun`](crate::FollowRun). This also holds at speed after a panic of the run's own
+    /// thread.
     pub has_left_curve: bool,
-    /// Lag of the arm behind its set-points, by status packets; none if these do not tell.
+    /// Lag of the arm behind its set-points, by status packets; `None` if these do not show it.
     pub lag: Option<FollowLag>,
 }
 
@@ -117,7 +117,7 @@ impl Report {
         Self { absent, ..self }
     }
 
-    /// Notes what has changed under way.
+    /// Records changes under way.
     pub(crate) fn saw(&mut self, under_way: &UnderWay) {
         (self.frames, self.rapid_rate) = (under_way.frames(), under_way.rapid_rate());
     }

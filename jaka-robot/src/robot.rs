@@ -28,7 +28,7 @@ use crate::{
 #[cfg(feature = "stream")]
 use crate::{Stream, StreamConfig};
 
-/// A robot whose motions are waited for: a [`Client`] for commands and a [`Monitor`] for their effects.
+/// A robot with motions that end: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
 /// ```no_run
 /// use std::time::Duration;
@@ -49,16 +49,15 @@ use crate::{Stream, StreamConfig};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A status packet alone does not end a motion, because it cannot show its age: when packets say that the arm is in
-/// position, the controller is asked where it is (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each
-/// motion.
+/// A status packet alone does not end a motion, because it cannot show its age: if packets show the arm in position,
+/// the robot queries the position (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each motion.
 ///
 /// After a protective stop, an emergency stop or a silent status port, motions are refused until
 /// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused
 /// while the status is stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or
 /// enabled again, automatically.
 ///
-/// `S` is what its monitor keeps of status packets: [`MotionStatus`].
+/// `S` is the type of its monitor's status packets: [`MotionStatus`].
 #[derive(Debug)]
 #[must_use = "dropping a robot closes its connections, and its stop handles can no longer stop the arm"]
 pub struct Robot<S: MotionStatus = RobotStatus> {
@@ -75,7 +74,7 @@ impl<S: MotionStatus> Robot<S> {
         Moving { arm, limits, planned }
     }
 
-    /// The parts that a session leads.
+    /// The parts that a session uses.
     fn led(&mut self) -> LedArm<'_> {
         let has_motions = self.planned.has_motions();
         LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions }
@@ -113,8 +112,7 @@ impl Robot<RobotStatus> {
         Self::connect_at(config, &address, &address)
     }
 
-    /// Connects to a controller whose two ports have addresses of their own: a simulated one, or one that is reached
-    /// through a proxy.
+    /// Connects to a controller with a separate address for each port: a simulated one, or one behind a proxy.
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -146,8 +144,8 @@ impl Robot<RobotStatus> {
 }
 
 impl<S: MotionStatus> Robot<S> {
-    /// A robot of two connections, with a monitor of another type of status packets, such as the one of a
-    /// [pack](crate::pack!): `Robot::<newer::RobotStatus>::with_monitor(…)`.
+    /// A robot of two connections, with a monitor of another type of status packets, such as a [pack](crate::pack!)'s:
+    /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
         let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
@@ -174,8 +172,8 @@ impl<S: MotionStatus> Robot<S> {
         Ok(())
     }
 
-    /// Powers and enables the arm, each step when the controller says that the one before is done (`get_robot_state`,
-    /// 4.12), and waits until the status packets say so, too. It usually takes about 12 s, in which each step is logged
+    /// Powers and enables the arm, each step after the controller has confirmed the previous one (`get_robot_state`,
+    /// 4.12), and waits until status packets confirm it, too. It usually takes about 12 s, and logs each step
     /// (`log::info!`).
     ///
     /// # Errors
@@ -259,9 +257,9 @@ impl<S: MotionStatus> Robot<S> {
         self.moving().run(motion, timeout)
     }
 
-    /// Sends a motion, which starts when those before it have ended. [`wait`](Self::wait) then waits for all of them.
+    /// Sends a motion, which starts after the end of the earlier ones. [`wait`](Self::wait) then waits for all of them.
     ///
-    /// If the first motion is one by an offset, the controller is asked first where the arm is.
+    /// If the first motion is by an offset, the robot queries the position of the arm first.
     ///
     /// # Errors
     /// As [`Client::call`]. Nothing that moves the arm was sent after [`ErrorKind::NotAcknowledged`] (a stop or a
@@ -274,8 +272,8 @@ impl<S: MotionStatus> Robot<S> {
         self.moving().send(PlannedMotion::of(motion), timeout, None)
     }
 
-    /// Waits for the end of all motions that were started; at once, with [`Cause::NoMotion`], if there are none. Once
-    /// the command connection is lost, no longer than until the next status packet: [`Cause::CommandsLost`].
+    /// Waits for the end of all started motions; returns at once with [`Cause::NoMotion`] if there are none. After the
+    /// loss of the command connection it waits at most until the next status packet: [`Cause::CommandsLost`].
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> End {
         self.moving().wait(timeout)
@@ -289,8 +287,8 @@ impl<S: MotionStatus> Robot<S> {
         self.arm.unacknowledged()
     }
 
-    /// Confirms that somebody has checked the robot: motions are sent again, unless something else prevents them, such
-    /// as a stop that is on its way.
+    /// Confirms that somebody has checked the robot. Motions are sent again, unless something else prevents them, such
+    /// as a stop on its way.
     pub fn acknowledge(&mut self) {
         self.arm.state.acknowledge();
         if self.planned.give_up() {
@@ -308,9 +306,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The client, for all other commands.
     ///
-    /// Motions that are sent through it are neither refused after a stop nor waited for, nor checked against limits.
-    /// With limits, where a queue of motions ends is not known after a call of this: wait for its end before the next
-    /// motion.
+    /// Motions through it are neither refused after a stop, nor awaited, nor checked against limits. With limits, the
+    /// end of a queue of motions is unknown after a call of this: wait for its end before the next motion.
     #[doc(alias = "get_joint_pos")]
     #[doc(alias = "get_tcp_pos")]
     #[doc(alias = "set_digital_output")]
@@ -339,16 +336,16 @@ impl<S: MotionStatus> Robot<S> {
         self.limits.checker()
     }
 
-    /// Reason why the last motion, or the first such set-point of the last session, should not have been sent, where it
-    /// was sent all the same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
+    /// Reason against the last motion, or against the first such set-point of the last session, if it was sent all the
+    /// same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
     pub fn limit_warning(&self) -> Option<String> {
         self.limits.warning()
     }
 
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
     ///
-    /// Nothing is sent: status packets tell it. A level counts at once if the newest packet has it. An edge is one
-    /// between two packets after the call; one that is gone again within a period of the packets, 30 to 100 ms, is
+    /// Sends nothing: status packets show the input. A level counts at once if the newest packet has it. An edge lies
+    /// between two packets after the call; an edge that reverts within a period of the packets, 30 to 100 ms, is
     /// missed.
     ///
     /// ```no_run
@@ -385,11 +382,11 @@ impl<S: MotionStatus> Robot<S> {
     /// firmware, power, stops, events, frames, payload, rates, and the speed of packets and replies. Takes some two
     /// seconds; nothing is changed on the controller.
     ///
-    /// Also compares the arm's model, which is that of its limits or else any published one, with the controller's
-    /// computations (`kine_forward`, which moves nothing), and the place of the arm with the limits.
+    /// Also compares the arm's model, by its limits or else any published one, with the controller's computations
+    /// (`kine_forward`, which moves nothing), and the place of the arm with the limits.
     ///
-    /// An item that cannot be read is a finding, too. If the command port is lost on the way, or does not answer two
-    /// queries one after the other, its other items are [not checked](crate::preflight::Verdict::NotChecked).
+    /// An unreadable item is a finding, too. If the command port is lost, or does not answer two queries in a row, its
+    /// other items are [not checked](crate::preflight::Verdict::NotChecked).
     ///
     /// ```
     /// use jaka_sim::Controller;
@@ -432,21 +429,21 @@ impl<S: MotionStatus> Robot<S> {
         ServoSession::enter(self.led(), &config.into())
     }
 
-    /// Follows a trajectory, and returns when the arm is at rest at its end, or why it is not. It stops along the
-    /// trajectory where it is not done by the deadline.
+    /// Follows a trajectory, and returns when the arm is at rest at its end, or with the cause of another end. At the
+    /// deadline it stops along the trajectory.
     ///
-    /// The arm must be where the trajectory starts: see [`FollowConfig::approach`].
+    /// The arm must be at the start of the trajectory: see [`FollowConfig::approach`].
     ///
     /// # Errors
-    /// As [`start_follow`](Self::start_follow). All that happens after the first set-point is told by the [`End`].
+    /// As [`start_follow`](Self::start_follow). The [`End`] reports everything after the first set-point.
     pub fn follow(&mut self, trajectory: &Trajectory, deadline: Duration) -> Result<End, Error> {
         Ok(self.start_follow(trajectory, &FollowConfig::new().deadline(deadline))?.wait())
     }
 
     /// Begins to follow a trajectory.
     ///
-    /// All of it is compared with the robot's limits before the first set-point, with the tool and the frames that the
-    /// controller has now, whatever it was compared with before; also where the limits' policy is only to warn.
+    /// The robot compares all of it with its limits before the first set-point, with the present tool and frames of the
+    /// controller, independent of earlier comparisons; also if the limits' policy is only to warn.
     ///
     /// # Errors
     /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering";
@@ -464,7 +461,7 @@ impl<S: MotionStatus> Robot<S> {
 impl<S: MotionStatus> Robot<S> {
     /// Enters servo mode, in which the arm goes to targets and velocities that any thread may give at any time.
     ///
-    /// It begins at rest, where the controller's own answer says that the joints are to be.
+    /// It begins at rest, at the commanded joints by the controller's own answer.
     ///
     /// # Errors
     /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no

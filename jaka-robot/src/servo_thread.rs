@@ -1,4 +1,4 @@
-//! Threads with an arm of their own, whose set-points go out while the program does something else.
+//! Threads that own an arm and send set-points while the program does something else.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,11 +19,11 @@ pub(crate) struct ServoThread<T> {
     pub(crate) was_awaited: bool,
 }
 
-/// Sender of what the work has begun with, or the error of its beginning.
+/// Sender of the result of the beginning, or of its error.
 pub(crate) type Begun<B> = Sender<Result<B, Error>>;
 
 impl<T: Send + 'static> ServoThread<T> {
-    /// Starts the work, and waits until it has begun. It ends with nothing where it does not begin.
+    /// Starts the work, and waits for its beginning. Without one, the work ends without a result.
     pub(crate) fn start<B: Send + 'static>(
         name: &str,
         mut lent: LentArm,
@@ -74,7 +74,7 @@ fn one_shot<T>(clock: &Clock) -> (Arc<OneShot<T>>, Sender<T>) {
 }
 
 impl<T> OneShot<T> {
-    /// Waits for the value; none where the sender was dropped before, or it was taken.
+    /// Waits for the value; `None` if the sender was dropped before, or the value was taken.
     fn receive(&self) -> Option<T> {
         let slot = self
             .0
@@ -92,7 +92,7 @@ impl<T> OneShot<T> {
     }
 }
 
-/// Sender of a one-shot channel. The receiver learns where it is dropped without a value, such as by a panic.
+/// Sender of a one-shot channel. The receiver notices a drop without a value, such as by a panic.
 #[derive(Debug)]
 pub(crate) struct Sender<T>(Arc<OneShot<T>>);
 

@@ -49,31 +49,31 @@ impl StreamConfig {
         Self::default()
     }
 
-    /// Sets how set-points go out: their period, the filter, how long entering may take, and more.
+    /// Sets the options of set-points: period, filter, timeout of servo mode and more.
     pub fn servo(mut self, servo: ServoConfig) -> Self {
         self.servo = servo;
         self
     }
 
-    /// Sets how fast joints may move: by default with the speeds and accelerations of the robot's limits, and jerks
-    /// with which a joint reaches its acceleration in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the
-    /// limits are an [`ErrorKind::InvalidOption`].
+    /// Sets the dynamics of the joints: by default the speeds and accelerations of the robot's limits, and jerks with
+    /// which a joint reaches its acceleration in 0.1 s, which is ours ([`Dynamics::of`]). Dynamics beyond the limits
+    /// are an [`ErrorKind::InvalidOption`].
     pub fn dynamics(mut self, dynamics: Dynamics) -> Self {
         self.dynamics = Some(dynamics);
         self
     }
 
-    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by
-    /// default. Beyond that the stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no number, is
-    /// an [`ErrorKind::InvalidOption`].
+    /// Sets the greatest distance of a joint from all its set-points of the last half second, in degrees, by status
+    /// packets: 5 by default. Beyond it the stream lands, and ends with [`ErrorKind::Departed`]. Less than 0.001, or no
+    /// number, is an [`ErrorKind::InvalidOption`].
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
     }
 
-    /// Sets how late a set-point may be while the arm is slow: 100 ms by default. Beyond that the stream ends with
-    /// [`ErrorKind::SetPointLate`]. In the middle of a motion it ends so after three periods
-    /// ([`ServoSession`](crate::ServoSession) says when, at "Late set-points"); a slow arm goes on from standstill.
+    /// Sets the greatest lateness of a set-point of a slow arm: 100 ms by default. Beyond it the stream ends with
+    /// [`ErrorKind::SetPointLate`]. At speed it ends so after three periods ([`ServoSession`](crate::ServoSession) has
+    /// details at "Late set-points"); a slow arm continues from standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;
         self
@@ -109,12 +109,12 @@ impl StreamConfig {
     }
 }
 
-/// A robot on the way to targets and velocities that its [handles](StreamHandle) give, from
+/// A robot that moves to targets and velocities of its [handles](StreamHandle), from
 /// [`Robot::stream`](crate::Robot::stream).
 ///
-/// A thread of its own generates a set-point in each servo period, within the speeds, accelerations and jerks of
-/// [`StreamConfig::dynamics`] and the robot's limits, whatever the targets are and however often they change, and sends
-/// it as `servo_j` (4.15). [`Generator`](jaka_motion::Generator) states its guarantees for the set-points.
+/// A separate thread generates a set-point in each servo period, within the speeds, accelerations and jerks of
+/// [`StreamConfig::dynamics`] and the robot's limits, for any targets at any rate, and sends it as `servo_j` (4.15).
+/// [`Generator`](jaka_motion::Generator) states its guarantees for the set-points.
 ///
 /// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a
 /// status that is no longer known, joints that do not follow their set-points. After a set-point that is three periods
@@ -149,7 +149,7 @@ pub struct Stream<'r> {
 }
 
 impl<'r> Stream<'r> {
-    /// Begins a stream in a thread of its own.
+    /// Begins a stream in a separate thread.
     pub(crate) fn begin(led: LedArm<'r>, config: &StreamConfig) -> Result<Self, Error> {
         let guard = SetPointGuard::arm(led.arm, config.guard.as_ref())?;
         config.check()?;

@@ -34,7 +34,7 @@ impl SelectedFrames {
         Self { tool: status.current_tool_id, user: status.current_user_frame_id }
     }
 
-    /// Change from these frames to those of a packet: of an id that one of both does not have, none is known.
+    /// Change from these frames to a packet's: of an id that one of both does not have, no change is known.
     pub(crate) fn change_to(self, status: &RobotStatus) -> Option<FrameChange> {
         let change = FrameChange { before: self, after: Self::of(status) };
         change.ids().next().is_some().then_some(change)

@@ -40,7 +40,7 @@ pub(crate) struct Position {
     rests: Option<u64>,
 }
 
-/// A query whose answer has not been taken.
+/// A query without an answer yet.
 #[derive(Debug)]
 pub(crate) struct Query {
     question: Sent<'static>,
@@ -133,7 +133,7 @@ impl Position {
         Ok(Some(place(reply)))
     }
 
-    /// The arm's position now; `None` where the controller does not say it. Waits no longer than for any reply.
+    /// The arm's position now; `None` if the controller does not report it. Waits no longer than for any reply.
     pub(crate) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
         let (since, timeout) = (self.clock().stopwatch(), timeout.min(self.reply_timeout));
         loop {
@@ -152,14 +152,14 @@ impl Position {
         }
     }
 
-    /// The pose of the tool centre point now; `None` where the controller does not say it.
+    /// The pose of the tool centre point now; `None` if the controller does not report it.
     pub(crate) fn tcp_pose(&mut self, timeout: Duration) -> Result<Option<Pose>, Error> {
         let place = self.place(Quantity::Pose, timeout)?;
         Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
     }
 
     /// Place of the arm at rest, by two answers that agree, or by one if the arm was at rest before and nothing was
-    /// sent since; `None` where the controller does not say it, or the arm moves.
+    /// sent since; `None` if the controller does not report it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
         if self.rests == Some(self.link.changes_but_of(self.handle)) {
             self.place(quantity, timeout)
@@ -168,8 +168,8 @@ impl Position {
         }
     }
 
-    /// Place of the arm, by two answers that agree and are this far apart in time; `None` where the controller does not
-    /// say it, or the arm moves.
+    /// Place of the arm, by two answers that agree with this time between them; `None` if the controller does not
+    /// report it, or the arm moves.
     pub(crate) fn place_still_for(
         &mut self,
         quantity: Quantity,
@@ -197,7 +197,7 @@ impl Position {
             if left.is_zero() {
                 return Ok(false);
             }
-            // A controller that does not say where the arm is says so at once.
+            // A controller without a position says so at once.
             self.clock().sleep(asked.left_of(QUERY_PERIOD).min(since.left_of(timeout)));
         }
     }

@@ -25,7 +25,7 @@ pub(crate) enum Sending {
     Motion,
     /// A set-point that brakes it.
     Braking,
-    /// A set-point that holds it where it is.
+    /// A set-point at the present position of the arm.
     Holding,
 }
 
@@ -57,9 +57,9 @@ pub(crate) struct Known {
     guards: Guards,
     /// Packets that guards have not judged yet.
     unjudged: Vec<Arc<Snapshot>>,
-    /// False where the program has allowed motion without status.
+    /// False if the program has allowed motion without status.
     needs_status: bool,
-    /// Number of the times at which waiting threads were told to check again.
+    /// Number of wake-ups of waiting threads.
     wakes: u64,
 }
 
@@ -108,7 +108,7 @@ impl ArmState {
 
     /// From here on gates know of a packet. Guards, which run code of the program, judge it later.
     fn take_packet(&self, packet: &Arc<Snapshot>, is_newest: bool) {
-        // A packet that tells nothing may have shown a stop.
+        // A packet without information may have hidden a stop.
         let panicked = packet.panicked().cloned().map(|source| Occurrence::status_lost(None, Some(source)));
         let found = trouble::stop(&packet.status).map(|stop| stop.cause().into()).or(panicked);
         let mut known = self.lock();
@@ -163,7 +163,7 @@ impl ArmState {
         self.stale_after
     }
 
-    /// Fails where this may not be sent now. As a gate it blocks nothing and uses no connection.
+    /// Fails if this may not be sent now. As a gate it blocks nothing and uses no connection.
     ///
     /// A stop that has begun by the time of the write is on the wire before it, or will be sent after it.
     ///
@@ -177,7 +177,7 @@ impl ArmState {
                 }
                 known.unacknowledged(told).map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
             }
-            // Also where the status is no longer known.
+            // Also if the status is unknown.
             Sending::Braking | Sending::Holding => {
                 known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
                 match known.unacknowledged_stop(told) {
@@ -320,7 +320,8 @@ impl ArmState {
         }
     }
 
-    /// Waits while a servo session brakes. One whose next set-point is overdue does not: the arm has none to follow.
+    /// Waits while a servo session brakes. Does not wait for a session with an overdue set-point, because the arm has
+    /// none to follow.
     pub(super) fn wait_until_braked(&self) {
         let mut known = self.known.lock();
         while let Some(until) = known.stops.waits_until() {

@@ -1,4 +1,4 @@
-//! Status of an arm, as its status port has told it.
+//! Status of an arm, from the packets of its status port.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -21,7 +21,7 @@ pub(super) struct Status {
 }
 
 impl Status {
-    /// Of a port at this address, whose packets are stale after this time.
+    /// Status of a port at this address; packets older than this time are stale.
     pub(super) fn new(address: String, stale_after: Duration) -> Self {
         Self { newest: None, unreadable: None, is_reconnecting: false, ended: None, address, stale_after }
     }
@@ -31,7 +31,7 @@ impl Status {
         self.newest.get_or_insert(packet);
     }
 
-    /// Takes a packet, and returns the one before, which is dropped without a lock.
+    /// Takes a packet, and returns the previous one, so that the caller drops it without a lock.
     pub(super) fn take(&mut self, packet: Arc<Snapshot>) -> Option<Arc<Snapshot>> {
         (self.unreadable, self.is_reconnecting) = (None, false);
         self.newest.replace(packet)
@@ -66,7 +66,7 @@ impl Status {
         self.ended.as_ref()
     }
 
-    /// Newest packet, if the connection is there and the packet is fresh. Its age is that of this moment.
+    /// Newest packet, if the port is connected and the packet is fresh. Its age is that of this moment.
     pub(super) fn fresh_packet(&self) -> Result<&Arc<Snapshot>, StatusProblem> {
         if let Some(cause) = &self.ended {
             return Err(StatusProblem::Ended { cause: Arc::clone(cause) });
@@ -92,13 +92,13 @@ impl Status {
     }
 }
 
-/// Fails where a packet shows a stop, also where what earlier packets showed has been acknowledged.
+/// Fails if a packet shows a stop, also after the acknowledgement of earlier packets.
 pub(super) fn check_stops(newest: &Snapshot) -> Result<(), Error> {
     let stop = trouble::stop(&newest.status);
     stop.map_or(Ok(()), |stop| Err(ErrorKind::NotReady { explanation: stop.explanation() }.into()))
 }
 
-/// Error for what is not done while the status is not known.
+/// Error for actions that need a known status.
 pub(crate) fn unknown(problem: StatusProblem) -> Error {
     ErrorKind::StatusUnknown { problem }.into()
 }

@@ -7,7 +7,7 @@ use jaka_proto::messages::types::JointPosition;
 use crate::Snapshot;
 use crate::place::Place;
 
-/// Least time between two packets that show rest, where the joint positions of rest are not known.
+/// Least time between two packets that show rest, if the joint positions of rest are not known.
 const APART: Duration = Duration::from_millis(100);
 
 /// Stillness of an arm that is held by its last set-point, by status packets.
@@ -17,7 +17,7 @@ pub(crate) struct Stillness {
     since: Instant,
     /// Joint positions at which the arm is held, if they are known.
     held: Option<JointPosition>,
-    /// The first packet of those that agree, when it came, and its number.
+    /// The first of the packets that agree, with its time of arrival and its number.
     first: Option<(JointPosition, Instant, u64)>,
 }
 
@@ -26,8 +26,7 @@ impl Stillness {
         Self { since, held, first: None }
     }
 
-    /// Takes a packet: true if another one before it shows the same joint positions, and these are where the arm is
-    /// held.
+    /// Takes a packet: true if an earlier one shows the same joint positions, and these are the commanded ones.
     pub(crate) fn is_seen(&mut self, packet: &Snapshot) -> bool {
         let Some(joints) = packet.status.joint_actual_position.filter(|_| packet.received > self.since) else {
             return false;

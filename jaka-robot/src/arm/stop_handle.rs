@@ -75,8 +75,8 @@ impl RobotStop {
     /// no packet is seen meanwhile.
     ///
     /// # Errors
-    /// As [`StopHandle::stop`]. Unless the call succeeds, expect the robot to keep moving: its wait goes on, and the
-    /// next motion is refused.
+    /// As [`StopHandle::stop`]. If the call fails, the robot may keep moving: its wait continues, and the next motion
+    /// is refused.
     pub fn stop(&self) -> Result<(), Error> {
         self.stop_and_tell().accepted
     }
@@ -101,7 +101,7 @@ impl RobotStop {
         self.state.wait_until_braked();
         // If a logger panics, another thread does the rest.
         let Ok(Some(stop)) = catch_unwind(AssertUnwindSafe(|| self.handle.write_now())) else {
-            // As if it had not been asked for, unless another has been since.
+            // As without the request, unless another stop was requested since.
             self.state.lock().stops.take_back(number);
             return None;
         };

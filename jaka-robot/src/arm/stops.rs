@@ -4,10 +4,10 @@ use std::time::Instant;
 
 use crate::{Cause, Occurrence};
 
-/// Stops that were asked for through handles, by their numbers from 1.
+/// Stops that handles have requested, by their numbers from 1.
 #[derive(Debug, Default)]
 pub(crate) struct Stops {
-    /// The latest that was asked for.
+    /// The latest requested stop.
     begun: u64,
     /// The latest that the controller has accepted.
     taken: u64,
@@ -15,7 +15,7 @@ pub(crate) struct Stops {
     sent: u64,
     /// The latest that has been reported to the program.
     reported: u64,
-    /// Number of those on their way to the controller.
+    /// Number of stops on their way to the controller.
     under_way: u64,
     /// Time until which a servo session that moves the arm sends its next set-point; none where none moves it.
     set_point: Option<Instant>,
@@ -38,7 +38,7 @@ impl Stops {
         self.under_way -= 1;
     }
 
-    /// A stop counts as if it had not been asked for, unless another has been since.
+    /// Withdraws a stop, unless another was requested since.
     pub(super) fn take_back(&mut self, number: u64) {
         if self.begun == number {
             self.begun -= 1;
@@ -96,7 +96,7 @@ impl Stops {
         self.taken > self.reported
     }
 
-    /// One stop is reported to the program. One before it that was not, or one after it, keeps motions back as before.
+    /// One stop is reported to the program. An unreported one before or after it keeps motions back as before.
     pub(crate) fn report(&mut self, number: u64) {
         if number == self.reported + 1 {
             self.reported = number;
@@ -119,7 +119,7 @@ impl Stops {
         was_expected && due.is_none()
     }
 
-    /// Time until which a stop waits for a session to brake; none where it does not wait.
+    /// Time until which a stop waits for a session to brake; `None` without a wait.
     pub(super) fn waits_until(&self) -> Option<Instant> {
         Some(self.set_point?.min(self.goes_out_at?))
     }

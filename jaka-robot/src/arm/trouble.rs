@@ -60,7 +60,7 @@ fn event(status: &RobotStatus, code_before: Option<&str>) -> Option<(Severity, O
     Some((severity, Occurrence::event(code, event, message)))
 }
 
-/// The code of the event that the status shows, as it is written; none where it shows none.
+/// Code of the event in the status, as written there; `None` without an event.
 pub(crate) fn code(status: &RobotStatus) -> Option<&str> {
     status.error_code.as_deref().filter(|_| !matches!(status.event(), Ok(None)))
 }

@@ -15,7 +15,7 @@ use super::trip::GuardTrip;
 use crate::form;
 use crate::{Disconnect, FrameChange};
 
-/// Cause of an end of moving, or of what keeps it back, with the evidence for it.
+/// Cause of the end of a motion, or of its refusal, with the evidence for it.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Occurrence {
@@ -68,7 +68,7 @@ pub enum Evidence {
 }
 
 impl Evidence {
-    /// Event that explains a refusal; the controller's message is that of the refusal.
+    /// Event that explains a refusal; the controller's message belongs to the refusal.
     pub(crate) fn of_event(event: ControllerEvent) -> Self {
         Self::Event { code: format!("{:#08x}", event.code()), event: Some(event), message: String::new() }
     }
@@ -129,7 +129,7 @@ impl Occurrence {
         }
     }
 
-    /// Consequence for the motions. A guard stops the arm itself, whatever it trips by.
+    /// Consequence for the motions. A guard stops the arm itself for any trip.
     pub(crate) fn consequence(&self) -> Consequence {
         match &self.evidence {
             Evidence::Trip(_) => Consequence::Over,
@@ -176,7 +176,7 @@ pub(crate) enum Consequence {
     MayMove,
     /// They are not waited for any more, and the arm is stopped.
     Stops,
-    /// They may go on, and can be waited for again.
+    /// They may continue, and the program can wait for them again.
     GoesOn,
 }
 

@@ -19,14 +19,13 @@ jaka_proto::worded! {
         PowerUp => "when somebody has looked at the arm, call `power_up`",
         /// Read the controller's error, and clear it, when somebody has looked at the arm.
         SeeController => "look up the error; when somebody has looked at the arm, call `clear_error`",
-        /// Do what the vendor's table says of the controller's event, and clear it, when somebody has looked at the
-        /// arm.
+        /// Follow the vendor's table for the controller's event, and clear it after somebody has looked at the arm.
         OfEvent(event: ControllerEvent) => (of_event(*event)),
         /// Move the arm away from the limit.
         MoveAway => "when somebody has looked at the arm, move it away from the limit",
         /// Grant remote control on the controller's panel.
         GrantRemoteControl => "grant remote control on the controller's panel",
-        /// Find out who uses servo mode.
+        /// Find the user of servo mode.
         SeeServoMode =>
             "wait until the arm rests, and find out which program uses servo mode; `set_servo_mode` with off leaves it",
         /// Wait for the end of the motion, or stop it.
@@ -41,7 +40,7 @@ jaka_proto::worded! {
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
         /// Give the thread a priority, or the machine less to do.
         UnloadMachine => "set a real-time priority (`ServoConfig::realtime_priority`), or reduce the load of the machine",
-        /// Find out what holds the arm.
+        /// Look for an obstacle at the arm.
         FindObstacle => "look for an obstacle at the arm",
         /// Move the arm to the start of the trajectory, or ask for an approach.
         MoveToStart => "move the arm there first, or set an approach (`FollowConfig::approach`)",

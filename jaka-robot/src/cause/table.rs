@@ -1,4 +1,4 @@
-//! The ways in which moving ends, or is kept back.
+//! Causes of the end of a motion, or of its refusal.
 
 use std::fmt;
 
@@ -26,16 +26,16 @@ pub enum CauseGroup {
 /// rows is the precedence.
 macro_rules! causes {
     ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident $(($of_connection:ident))?,)+) => {
-        /// Way in which moving has ended, or is kept back.
+        /// Cause of the end of a motion, or of its refusal.
         ///
-        /// An event has the same cause in each way of moving: motions, servo sessions, streams and trajectories
-        /// ([`End::cause`](crate::End::cause)), and waits ([`Error::cause`](crate::Error::cause)). The end or the error
-        /// carries the evidence.
+        /// An event has the same cause in each kind of motion: planned motions, servo sessions, streams and
+        /// trajectories ([`End::cause`](crate::End::cause)), and waits ([`Error::cause`](crate::Error::cause)). The end
+        /// or the error carries the evidence.
         ///
         /// # Precedence
         /// An event has consequences: an arm that loses its power refuses set-points, and its controller may close
-        /// connections. Where several causes are known within a quarter of a second, the first in the order of the
-        /// variants is told.
+        /// connections. If several causes are known within a quarter of a second, the first in the order of the
+        /// variants is reported.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Cause {
@@ -87,7 +87,7 @@ causes! {
     NoRemoteControl "no_remote_control" Robot "the controller does not accept commands from this client" GrantRemoteControl,
     /// The arm is in servo mode, or was to be and is not.
     ServoMode "servo_mode" Robot "servo mode is in the wrong state" SeeServoMode,
-    /// A motion goes on, or has not been waited for.
+    /// A motion continues, or the program has not waited for its end.
     Moving "moving" Program "the arm is moving, or the program has not waited for the end of a motion" WaitOrStop,
     /// Status packets show another tool frame or user frame than at the start of a motion that depends on them.
     FramesChanged "frames_changed" Ended "another tool or user frame is selected than at the start" SelectFrames,
@@ -99,7 +99,7 @@ causes! {
     Unanswered "unanswered" Connection "the controller does not answer" Connection(CheckNetwork),
     /// The state of the robot is unknown: no status packets come that can be read.
     StatusLost "status_lost" Connection "the state of the robot is unknown" Connection(CheckNetwork),
-    /// Packets do not show what has to be known.
+    /// Packets do not show a state that the program needs.
     NotShown "not_shown" Robot "status packets do not show a state that the program needs" SeeError,
     /// It has not ended in time.
     Deadline "deadline" Ended "the motion has not ended in time" WaitOrStop,
@@ -111,7 +111,7 @@ causes! {
     Refused "refused" Robot "the controller refused" SeeError,
     /// The motion is beyond a limit, or cannot be compared with the limits.
     BeyondLimit "beyond_limit" Program "the motion is beyond a limit of the robot, or cannot be compared with the limits" SeeError,
-    /// The arm is not where the trajectory starts.
+    /// The arm is not at the start of the trajectory.
     NotAtStart "not_at_start" Program "the arm is not where the trajectory starts" MoveToStart,
     /// No status packet has shown the arm at rest.
     RestNotSeen "rest_not_seen" Following "the arm was not seen at rest" LookAtArm,
@@ -128,8 +128,8 @@ causes! {
 }
 
 impl Cause {
-    /// True for a state of the robot that packets show, or that they show none: under a guard it is told before the
-    /// stop that the guard has sent. Each cause is named, so that a new one does not compile before it is decided.
+    /// True for a state of the robot in packets, or for their absence: under a guard it is reported before the stop
+    /// that the guard has sent. The match names each cause, so that a new one does not compile before a decision.
     pub(crate) fn is_of_status(self) -> bool {
         match self {
             Self::EmergencyStop

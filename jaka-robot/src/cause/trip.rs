@@ -74,7 +74,7 @@ impl fmt::Display for LagBeyondReaction {
 pub enum TripReason {
     /// The condition holds.
     Holds,
-    /// The packet does not show what the condition is about.
+    /// The packet lacks the values of the condition.
     NotShown(NotShown),
     /// The question of the user's own panicked.
     Panicked,
@@ -109,7 +109,7 @@ impl GuardTrip {
         }
     }
 
-    /// Remedy: against what kept the condition from being judged, or against a lag beyond the reaction.
+    /// Remedy for a condition that could not be evaluated, or for a lag beyond the reaction.
     pub fn remedy(&self) -> Remedy {
         match (&self.reason, &self.lag) {
             (TripReason::NotShown(reason), _) if self.cause() == Cause::NotShown => reason.remedy(),

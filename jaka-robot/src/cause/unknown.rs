@@ -12,7 +12,7 @@ use crate::Snapshot;
 use crate::form;
 
 jaka_proto::worded! {
-    /// Reason why status packets do not show a fact that was asked for.
+    /// Reason why status packets do not show a requested fact.
     #[derive(Debug, Clone, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
     #[non_exhaustive]
@@ -107,7 +107,7 @@ jaka_proto::worded! {
              {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²",
         /// A trajectory is too fast somewhere.
         TooFastAlong {
-            /// The last way-point before the contact after which the tool would go on the furthest, counted from 1.
+            /// The last way-point before the contact with the longest path afterwards, counted from 1.
             after: usize,
             /// Time of that contact, in seconds of the trajectory.
             time_s: f64,
@@ -129,17 +129,17 @@ jaka_proto::worded! {
             "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, \
              and {overtravel_mm} mm are allowed; permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, \
              {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it",
-        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and leads the tool
-        /// on further than the overtravel.
+        /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and moves the tool
+        /// further than the overtravel.
         CannotBrake {
-            /// The last way-point before, counted from 1.
+            /// The last way-point before it, counted from 1.
             after: usize,
             /// Time of the contact, in seconds of the trajectory.
             time_s: f64,
         } =>
             "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a \
              contact",
-        /// The speed of the tool centre point does not follow from the motion: only that of a line or an arc does.
+        /// The motion does not determine the speed of the tool centre point: only a line or an arc does.
         SpeedUnknown =>
             "the request does not determine the speed of the tool",
         /// The motion does not say its acceleration, and the limit says nothing of the braking.
@@ -174,7 +174,7 @@ jaka_proto::worded! {
         /// The start is not known: the arm moves, or the motion follows one whose end was not known. Wait for the end
         /// of all motions.
         Start => "the start of the motion is not known",
-        /// The request does not determine where it ends, such as an arc by offsets or a relative motion with a
+        /// The request does not determine the end of the motion, such as an arc by offsets or a relative motion with a
         /// rotation. Give an absolute target.
         Target => "the request does not determine the end of the motion",
         /// The request does not determine its path: name the `path` in the `[command.motion]` of a pack, or send it

@@ -11,7 +11,7 @@ use crate::{Cause, CauseGroup, Evidence, GuardTrip, Remedy, Report, Snapshot, Tr
 
 /// End of a motion, a servo session, a stream or a trajectory.
 ///
-/// An event has the same [`cause`](Self::cause) in each way of moving. [`reached`](Self::reached) turns an end into an
+/// An event has the same [`cause`](Self::cause) in each kind of motion. [`reached`](Self::reached) turns an end into an
 /// error, so that `?` works from the connection to the end of a motion.
 ///
 /// # serde
@@ -26,7 +26,7 @@ pub struct End {
     pub rest: Rest,
     /// The last packets of a motion that the controller plans, up to ten, the newest last.
     pub packets: Vec<Arc<Snapshot>>,
-    /// Error that came with the end: the error that ended a trajectory, where it was not its end, a handle or the
+    /// Error that came with the end: the error that ended a trajectory early, other than a stop by a handle or the
     /// deadline; or the failure of the query for the position of a planned motion, which is not
     /// [reached](Cause::Reached) then.
     pub error: Option<Error>,
@@ -105,8 +105,7 @@ impl End {
         if may_move { Phase::MayStillMove } else { Phase::Ended }
     }
 
-    /// Remedy for the cause. None where a stop was accepted because of it, except against an error that kept the guard
-    /// from being judged.
+    /// Remedy for the cause. `None` after an accepted stop, except for an error in the evaluation of the guard.
     pub fn remedy(&self) -> Remedy {
         let stop = self.stop.as_ref().and_then(|stop| stop.as_ref().err());
         let leading = self.error.iter().chain(stop).min_by_key(|error| Error::cause(error));
@@ -118,7 +117,7 @@ impl End {
         }
     }
 
-    /// `Ok` if the arm is where it was sent, and this as an error otherwise.
+    /// `Ok` if the arm is at its target, and this end as an error otherwise.
     ///
     /// # Errors
     /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): it ended otherwise, or its target is not known.
@@ -126,8 +125,8 @@ impl End {
         if self.occurrence.cause == Cause::Reached { Ok(()) } else { Err(Error::not_reached(self)) }
     }
 
-    /// `Ok` if the arm is at rest and nothing shows that it is not where it was sent: for motions whose target is not
-    /// known, such as relative ones in a queue, and for landings.
+    /// `Ok` if the arm is at rest and nothing shows it away from its target: for motions with an unknown target, such
+    /// as relative ones in a queue, and for landings.
     ///
     /// # Errors
     /// [`ErrorKind::NotReached`](crate::ErrorKind::NotReached): it ended otherwise.
@@ -225,8 +224,8 @@ impl serde::Serialize for End {
     }
 }
 
-/// The fact, in one line: cause and evidence, the stop, how far a trajectory was followed, whether its arm is at rest,
-/// and of an end away from the target, that an error of the controller is not seen where packets have no error code.
+/// The fact, in one line: cause and evidence, the stop, the progress of a trajectory and the rest of its arm. For an
+/// end away from the target, also that an error of the controller is invisible if packets have no error code.
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.error {

@@ -1,4 +1,4 @@
-//! Kinds of errors, told apart by what the caller can do about them.
+//! Kinds of errors, by the possible actions of the caller.
 
 use std::error::Error as StdError;
 use std::io;
@@ -17,12 +17,12 @@ use crate::{
 };
 
 jaka_proto::worded! {
-    /// Kind of an error, by what the caller can do about it: see [`Error::kind`].
+    /// Kind of an error, by the possible actions of the caller: see [`Error::kind`].
     #[derive(Debug)]
     #[non_exhaustive]
     pub enum ErrorKind {
         /// A call of the connection failed: a command was not sent, refused by the spec, or not answered; a connection
-        /// could not be made, or broke; status packets did not come, or did not show what was waited for.
+        /// could not be made, or broke; status packets did not come, or did not show the awaited state.
         ///
         /// A command that the controller refused is [`Refused`](Self::Refused).
         Connection(error: jaka_sync::Error) => (error.kind().to_string()),
@@ -50,13 +50,13 @@ jaka_proto::worded! {
         Refused {
             /// The controller's own words.
             refusal: Refusal,
-            /// Reason for the refusal of a motion of a [`Robot`](crate::Robot), where the robot's status tells it.
+            /// Reason for the refusal of a motion of a [`Robot`](crate::Robot), if the robot's status shows it.
             explanation: Option<Explanation>,
         } => (refused(refusal, explanation.as_ref())),
-        /// Status packets do not show a fact that was asked for: an input, a force, the joints. Nothing was sent; a
-        /// stream or a trajectory of which packets do not show the joints any more has landed.
+        /// Status packets do not show a requested fact: an input, a force, the joints. Nothing was sent; a stream or a
+        /// trajectory has landed if packets no longer show the joints.
         NotShown {
-            /// Fact that was asked for, in words.
+            /// Requested fact, in words.
             what: String,
             /// Reason why they do not show it.
             reason: NotShown,
@@ -95,7 +95,7 @@ jaka_proto::worded! {
         } => "`{command}` was not sent under a guard: {reason}",
         /// A motion, a landing or a trajectory has not ended as it was commanded: see [`End::reached`].
         NotReached {
-            /// The end, with what led to it.
+            /// The end, with its cause.
             end: Box<End>,
         } => "{end}",
         /// The guard of a motion has tripped.
@@ -125,7 +125,7 @@ jaka_proto::worded! {
             /// Reason why it is not known.
             problem: StatusProblem,
         } => "not sent, because the state of the robot is unknown: {problem}",
-        /// The robot is in a state that keeps it from doing what was asked. Nothing that moves the arm was sent.
+        /// The state of the robot prevents the action. Nothing that moves the arm was sent.
         NotReady {
             /// State that keeps it from doing so.
             explanation: Explanation,
@@ -144,7 +144,7 @@ jaka_proto::worded! {
             /// Reason why it cannot be checked.
             reason: crate::Unchecked,
         } => "`{command}` was not sent, because it cannot be checked against the limits: {reason}",
-        /// The limits are those of a model by which the controller does not compute its poses.
+        /// The limits are for a model whose poses differ from the controller's.
         ModelMismatch {
             /// Difference between the model's poses and the controller's.
             source: jaka_motion::FitError,
@@ -165,8 +165,7 @@ jaka_proto::worded! {
             /// Position of the joint at the start of the trajectory, in degrees.
             start_deg: f64,
         } => (not_at_start(*joint, *at_deg, *start_deg)),
-        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Find out what holds
-        /// it.
+        /// A joint does not follow the set-points of a stream or a trajectory, which has landed. Look for an obstacle.
         Departed {
             /// The joint, 1 to 6.
             joint: usize,
@@ -184,8 +183,8 @@ jaka_proto::worded! {
             /// Time since it was due.
             late: Duration,
         } => "a set-point was too late, by {late:.1?}: the machine was too busy to send it in time",
-        /// The system has no thread for a stream, a trajectory or a guard, or that of the guard has ended too early.
-        /// Nothing was sent.
+        /// The system cannot start a thread for a stream, a trajectory or a guard, or the guard's thread has ended too
+        /// early. Nothing was sent.
         Thread {
             /// Reason, in the system's words.
             source: io::Error,
@@ -193,7 +192,7 @@ jaka_proto::worded! {
         /// The system does not give the thread a real-time priority: allow it, or do without. Nothing was sent. Needs
         /// the feature `realtime`.
         RealtimePriority {
-            /// The priority that was asked for.
+            /// Requested priority.
             priority: u8,
             /// Reason, in the system's words.
             source: io::Error,
@@ -213,7 +212,7 @@ jaka_proto::worded! {
             cause: Cause,
             /// Reason for its end, in words.
             because: String,
-            /// Remedy for what has ended it.
+            /// Remedy for the cause of the end.
             remedy: Remedy,
         } => "not sent, because the servo session has ended: {because}",
         /// A motion was not sent, because the robot has stopped or a connection was lost, and this has not been
@@ -239,15 +238,15 @@ jaka_proto::worded! {
             leaving: Error,
         } => (Sequence::new(first.as_ref(), leaving).line(not_left(leaving))),
         /// A servo session has ended by a landing, but no status packet has shown the arm at rest at its last
-        /// set-point; servo mode was left. The arm may not have followed: look at it before you go on.
+        /// set-point; servo mode was left. The arm may not have followed: look at it before the next motion.
         RestNotSeen {
-            /// Error that ended the session; none where it was to land.
+            /// Error that ended the session; `None` for a requested landing.
             first: Option<Error>,
             /// Time for which the last set-point was held.
             after: Duration,
         } => (rest_not_seen(first.as_ref(), *after)),
         /// A servo session has ended, and could not brake the arm to rest; servo mode was left. Look at the arm before
-        /// you go on.
+        /// the next motion.
         NotLanded {
             /// Error that ended the session.
             first: Error,
@@ -296,7 +295,7 @@ impl<'k> Meaning<'k> {
 }
 
 impl ErrorKind {
-    /// Cause of the end of moving, or why it is kept back; of several errors in one, the first by precedence.
+    /// Cause of the end of a motion, or of its refusal; of several errors in one, the first by precedence.
     pub(super) fn cause(&self) -> Cause {
         match self {
             Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation } => {
@@ -330,7 +329,7 @@ impl ErrorKind {
         }
     }
 
-    /// Causes of all events that it tells.
+    /// Causes of all its events.
     pub(super) fn causes(&self) -> Vec<Cause> {
         match self {
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).causes(),
@@ -343,7 +342,7 @@ impl ErrorKind {
         }
     }
 
-    /// Event, beginning with the fact of its cause: for texts that say themselves what was not sent because of it.
+    /// Event, beginning with the fact of its cause: for texts that name the commands not sent because of it.
     pub(super) fn event(&self) -> String {
         let text = match self {
             Self::NotAcknowledged { occurrence } => occurrence.to_string(),
@@ -493,7 +492,7 @@ impl Group {
         if cause == Cause::CommandsLost { Self::Disconnected } else { Self::Other }
     }
 
-    /// Group of an error that tells of another one, after which nothing more could be sent.
+    /// Group of an error that contains another one, after which nothing more could be sent.
     fn after(last: &Error) -> Self {
         if last.is_disconnected() { Self::Disconnected } else { Self::Other }
     }

@@ -8,7 +8,7 @@ use crate::{Cause, Remedy};
 /// Consequence of a stop that the controller did not accept.
 pub(super) const STOP_NOT_ACCEPTED: &str = "the stop that followed was not accepted, so the arm may still move";
 
-/// Facts in one line, which begins with the event of its cause and tells no event twice.
+/// Facts in one line, which begins with the event of its cause and names no event twice.
 #[derive(Debug)]
 pub(super) struct Line {
     text: String,
@@ -29,8 +29,8 @@ impl Line {
         }
     }
 
-    /// Adds what followed, and the event because of which it did: in front if it is the cause of the line, and not at
-    /// all if the line tells it already.
+    /// Adds a consequence, and the event that caused it: in front if it is the cause of the line, and not at all if the
+    /// line has it already.
     pub(super) fn followed_by(self, what: &str, because: Option<&Error>) -> Self {
         let Self { text, mut told } = self;
         let before = if text.is_empty() { String::new() } else { format!("{text}; ") };

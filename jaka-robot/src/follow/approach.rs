@@ -1,4 +1,4 @@
-//! The way to where a trajectory starts.
+//! The path to the start of a trajectory.
 
 use jaka_motion::{Checker, Follower, Stopping, Trajectory, TrajectoryError};
 use jaka_proto::messages::types::JointPosition;
@@ -11,7 +11,7 @@ use crate::{Error, ErrorKind};
 /// that the other one begins from a standstill at its start exactly.
 #[derive(Debug)]
 pub(super) struct Approach {
-    /// None where the arm is at the start.
+    /// `None` if the arm is at the start.
     follower: Option<Follower>,
     start: JointPosition,
     held: u32,
@@ -21,14 +21,14 @@ pub(super) struct Approach {
 
 /// Speed in deg/s for the last hundredth of a degree, within which the arm counts as being there.
 const NEXT_TO_NOTHING: f64 = 1.0;
-/// Distance in degrees that is no way.
+/// Distance in degrees that needs no approach.
 const THERE: f64 = 1e-6;
 const PERIODS_HELD: u32 = 2;
 /// Speed of the tool in mm/s below which no slower one is tried.
 const SLOWEST_MM_S: f64 = 0.01;
 
 impl Approach {
-    /// Plans the way, and checks it against all limits and the guard.
+    /// Plans the path, and checks it against all limits and the guard.
     pub(super) fn new(
         checker: &Checker,
         [from, start]: [JointPosition; 2],
@@ -53,12 +53,12 @@ impl Approach {
         self.follower.as_ref().is_none_or(Follower::is_at_rest)
     }
 
-    /// The way, unless the arm was at the start from the beginning.
+    /// The path, unless the arm was at the start from the beginning.
     pub(super) fn follower(&mut self) -> Option<&mut Follower> {
         self.follower.as_mut()
     }
 
-    /// Looks ahead at a stop on the way.
+    /// Looks ahead at a stop on the path.
     pub(super) fn stopping(&self) -> Option<Stopping> {
         self.follower.as_ref().map(Follower::stopping)
     }
@@ -83,7 +83,7 @@ impl Approach {
     }
 }
 
-/// Plans the way from rest to rest. The tool is so slow that the guard permits it.
+/// Plans the path from rest to rest, with a tool speed that the guard permits.
 fn plan(
     checker: &Checker,
     from_to: [JointPosition; 2],

@@ -43,16 +43,16 @@ impl FollowConfig {
         Self::default()
     }
 
-    /// Sets how set-points go out: their period, the filter, how long entering may take, and more.
+    /// Sets the options of set-points: period, filter, timeout of servo mode and more.
     pub fn servo(mut self, servo: ServoConfig) -> Self {
         self.servo = servo;
         self
     }
 
-    /// Moves the arm to where the trajectory starts first, with at most this speed of each joint in deg/s.
+    /// Moves the arm to the start of the trajectory first, with at most this speed of each joint in deg/s.
     ///
-    /// The way is straight in joint space, and checked before anything is sent. Without this, a trajectory that starts
-    /// more than 0.01 deg elsewhere than where the joints are to be is refused. A speed below 0.001 deg/s is an
+    /// The path is straight in joint space, and checked before anything is sent. Without this option, a trajectory is
+    /// refused if its start is more than 0.01 deg away from the commanded joints. A speed below 0.001 deg/s is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn approach(mut self, speed_deg_s: f64) -> Self {
         self.approach_deg_s = Some(speed_deg_s);
@@ -80,41 +80,41 @@ impl FollowConfig {
         self
     }
 
-    /// States that the trajectory was made of joint positions alone, so that it depends on no frame: it goes on where
+    /// States that the trajectory was made of joint positions alone, so that it depends on no frame: it continues if
     /// another tool frame or user frame is selected meanwhile.
     ///
-    /// By default, or under a guard or limits that are about the tool centre point or the user frame, the run ends with
-    /// [`Cause::FramesChanged`](crate::Cause::FramesChanged) then: a trajectory does not tell whether it has lines.
+    /// By default, or under a guard or limits for the tool centre point or the user frame, the run then ends with
+    /// [`Cause::FramesChanged`](crate::Cause::FramesChanged), because a trajectory may contain lines.
     pub fn in_joints(mut self) -> Self {
         self.given_in = Quantity::Joints;
         self
     }
 
-    /// Sets how fast the trajectory is followed at first: 1 for its own speed, which is the default and the most, down
-    /// to 0 for a pause. Another number is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets the rate of the trajectory at first: 1 for its own speed, which is the default and the most, down to 0 for
+    /// a pause. Another number is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn speed_scale(mut self, scale: f64) -> Self {
         self.scale = scale;
         self
     }
 
-    /// Sets how long it may take, from the call on, with the approach and pauses. Then it stops along the trajectory.
-    /// By default there is no deadline.
+    /// Sets the longest duration from the call on, with the approach and pauses. Then the run stops along the
+    /// trajectory. By default there is no deadline.
     pub fn deadline(mut self, time: Duration) -> Self {
         self.deadline = Some(time);
         self
     }
 
-    /// Sets how far a joint may be from all its set-points of the last half second, in degrees, by status packets: 5 by
-    /// default. Beyond that the run ends with [`Cause::Departed`](crate::Cause::Departed). Less than 0.001, or no
-    /// number, is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets the greatest distance of a joint from all its set-points of the last half second, in degrees, by status
+    /// packets: 5 by default. Beyond it the run ends with [`Cause::Departed`](crate::Cause::Departed). Less than 0.001,
+    /// or no number, is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_departure(mut self, degrees: f64) -> Self {
         self.max_departure_deg = degrees;
         self
     }
 
-    /// Sets how late a cycle may begin: 100 ms by default. Beyond that the run ends with
-    /// [`Cause::SetPointLate`](crate::Cause::SetPointLate). At speed it also ends so after three periods, and
-    /// then nothing brakes ([`ServoSession`](crate::ServoSession), at "Late set-points"); a slow arm goes on from
+    /// Sets the greatest lateness of a cycle: 100 ms by default. Beyond it the run ends with
+    /// [`Cause::SetPointLate`](crate::Cause::SetPointLate). At speed it also ends so after three periods, and then
+    /// nothing brakes ([`ServoSession`](crate::ServoSession), at "Late set-points"); a slow arm continues from
     /// standstill.
     pub fn max_gap(mut self, time: Duration) -> Self {
         self.max_gap = time;

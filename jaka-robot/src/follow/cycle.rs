@@ -29,7 +29,7 @@ pub(super) fn run(
     orders: &Arc<Orders>,
     begun: &Begun<()>,
 ) -> Option<End> {
-    // Ends the run for its handles, also where this thread panics.
+    // Ends the run for its handles, also after a panic of this thread.
     let _ends = OnDrop(|| orders.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     let refused = |error: Error| {
         // The caller has the error from here.
@@ -62,7 +62,7 @@ pub(super) fn run(
     Some(end)
 }
 
-/// The way to where the trajectory starts, and then the trajectory.
+/// The path to the start of the trajectory, and then the trajectory.
 struct Way<'o> {
     /// None once the arm has been at the start.
     approach: Option<Approach>,
@@ -71,7 +71,7 @@ struct Way<'o> {
     given_in: Quantity,
     orders: &'o Orders,
     is_overdue: bool,
-    /// The last set-point, or where the arm was before.
+    /// The last set-point, or the position of the arm before the first one.
     last: JointPosition,
     clock: Clock,
 }
@@ -99,7 +99,7 @@ impl<'o> Way<'o> {
         })
     }
 
-    /// Brings the arm to rest after the last set-point, and tells how the run has ended.
+    /// Brings the arm to rest after the last set-point, and returns the end of the run.
     fn ended(mut self, mut session: ServoSession<'_>, ended: Result<(), Error>, supervision: &Supervision<'_>) -> End {
         let (error, has_left_curve) = match ended {
             Ok(()) => (session.land_by(&mut |_| None, supervision).err(), false),
@@ -108,7 +108,7 @@ impl<'o> Way<'o> {
                 (Some(error), has_left_curve)
             }
         };
-        // No trajectory time passes any more, whatever the last set-points were.
+        // Trajectory time stands still for any last set-points.
         self.orders.followed(self.follower.time_s(), 0.0);
         let occurrence = match &error {
             Some(error) => error.occurrence(),
@@ -173,7 +173,7 @@ impl<'o> Way<'o> {
         periods
     }
 
-    /// The next set-point by which the arm is braked, where it is not at rest.
+    /// The next set-point that brakes the arm; `None` at rest.
     fn brake(&mut self) -> Option<SetPoint> {
         // The one before was sent.
         self.tell();
@@ -185,7 +185,7 @@ impl<'o> Way<'o> {
         Some(SetPoint::Joints(self.advance()))
     }
 
-    /// Follower of the approach, as long as there is one, and then that of the trajectory.
+    /// Follower of the approach during it, and then the trajectory's.
     fn leading(&mut self) -> &mut Follower {
         self.approach.as_mut().and_then(Approach::follower).unwrap_or(&mut self.follower)
     }
@@ -249,7 +249,7 @@ impl SetPoints for Way<'_> {
             self.leading().brake();
         } else {
             let scale = self.orders.scale();
-            // An approach has its own speed, whatever that of the trajectory.
+            // An approach has its own speed, independent of the trajectory's.
             let scale = if self.approach.is_some() && scale > 0.0 { 1.0 } else { scale };
             self.leading().set_scale(scale);
         }

@@ -59,8 +59,7 @@ impl FollowHandle {
         self.check_open().map(|()| self.orders.resume())
     }
 
-    /// Goes over to another speed: 1 for the trajectory's own, which is the most, down to 0 for a standstill. A pause
-    /// goes on.
+    /// Changes the rate: 1 for the trajectory's own speed, which is the most, down to 0 for a standstill. Ends a pause.
     ///
     /// # Errors
     /// As [`pause`](Self::pause); [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) for a scale that is not

@@ -16,7 +16,7 @@ pub(super) struct Orders {
     pauses_by_stop: AtomicBool,
     is_stopped: AtomicBool,
     deadline: Option<Instant>,
-    /// The bits of the trajectory time of the last set-point in seconds, and those of the rate.
+    /// The bits of the trajectory time of the last set-point in seconds, and of the rate.
     time_s: AtomicU64,
     rate: AtomicU64,
     ended: OnceLock<SessionEnd>,
@@ -66,12 +66,12 @@ impl Orders {
         self.deadline.is_some_and(|deadline| now >= deadline)
     }
 
-    /// True if a stop is asked for.
+    /// True if a stop is requested.
     pub(super) fn is_to_brake(&self) -> bool {
         self.is_stopped() || self.is_paused.load(Ordering::SeqCst) && self.pauses_by_stop.load(Ordering::SeqCst)
     }
 
-    /// The scale that is asked for: 0 in a pause.
+    /// Requested rate: 0 in a pause.
     pub(super) fn scale(&self) -> f64 {
         if self.is_paused.load(Ordering::SeqCst) { 0.0 } else { f64::from_bits(self.scale.load(Ordering::SeqCst)) }
     }

@@ -1,4 +1,4 @@
-//! Before the first set-point: the trajectory is within the limits, and the arm is where it starts.
+//! Checks before the first set-point: the trajectory is within the limits, and the arm is at its start.
 
 use jaka_motion::{Checker, Follower, JointSpeed, Trajectory};
 use jaka_proto::messages::types::JointPosition;
@@ -49,7 +49,7 @@ pub(super) fn check_limits(
     guard.check_trajectory(&follower, checker)
 }
 
-/// Checks where the arm is, and plans the way from there to the start of the trajectory.
+/// Checks the position of the arm, and plans the path from there to the start of the trajectory.
 pub(super) fn check_start(
     checker: &Checker,
     at: JointPosition,
@@ -70,7 +70,7 @@ pub(super) fn check_start(
     Approach::new(checker, [at, start], config.approach_deg_s, config.servo.period().as_secs_f64(), guard)
 }
 
-/// Names the joint that is the furthest from where it is to be.
+/// Names the joint with the greatest distance from the start.
 fn not_at_start(at: JointPosition, start: JointPosition) -> Error {
     let off = |joint: usize| (start.0[joint] - at.0[joint]).abs();
     let worst = (0..6).fold(0, |worst, joint| if off(joint) > off(worst) { joint } else { worst });

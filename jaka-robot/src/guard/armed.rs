@@ -19,13 +19,13 @@ use crate::{Error, GuardTrip, RobotStop, Snapshot, StatusProblem};
 #[derive(Debug, Clone)]
 pub(crate) struct Armed(Arc<SharedGuard>);
 
-/// The order of locks stands at [`ArmState`].
+/// [`ArmState`] has the order of locks.
 #[derive(Debug)]
 struct SharedGuard {
     state: Arc<ArmState>,
     /// Number of the guard in the state of the arm, which has its progress.
     number: u64,
-    /// Locked while a packet is judged, which may take as long as the user's question does.
+    /// Locked during the evaluation of a packet, which runs the user's condition.
     judging: Mutex<Judging>,
     /// Locked while the stop is written.
     early: Mutex<Early>,
@@ -62,8 +62,8 @@ impl Armed {
         Ok(Self(shared))
     }
 
-    /// Has the monitor's thread write this stop where a packet calls for one and nothing has to be waited for. Whoever
-    /// gave it takes what was written.
+    /// Makes the monitor's thread write this stop for a packet that calls for one, without a wait. The caller takes the
+    /// result.
     pub(crate) fn stop_by(&self, stop: RobotStop) {
         lock(&self.0.early).stop = Some(stop);
     }

@@ -129,8 +129,8 @@ pub struct TcpBox {
 }
 
 impl TcpBox {
-    /// A box of any two opposite corners. One with a number that is not finite is an
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the box is used.
+    /// A box of any two opposite corners. A box with a number that is not finite is an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at its use.
     pub fn from_corners(one: [f64; 3], other: [f64; 3]) -> Self {
         // A corner that is not a number stays one, and is refused.
         let pick = |choose: fn(f64, f64) -> bool| {

@@ -40,8 +40,8 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// | 30 ms | 20 ms | 500 mm/s² | 15.3 mm/s |
 /// | 100 ms | 20 ms | 500 mm/s² | 7.8 mm/s |
 ///
-/// The bound counts from where the force has changed by the limit, which a soft thing reaches later. It holds as long
-/// as packets come as regularly as before, the link and the controller react in time, and the controller brakes so. If
+/// The bound counts from the change of the force by the limit, which a soft object reaches later. It holds if packets
+/// come as regularly as before, the link and the controller react in time, and the controller brakes as assumed. If
 /// packets stay away for three such periods (and 100 ms), the arm is stopped.
 ///
 /// ```no_run
@@ -95,31 +95,31 @@ const LONGEST_OVERTRAVEL_MM: f64 = 1000.0;
 const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
-    /// A change of a component by more than this, in what the sensor reads, taken to be N or Nm. Any other than a
-    /// number above 0 is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) where the limit is used.
+    /// A change of a component by more than this, in units of the sensor, taken to be N or Nm. Other values than a
+    /// number above 0 are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at the use of the limit.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }
 
-    /// Sets how far the tool may go on, in mm, from where the force has changed by the limit: 1 by default, which is
-    /// ours. Any other than a number above 0, of 1000 at most, is an
+    /// Sets the overtravel: the longest path of the tool after the force has changed by the limit, in mm. The default
+    /// of 1 is ours. Other values than a number above 0, of 1000 at most, are an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn overtravel(mut self, mm: f64) -> Self {
         self.overtravel_mm = mm;
         self
     }
 
-    /// Sets how long it takes from a packet's arrival until the arm begins to brake: 20 ms by default, which is ours:
-    /// well below 1 ms until the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With
-    /// set-points, an arm's lag behind them belongs to it, which is longer with a filter. More than one minute is an
+    /// Sets the time from a packet's arrival to the begin of the braking. The default of 20 ms is ours: well below 1 ms
+    /// until the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, the
+    /// lag of the arm behind them is a part of it, which is longer with a filter. More than one minute is an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self
     }
 
-    /// Sets with which deceleration the tool brakes, in mm/s²: by default with the acceleration of the motion. No
-    /// source says how a controller brakes on `stop_program`. Any other than a number above 0 is an
+    /// Sets the deceleration of the tool in its braking, in mm/s²: by default the acceleration of the motion. No source
+    /// states the braking of a controller on `stop_program`. Other values than a number above 0 are an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn braking(mut self, mm_s2: f64) -> Self {
         self.braking = Some(mm_s2);
@@ -158,8 +158,7 @@ impl ForceLimit {
         found.abs() > self.change
     }
 
-    /// Compares the speed of a motion, in mm/s, and its acceleration with what is permitted where packets come each
-    /// `period`.
+    /// Compares the speed of a motion, in mm/s, and its acceleration with the permitted ones for packets each `period`.
     pub(crate) fn check_speed(
         &self,
         speed: f64,
@@ -186,14 +185,14 @@ impl ForceLimit {
 
 /// For set-points, which brake the tool themselves.
 impl ForceLimit {
-    /// Longest time after a contact for which the tool goes on unbraked, in seconds, where packets come each `period`
-    /// and set-points each `cycle_s`: until a packet shows it, the next set-point goes out and the reaction is over;
-    /// and the arm is a set-point behind.
+    /// Longest time after a contact without braking, in seconds, with packets each `period` and set-points each
+    /// `cycle_s`: until a packet shows it, the next set-point goes out and the reaction is over; the arm is a set-point
+    /// behind.
     pub(super) fn unbraked_s(&self, period: Duration, cycle_s: f64) -> f64 {
         period.saturating_add(self.reaction).as_secs_f64() + 2.0 * cycle_s
     }
 
-    /// Reason why a trajectory is not sent on which the tool goes on for so long.
+    /// Reason for the refusal of a trajectory with such a long path after a contact.
     pub(super) fn too_fast_along(&self, after: usize, worst: &Overtravel, period: Duration) -> NotGuarded {
         let Overtravel { time_s, unbraked_s, speed_mm_s, braking_mm_s2, way_mm, .. } = *worst;
         if way_mm.is_infinite() {

@@ -1,4 +1,4 @@
-//! A guard of set-points, which is asked in each cycle.
+//! A guard of set-points, evaluated in each cycle.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use super::{Armed, ForceLimit, Guard, packet_period};
 use crate::arm::{Arm, ArmState, unknown};
 use crate::{Error, ErrorKind, GuardTrip, LagBeyondReaction, NotGuarded, StatusProblem, TripReason};
 
-/// A guard of set-points, which is asked in each cycle, and never waited for.
+/// A guard of set-points: evaluated in each cycle, without a wait.
 #[derive(Debug)]
 pub(crate) struct SetPointGuard {
     armed: Armed,
@@ -35,8 +35,7 @@ struct Force {
     period: Duration,
 }
 
-/// Part of the overtravel that is left for braking: the way of the tool at its highest speed in this time, in seconds.
-/// Ours.
+/// Part of the overtravel for braking: the path of the tool at its highest speed in this time, in seconds. Ours.
 const BRAKING_S: f64 = 0.05;
 
 impl SetPointGuard {
@@ -66,10 +65,10 @@ impl SetPointGuard {
         }
     }
 
-    /// Fails once the guard has tripped, or the status by which it is judged is not known, whatever the program has
-    /// allowed; under a limit of force also once packets have stayed away for too long for it.
+    /// Fails once the guard has tripped, or its status is unknown, also if the program has allowed motion without
+    /// status; under a limit of force also after packets have stayed away too long.
     ///
-    /// `lag` is that of the arm behind its set-points, which a trip tells where it is too long.
+    /// `lag` is the lag of the arm behind its set-points; a trip reports it if it is too long.
     pub(crate) fn check(&self, state: &ArmState, lag: impl FnOnce() -> Option<MeasuredLag>) -> Result<(), Error> {
         self.check_tripped(lag)?;
         let age = state.fresh_status().map_err(unknown)?.age();
@@ -89,8 +88,7 @@ impl SetPointGuard {
         }
     }
 
-    /// Lag of the arm, where a limit of force has tripped that allows for a shorter reaction, or perhaps for a shorter
-    /// one.
+    /// Lag of the arm, if a limit of force has tripped whose reaction is shorter, or perhaps shorter.
     fn lag_beyond_reaction(
         &self,
         condition: usize,
@@ -114,7 +112,7 @@ impl SetPointGuard {
         self.depends_on_frames
     }
 
-    /// Fails where the tool goes on for too long after a contact somewhere on a trajectory.
+    /// Fails if the path of the tool after a contact is too long somewhere on a trajectory.
     pub(crate) fn check_trajectory(&self, follower: &Follower, checker: &Checker) -> Result<(), Error> {
         let Some(force) = &self.force else { return Ok(()) };
         force.unbraked_s(follower.period_s()).try_for_each(|(limit, unbraked_s)| {
@@ -127,8 +125,8 @@ impl SetPointGuard {
         })
     }
 
-    /// Highest speed of the tool, in mm/s, at which a limit of force leaves room to brake after a contact, and the way
-    /// in mm that is left for braking; none without such a limit.
+    /// Highest speed of the tool, in mm/s, at which a limit of force leaves room to brake after a contact, and the path
+    /// in mm that is left for braking; `None` without such a limit.
     pub(crate) fn tool_stop(&self, cycle_s: f64) -> Option<[f64; 2]> {
         let force = self.force.as_ref()?;
         let all = || force.unbraked_s(cycle_s);

@@ -21,8 +21,8 @@ pub(crate) enum Watched {
     Over(Arc<Snapshot>),
 }
 
-/// Waits until the guard trips, the status is no longer known or older than `fresh_for`, the time is over, or the wait
-/// is called off, which takes a wake-up of the state.
+/// Waits until the guard trips, the status is unknown or older than `fresh_for`, the time is over, or the wait is
+/// called off, which needs a wake-up of the state.
 pub(crate) fn watch(
     state: &ArmState,
     armed: &Armed,

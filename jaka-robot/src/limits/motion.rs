@@ -1,4 +1,4 @@
-//! A motion, checked on its whole way.
+//! A motion, checked on its whole path.
 
 use std::time::Duration;
 
@@ -93,8 +93,8 @@ impl Check<'_> {
         within.map_err(|beyond| beyond_limit(self.arm, self.command, beyond))
     }
 
-    /// A pose that is reached by a motion of the joints: on the branch that the controller says, or, where it says
-    /// none, on each.
+    /// A pose as the target of a joint motion: on the branch that the controller reports, or on each branch without a
+    /// report.
     fn end_at_pose(
         &mut self,
         from: JointPosition,

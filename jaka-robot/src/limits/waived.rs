@@ -1,4 +1,4 @@
-//! Settings of the controller that presets of accelerations want.
+//! Settings of the controller that presets of accelerations require.
 
 use jaka_motion::Preset;
 use jaka_proto::messages::collision::GetClsnSensitivity;
@@ -16,7 +16,7 @@ pub(crate) struct Waived {
 }
 
 impl Waived {
-    /// Reads the payload and the collision level where a preset wants them.
+    /// Reads the payload and the collision level, if a preset requires them.
     pub(crate) fn check(self, arm: &mut Arm, preset: Preset) -> Result<(), Error> {
         if preset == Preset::Gentle {
             return Ok(());

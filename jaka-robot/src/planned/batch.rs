@@ -44,8 +44,8 @@ pub(super) struct Begin {
     pub(super) code: Option<String>,
 }
 
-/// Frames of a goal: those that packets show, unless they may be older than a change of this program, and the number of
-/// changes by it and by the other handles of its connection until then.
+/// Frames of a goal, by packets, unless these may be older than a change by this program; and the number of changes by
+/// it and by the other handles of its connection until then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct GoalFrames {
     pub(super) shown: SelectedFrames,

@@ -4,10 +4,10 @@ use jaka_proto::Target;
 
 use crate::place::{Place, Quantity};
 
-/// Place where a batch of motions ends, once it has been accepted.
+/// End of a batch of motions, once it has been accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Destination {
-    /// Here, or this many millimetres before, where the controller may blend into a motion that follows.
+    /// Here, or this many millimetres before, if the controller may blend into a motion that follows.
     At(Place, f64),
     Unknown,
 }

@@ -13,7 +13,7 @@ use crate::cause::Occurrence;
 use crate::guard::{Armed, Watched, watch};
 use crate::{Error, GuardTrip, RobotStop, StatusProblem};
 
-/// Stops the arm where the guard trips, or the status is no longer known.
+/// Stops the arm if the guard trips, or the status is unknown.
 #[derive(Debug)]
 pub(super) struct GuardThread {
     state: Arc<ArmState>,
@@ -68,8 +68,8 @@ impl GuardThread {
         }
     }
 
-    /// Stops the arm where the thread panics, or keeps the motion back. The panic is what the program learns of, or
-    /// that the motion was stopped.
+    /// Stops the arm after a panic of the thread, or keeps the motion back. The program learns of the panic, or of the
+    /// stop of the motion.
     fn stop_in_panic(&self) {
         if thread::panicking() && self.armed.abandon() {
             // A logger that panics again would end the process here.
@@ -124,7 +124,7 @@ impl Drop for OnWatch<'_> {
     }
 }
 
-/// End of a motion whose status is not known any more.
+/// End of a motion with an unknown status.
 pub(super) fn lost(problem: &StatusProblem) -> Occurrence {
     match StatusLoss::of(problem) {
         StatusLoss::Ended(cause) => Occurrence::status_lost(Some(Arc::clone(cause)), None),

@@ -82,7 +82,7 @@ impl GuardedRun<'_> {
         let (Path::Line { speed, acceleration } | Path::Arc { speed, acceleration, .. }) = path else {
             return Err(refused(NotGuarded::SpeedUnknown));
         };
-        // A status that is not known is told by the guard.
+        // The guard reports an unknown status.
         let is_in_position =
             arm.state.status_within(timeout).map_or(true, |newest| newest.status.in_position == Some(true));
         if self.moving.planned.has_motions() || !is_in_position {
@@ -93,7 +93,7 @@ impl GuardedRun<'_> {
         Ok(longest_silence(period))
     }
 
-    /// The end where the guard has tripped before the motion went out.
+    /// The end for a guard that has tripped before the motion was sent.
     fn not_begun(&self, trip: GuardTrip, waited: Duration) -> Result<End, Error> {
         if let TripReason::NotShown(reason) = trip.reason {
             return Err(self.moving.arm.attach(ErrorKind::NotShown { what: self.guard.to_string(), reason }));
@@ -103,7 +103,7 @@ impl GuardedRun<'_> {
         Ok(End { packets, ..End::new(occurrence, Rest::NotSeen, Report::of_wait(waited)) })
     }
 
-    /// End of the motion, by the wait for it and by the actions of the guard's thread. Stops the arm where it may still
+    /// End of the motion, by the wait for it and by the actions of the guard's thread. Stops the arm if it may still
     /// move.
     fn end_of_guarded(&mut self, guarding: &GuardThread, mut end: End, stopped: Option<Stopped>) -> End {
         let may_move = end.occurrence.consequence().may_move();
@@ -140,7 +140,7 @@ impl GuardedRun<'_> {
         end
     }
 
-    /// The error of a motion whose reply did not come: it may run, and nobody judges the guard any longer.
+    /// The error of a motion without a reply: it may run, and nothing evaluates the guard any more.
     fn error_of_guarded(&mut self, guarding: &GuardThread, first: Error, stopped: Option<Stopped>) -> Error {
         let may_run = guarding.armed.has_begun() && first.may_have_run();
         let Some(stopped) = stopped.or_else(|| may_run.then(|| Stopped::new(&guarding.stop, None))) else {

@@ -50,7 +50,7 @@ pub(super) struct EndRule {
     had_ended: bool,
     /// Answers that agree.
     answers: Option<Series<Place>>,
-    /// Packets that agree, where there are no answers.
+    /// Packets that agree, if there are no answers.
     still: Option<Series<Option<JointPosition>>>,
     /// Reason why the last query brought no position.
     pub(super) failure: Option<Error>,
@@ -209,7 +209,7 @@ impl EndRule {
         (lasts && had_time).then(|| self.at_rest(nearness))
     }
 
-    /// True for a place that is exactly the goal, where a motion comes to rest and does not pass.
+    /// True for a place exactly at the goal, at which a motion rests and which it does not pass.
     fn is_exact(&self, place: &Place) -> bool {
         matches!(&self.batch.goal, Destination::At(goal, _) if goal.is_exactly(place))
     }

@@ -118,8 +118,8 @@ impl EndWait<'_> {
         }
     }
 
-    /// The end as the program is told it. If the target is not known, the arm may be at rest because of a stop whose
-    /// reply has not come.
+    /// The end as reported to the program. With an unknown target, the arm may be at rest because of a stop whose reply
+    /// has not come.
     fn told(&self, occurrence: Occurrence, rest: Rest) -> (Occurrence, Rest) {
         let is_stopping = occurrence.cause == Cause::AtRest && self.arm.state.lock().stops.is_under_way();
         (if is_stopping { Cause::Stopped.into() } else { occurrence }, rest)

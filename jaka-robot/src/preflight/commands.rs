@@ -68,7 +68,7 @@ impl<'c> Commands<'c> {
     }
 }
 
-/// The client and what its port answers, or why it cannot be used.
+/// The client and the answers of its port, or the reason against its use.
 fn usable(client: &mut Client) -> Result<(&mut Client, [Judgement; 2]), Judgement> {
     let answer = client.call(&GetVersion::new());
     if let Some(error) = answer.as_ref().err().filter(|error| ports::is_unusable(error)) {

@@ -16,7 +16,7 @@ jaka_proto::worded! {
         CommandPort => "command port",
         /// The port for status packets (10000), and whether packets come from there.
         StatusPort => "status port",
-        /// The controller's version (`get_version`, 4.51), compared with those of which this project knows.
+        /// The controller's version (`get_version`, 4.51), compared with the versions that this project knows.
         Firmware => "firmware",
         /// The arm's power (`get_robot_state`, 4.12, or else packets).
         Power => "power",
@@ -52,7 +52,7 @@ jaka_proto::worded! {
         StatusRate => "status rate",
         /// Round-trip time of queries (`get_joint_pos`, 4.49).
         RoundTrip => "round trip",
-        /// The arm's model, compared with what the controller computes (`kine_forward`, 4.46).
+        /// The arm's model, compared with the controller's computations (`kine_forward`, 4.46).
         Model => "model",
         /// The controller's own Denavit-Hartenberg parameters (`get_dh_param`, 4.82), compared with the model's.
         DhParameters => "DH parameters",
@@ -71,7 +71,7 @@ jaka_proto::worded! {
     pub enum Verdict {
         /// Nothing was found. This does not mean that the arm is safe to move.
         NothingFound => "nothing found",
-        /// It was not checked, or depends on what another finding tells.
+        /// It was not checked, or depends on another finding.
         NotChecked => "not checked",
         /// It may be meant so, and somebody should look at it.
         Look => "look",
@@ -80,7 +80,7 @@ jaka_proto::worded! {
     }
 }
 
-/// Finding at one item. Its texts are lines without invisible characters, whatever the controller says.
+/// Finding at one item. Its texts are single lines without invisible characters, for any text of the controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Finding {
@@ -147,7 +147,7 @@ impl Finding {
     }
 }
 
-/// A row of a table, with the advice in a line of its own below it.
+/// A row of a table, with the advice in a separate line below it.
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Judgement { verdict, seen, advice } = &self.judgement;

@@ -49,7 +49,7 @@ impl<'m> Count<'m> {
         if let Err(cause) = ended {
             return Err(ports::status_ended(&cause));
         }
-        // A later packet tells the present.
+        // A later packet shows the present.
         let may_be_old = || matches!(state.fresh_packet(), Err(StatusProblem::Resuming));
         let _ = state.watch(state.stale_after(), |_| (!may_be_old()).then_some(()));
         let newest = match state.fresh_packet() {
@@ -73,7 +73,7 @@ impl<'m> Count<'m> {
     }
 }
 
-/// Judges the facts that only a packet tells, and no query of the document.
+/// Judges the facts that only packets show, and no query of the document.
 pub(super) fn read(packet: Option<&RobotStatus>, findings: &mut Vec<Finding>) {
     findings.extend([
         shown(packet, |packet| packet.emergency_stop, emergency_stop).at(CheckItem::EmergencyStop),
@@ -150,7 +150,7 @@ fn soft_limit(flag: i64) -> Judgement {
     Judgement::look(format!("hit (`on_soft_limit` is {flag})"), advice)
 }
 
-/// All packets, also those that came so close together that they were never the newest.
+/// All packets, also those that were never the newest because others followed at once.
 fn arrived(statistics: &MonitorStatistics) -> u64 {
     statistics.packets.saturating_add(statistics.skipped)
 }
@@ -194,7 +194,7 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
     }
 }
 
-/// Fields that a robot needs, and those of this check, that the packet neither has nor has in another form.
+/// Fields for a robot and for this check that the packet has in no form.
 fn missing(newest: &Snapshot) -> Vec<&'static str> {
     let status = &newest.status;
     let of_check = [("rapid_rate", status.rapid_rate.is_some()), ("on_soft_limit", status.on_soft_limit.is_some())];

@@ -1,4 +1,4 @@
-//! The ports: who listens there, and whether it is a controller that answers this client.
+//! The ports: whether a controller listens there that answers this client.
 
 use std::error::Error as StdError;
 use std::io;
@@ -121,7 +121,7 @@ fn facts(error: &Error) -> String {
     error.source().map_or_else(|| fact.clone(), |source| format!("{fact}: {}", chain(source)))
 }
 
-/// An error's text, followed by those of its causes.
+/// An error's text, followed by the texts of its causes.
 fn chain(error: &(dyn StdError + 'static)) -> String {
     let errors = std::iter::successors(Some(error), |&error| error.source());
     errors.map(ToString::to_string).collect::<Vec<_>>().join(": ")

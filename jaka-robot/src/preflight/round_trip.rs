@@ -11,7 +11,7 @@ use super::finding::Judgement;
 const QUERIES: usize = 100;
 const LONGEST: Duration = Duration::from_secs(2);
 
-/// The controller's cycle: a reply that takes longer is not that to a set-point of this cycle.
+/// The controller's cycle: a set-point's reply after more time belongs to an earlier cycle.
 const USUAL: Duration = Duration::from_millis(8);
 /// Time for which set-points may be unanswered before a servo session ends ([`ServoConfig`](crate::ServoConfig)).
 const RARE: Duration = Duration::from_millis(100);

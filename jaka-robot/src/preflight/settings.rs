@@ -118,7 +118,7 @@ fn program(state: &ProgramState, packet: Option<&RobotStatus>) -> Judgement {
     }
 }
 
-/// The selected frame; the controller is asked for its offset if it can have one.
+/// The selected frame, with its offset from the controller if it can have one.
 fn frame(id: i64, fixed: &str, offsets: impl FnOnce() -> Result<Vec<Pose>, Judgement>) -> Result<Judgement, Judgement> {
     if id == 0 {
         return Ok(Judgement::nothing(format!("0, {fixed}")));

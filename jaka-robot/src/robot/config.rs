@@ -8,7 +8,7 @@ use crate::LimitPolicy;
 use crate::limits::Waived;
 use crate::planned::Grace;
 
-/// Options of a [`Robot`](crate::Robot), apart from those of its connections ([`Config`](crate::Config)).
+/// Options of a [`Robot`](crate::Robot), without the options of its connections ([`Config`](crate::Config)).
 ///
 /// ```no_run
 /// use jaka_robot::jaka_motion::{Limits, Model};
@@ -25,23 +25,22 @@ use crate::planned::Grace;
 /// ```
 ///
 /// # Limits
-/// A motion that is beyond a limit anywhere on its way is refused with
-/// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit), one whose way is not known with
+/// A motion beyond a limit anywhere on its path is refused with
+/// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit), and a motion with an unknown path with
 /// [`ErrorKind::NotChecked`](crate::ErrorKind::NotChecked); nothing is sent then. [`Checker`](jaka_motion::Checker)
-/// tells what is checked, and how finely. Checked are [`run`](crate::Robot::run), [`start`](crate::Robot::start) and
-/// servo sessions, not what is sent through [`client`](crate::Robot::client), such as a jog.
+/// describes the checks and their resolution. They apply to [`run`](crate::Robot::run), [`start`](crate::Robot::start)
+/// and servo sessions, and not to commands through [`client`](crate::Robot::client), such as a jog.
 ///
-/// An offset of a motion in a queue is taken to count from where the one before it ends, which the document does not
-/// say. A motion in a queue is checked from where the one before it will end. Where somebody else stops the queue, and
-/// this program does not know it yet, the arm goes to the target of the next motion from elsewhere:
-/// [`wait`](crate::Robot::wait) for the end of a motion to know.
+/// The check assumes that an offset of a motion in a queue counts from the end of the motion before it, which the
+/// document does not state. If somebody else stops the queue, and this program does not know it yet, the arm moves to
+/// the target of the next motion from another place: [`wait`](crate::Robot::wait) for the end of a motion to know.
 ///
-/// Limits are not a safety function and no fence: they keep a program from asking for what it should not. They know
-/// nothing of collisions, not even of the arm with itself, and do not see motions of other clients.
+/// Limits are not a safety function and no fence: they keep a program from wrong requests. They know nothing of
+/// collisions, not even of the arm with itself, and do not see motions of other clients.
 ///
-/// The controller is asked for the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), from
-/// which its tool, user frame and mounting follow. Before a motion it is asked where the arm is (4.49 and 4.50); where
-/// both answers do not fit together a frame has changed, and the poses are asked for again.
+/// The robot queries the poses of twelve joint positions (`kine_forward`, 4.46, which moves nothing), which determine
+/// tool, user frame and mounting. Before a motion it queries the position of the arm (4.49 and 4.50); if both answers
+/// do not fit together, a frame has changed, and it queries the poses again.
 ///
 /// # Presets
 /// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the controller

@@ -80,7 +80,7 @@ impl LagFit {
         }
     }
 
-    /// The delay that fits best; none where the arm has hardly moved, or where it is not among those that are compared.
+    /// The delay that fits best; `None` if the arm has hardly moved, or the delay is beyond the compared ones.
     pub(crate) fn best(&self) -> Option<FollowLag> {
         let (measured, best) = self.fit()?;
         if measured.is_lower_bound {
@@ -90,7 +90,7 @@ impl LagFit {
         Some(FollowLag { delay: measured.delay, residual_deg, worst_deg: best.worst, packets: self.packets })
     }
 
-    /// The delay that fits best of those that are compared; none where the arm has hardly moved.
+    /// The delay of the compared ones that fits best; `None` if the arm has hardly moved.
     pub(super) fn measured(&self) -> Option<MeasuredLag> {
         self.fit().map(|(measured, _)| measured)
     }

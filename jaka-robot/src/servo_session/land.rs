@@ -19,11 +19,11 @@ use crate::{Cause, Error, ErrorKind, Rest};
 /// set-points is at rest by then.
 const BLIND: Duration = Duration::from_millis(200);
 
-/// Gives the set-points that brake an arm, one after the other, from where the last ones have led it.
+/// Generates the set-points that brake an arm, one after the other, from the motion of the last ones.
 pub(crate) type BrakingPath<'b> = &'b mut dyn FnMut(&Course) -> Option<SetPoint>;
 
-/// Brakes an arm straight on: in joint space by the stop of its limits where it has some and its joints are known, else
-/// by a step that becomes smaller evenly.
+/// Brakes an arm straight on: in joint space by the stop of its limits if it has some and its joints are known, else by
+/// a step that becomes smaller evenly.
 #[derive(Debug)]
 pub(crate) struct StraightOn {
     checker: Option<Checker>,
@@ -36,7 +36,7 @@ pub(crate) struct StraightOn {
 /// Braking under way.
 #[derive(Debug, Clone, Copy)]
 struct Begun {
-    /// Step before it; none where the arm stands, or that is not known.
+    /// Step before it; `None` if the arm is at rest, or the step is not known.
     step: Option<SetPointStep>,
     braking: StepsToRest,
     /// Number of set-points that were given.
@@ -88,7 +88,7 @@ impl StraightOn {
 impl ServoSession<'_> {
     /// Brakes the arm straight on, and holds it until the status shows it at rest.
     ///
-    /// Fails where a stop, a refusal or the connection ends that, and where rest was not seen.
+    /// Fails if a stop, a refusal or the connection ends that, or rest was not seen.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Error> {
         let mut straight_on = self.straight_on();
         self.come_to_rest_by(&mut |course| straight_on.next(course))
@@ -136,7 +136,7 @@ impl ServoSession<'_> {
         Ok(())
     }
 
-    /// The arm has had no set-point for so long that it is taken to stand, which is told of one that moved.
+    /// The arm has had no set-point for so long that the SDK assumes it at rest; this is reported for one that moved.
     fn stand(&mut self, late: Duration) {
         if self.course.is_moving() {
             self.count_gap(late);

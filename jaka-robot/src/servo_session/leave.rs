@@ -1,4 +1,4 @@
-//! Out of servo mode, in each way in which a session can end.
+//! End of servo mode, for each end of a session.
 
 use std::time::Duration;
 

@@ -33,7 +33,7 @@ impl Pace {
         Self { clock: clock.clone(), period, busy_wait, due: clock.now(), cycles: 0 }
     }
 
-    /// The time of the next cycle: that of the cycles before it. Where one was late, this is less than the clock says.
+    /// The time of the next cycle, by the cycles before it. After a late one, this is less than the clock's time.
     pub(super) fn time(&self) -> Duration {
         self.period.saturating_mul(self.cycles)
     }

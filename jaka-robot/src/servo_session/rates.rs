@@ -56,7 +56,7 @@ impl Default for Rates {
 }
 
 impl Rates {
-    /// Checks a step, and its difference from the one before. Each set-point is judged by its nominal period, as the
+    /// Checks a step, and its difference from the previous one. It judges each set-point by its nominal period, as the
     /// controller does (4.15).
     pub(super) fn check(
         &self,
@@ -97,7 +97,7 @@ impl Rates {
         }))
     }
 
-    /// Refuses a set-point of which it is not known how far it is from the one before.
+    /// Refuses a set-point at an unknown distance from the previous one.
     pub(super) fn check_unknown(&self, set_point: &SetPoint) -> Result<(), InvalidArgument> {
         if !self.are_checked {
             return Ok(());
@@ -168,7 +168,7 @@ fn sizes(step: &SetPointStep) -> Sizes {
     }
 }
 
-/// The first that is more than it may be, and by how much. A number that is not finite is the encoder's to refuse.
+/// The first excess, and its amount. The encoder refuses a number that is not finite.
 fn first_beyond(sizes: &Sizes, most: &Sizes) -> Option<(usize, f64, f64)> {
     (0..6).find(|index| sizes[*index] > most[*index] + ROUNDING).map(|index| (index, sizes[index], most[index]))
 }

@@ -88,7 +88,7 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 pub struct ServoSession<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
-    /// Keeps back what other handles send, until the session ends.
+    /// Keeps back commands of other handles, until the session ends.
     pub(super) reserved: Option<Reserved>,
     pub(super) config: ServoConfig,
     pub(super) rates: Rates,
@@ -113,7 +113,7 @@ pub struct ServoSession<'r> {
 }
 
 impl ServoSession<'_> {
-    /// The time of the next set-point: the periods of those before it.
+    /// The time of the next set-point: the sum of the periods before it.
     pub fn time(&self) -> Duration {
         self.pace.time()
     }
@@ -216,7 +216,7 @@ impl ServoSession<'_> {
         sent.map_err(|error| self.end(error))
     }
 
-    /// Takes from the newest packet what has changed under way.
+    /// Reads changes under way from the newest packet.
     pub(super) fn look_at_frames(&mut self) {
         if let Some(newest) = self.arm.state.newest_packet() {
             self.under_way.see(&newest);
@@ -278,13 +278,13 @@ impl ServoSession<'_> {
     /// Checks a set-point, and returns the joint positions at it, if they are known.
     fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
         let period = self.config.period();
-        // Limits say more of a pose: what the joints do.
+        // Limits know the joints for a pose, too.
         if !(set_point.is_pose() && self.limits.refuses_beyond_limits()) {
             let step = self.course.step_to(set_point);
             let before = step.as_ref().and_then(|step| self.course.last_step(step));
             match (step, before) {
                 (Some(step), Some(before)) => self.rates.check(&step, &before, period)?,
-                // Only where the pose at the start is not known.
+                // Only if the pose at the start is not known.
                 _ if !self.course.has_begun() => {}
                 _ => self.rates.check_unknown(set_point)?,
             }
@@ -323,7 +323,7 @@ impl ServoSession<'_> {
         Ok(())
     }
 
-    /// True if an arm that stands at the last set-point can go on with this one.
+    /// True if an arm at rest at the last set-point can continue with this one.
     fn can_begin_with(&self, next: &SetPoint, joints: Option<JointPosition>) -> bool {
         let in_joints = self.course.last_joints().zip(joints);
         let step = in_joints.map(|([_, last], joints)| SetPointStep::between_joints(last, joints));
@@ -369,7 +369,7 @@ impl ServoSession<'_> {
         Ok(late)
     }
 
-    /// On a link that stalls, set-points would accumulate, and move the arm when they are no longer wanted.
+    /// On a stalled link, set-points would accumulate, and move the arm later than wanted.
     pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
         let link = self.arm.link();
         let count = link.outstanding();

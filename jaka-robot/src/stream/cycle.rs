@@ -45,7 +45,7 @@ pub(super) fn run(
         Err(error) => return refused(session.end_by(error, &mut |_| None)),
     };
     let targets = Arc::new(Targets::new(generator.joints(), &clock));
-    // Ends the stream for its handles, also where this thread panics.
+    // Ends the stream for its handles, also after a panic of this thread.
     let _ends = OnDrop(|| targets.end(SessionEnd::new(Cause::Failed, "its thread has ended")));
     begun.send(Ok((Arc::clone(&targets), generator.clone())));
     let (start, period) = (generator.joints(), config.servo.period());
@@ -111,7 +111,7 @@ struct StreamSetPoints<'s> {
     targets: &'s Targets,
     /// None before the first one.
     order: Option<Order>,
-    /// The last goal, and the set-point on the way to it.
+    /// The last goal, and the set-point on the path to it.
     last: Option<(Goal, Step)>,
 }
 

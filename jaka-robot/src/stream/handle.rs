@@ -13,8 +13,8 @@ use crate::error::SessionEnd;
 use crate::place::Quantity;
 use crate::servo_session::beyond_limit;
 
-/// Gives targets and velocities to a [`Stream`](super::Stream), from any thread. Each replaces the one before at once,
-/// and the arm goes over to it smoothly.
+/// Sets targets and velocities of a [`Stream`](super::Stream), from any thread. Each replaces the previous one at once,
+/// and the arm changes over smoothly.
 #[derive(Debug, Clone)]
 pub struct StreamHandle {
     pub(super) targets: Arc<Targets>,
@@ -43,7 +43,7 @@ impl StreamHandle {
     /// one, the stream lands, with [`ErrorKind::FramesChanged`](crate::ErrorKind::FramesChanged).
     ///
     /// # Errors
-    /// As [`set_joints`](Self::set_joints); also where the pose can be reached only by another branch.
+    /// As [`set_joints`](Self::set_joints); also if only another branch reaches the pose.
     pub fn set_pose(&self, target: impl Into<Pose>) -> Result<(), Error> {
         let found = self.desk.checker().joints_on_branch(self.joints(), target.into());
         self.give((Quantity::Pose, Goal::Joints(found.map_err(beyond_limit)?)), None)
@@ -91,7 +91,7 @@ impl StreamHandle {
     }
 
     /// Bound that slows or holds the arm at the last set-point, beyond the speeds, accelerations and jerks of the
-    /// stream: the reason why the arm does not go to its goal, or not as fast as it was told. None if nothing does.
+    /// stream: the reason for a missed goal or a lower speed. `None` without such a bound.
     pub fn bound(&self) -> Option<Bound> {
         self.targets.bound()
     }

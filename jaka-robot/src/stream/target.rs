@@ -54,7 +54,7 @@ impl Order {
 
 #[derive(Debug)]
 struct TargetState {
-    /// Numbered by how many were given.
+    /// Numbered by the count of goals.
     order: Order,
     /// Joint positions of the last set-point; `is_at_rest` is true if the last order ends there.
     joints: JointPosition,
@@ -124,8 +124,8 @@ impl Targets {
         self.state.lock().bound.clone()
     }
 
-    /// Waits until the arm rests on the last goal that was given, or the stream lands or has ended, of which it tells
-    /// why.
+    /// Waits until the arm rests at the last goal, or the stream lands or has ended; returns the reason for such an
+    /// end.
     pub(super) fn wait_for_rest(&self, timeout: Duration) -> Result<bool, SessionEnd> {
         let found = self.state.wait_for(timeout, |state| match self.ends_because(state) {
             Some(because) => Some(Err(because)),
@@ -134,7 +134,7 @@ impl Targets {
         found.unwrap_or(Ok(false))
     }
 
-    /// Order for this cycle. None while a handle changes it: the cycle then goes on as the one before.
+    /// Order for this cycle. `None` while a handle changes it: the cycle then repeats the previous order.
     pub(super) fn order(&self) -> Option<Order> {
         self.state.try_lock().map(|state| state.order)
     }
@@ -144,7 +144,7 @@ impl Targets {
         order.goal(self.state.clock().now())
     }
 
-    /// A set-point was sent by this order; the joints rest where it leads, or move on.
+    /// A set-point was sent by this order; the joints rest at its goal, or move on.
     pub(super) fn sent(&self, step: Step, order: &Order, rests_there: bool) {
         let Some(mut state) = self.state.try_lock() else { return };
         (state.joints, state.bound) = (step.joints, step.bound);

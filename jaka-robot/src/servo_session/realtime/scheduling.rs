@@ -9,7 +9,7 @@ use thread_priority::{
 
 use super::Restore;
 
-/// Gives this thread a real-time priority. Returns what gives it its own scheduling again; fails if it could not.
+/// Sets a real-time priority of this thread. Returns a restorer of its own scheduling; fails if that is impossible.
 pub(super) fn set_realtime(priority: u8) -> io::Result<Restore> {
     let own = Scheduling::of_this_thread()?;
     let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
