@@ -84,8 +84,8 @@ impl Clock {
         }
     }
 
-    /// Returns the work of a thread that will be started: a simulated time stands still from now on until that thread
-    /// waits, and goes on for its waits.
+    /// Returns the work of a thread before its start: a simulated time stands still from now on until that thread
+    /// waits, and advances for its waits.
     pub fn participating<T, F: FnOnce() -> T>(&self, work: F) -> impl FnOnce() -> T + use<T, F> {
         #[cfg(feature = "simulated")]
         let participant = self.simulated.as_ref().map(SimulatedClock::participant);
@@ -98,8 +98,8 @@ impl Clock {
         }
     }
 
-    /// Returns the work of a thread that will be started and serves others: a simulated time stands still from now on
-    /// until that thread waits, and does not go on for its waits alone.
+    /// Returns the work of a thread that serves others, before its start: a simulated time stands still from now on
+    /// until that thread waits, and does not advance for its waits alone.
     pub fn serving<T, F: FnOnce() -> T>(&self, work: F) -> impl FnOnce() -> T + use<T, F> {
         #[cfg(feature = "simulated")]
         let servant = self.simulated.as_ref().map(SimulatedClock::servant);
@@ -112,7 +112,7 @@ impl Clock {
         }
     }
 
-    /// Waits in another way than by this clock, such as by a `join`: a simulated time may go on meanwhile.
+    /// Waits by other means than this clock, such as a `join`: a simulated time may advance meanwhile.
     pub fn outside<T>(&self, wait: impl FnOnce() -> T) -> T {
         #[cfg(feature = "simulated")]
         if let Some(clock) = &self.simulated {

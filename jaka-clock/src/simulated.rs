@@ -18,16 +18,15 @@ pub use self::presence::Participant;
 use self::state::{ClockState, MovesTime, Reason};
 pub use self::stream::{Listener, Stream};
 
-/// Clock whose time goes on when all that take part in it wait. Its clones are the same clock.
+/// Clock whose time advances when all participants wait. Its clones are the same clock.
 ///
-/// Waits for a time, for bytes or for another thread go through it: those of the connections and threads of jaka-sync
-/// and jaka-sim that were given it, and [`sleep`](Self::sleep). Time stands still while a thread that takes part is at
-/// work; when all wait, it goes on to the first time for which one waits. If several wait for the same time, they go on
-/// one after the other. Time goes on only while a thread of the program waits, and not for a monitor or a simulator
-/// alone.
+/// Waits for a time, for bytes or for another thread go through it: in the connections and threads of jaka-sync and
+/// jaka-sim that have it, and in [`sleep`](Self::sleep). Time stands still while a participating thread works; when all
+/// wait, it advances to the first time for which one waits. Several waits for the same time end one after the other.
+/// Time advances only while a thread of the program waits, and not for a monitor or a simulator alone.
 ///
-/// A thread takes part from its first wait in the time of the clock until it ends. Its work in between takes no time.
-/// A program tells the clock three things:
+/// A thread participates from its first wait in the time of the clock until its end. Its work in between takes no time.
+/// A program must use the clock for three things:
 /// - a thread that is started while others take part: [`participant`](Self::participant);
 /// - a wait for something else, such as the end of another thread: [`outside`](Self::outside). Otherwise time stands
 ///   still for ever;
@@ -43,24 +42,24 @@ pub struct SimulatedClock(Arc<Inner>);
 struct Inner {
     /// Instant at which no time has passed.
     origin: Instant,
-    /// Real time for which this stands still for an end that does not take part.
+    /// Real time for which this clock stands still for an end that does not participate.
     grace: Duration,
     state: Mutex<ClockState>,
     hold_ups: HoldUps,
 }
 
-/// Real time for which a clock stands still for an end that does not take part, unless the user says otherwise.
+/// Real time for which a clock stands still for an end that does not participate, by default.
 const GRACE: Duration = Duration::from_millis(100);
 
 impl SimulatedClock {
-    /// Clock of its own, which begins now.
+    /// A new clock, which begins now.
     pub fn new() -> Self {
         Self::with_grace(GRACE)
     }
 
-    /// Clock that stands still for so long, in real time, when a wait for a connection begins whose other end does not
-    /// take part. With a minute, the answer of another program always comes at the time at which it was asked; but a
-    /// wait for one that is silent takes a minute.
+    /// Clock that stands still for so long, in real time, when a wait begins for a connection with an end that does not
+    /// participate. With a minute, the answer of another program always comes at the time of its request; but a wait
+    /// for a silent one takes a minute.
     pub fn with_grace(grace: Duration) -> Self {
         Self(Arc::new(Inner { origin: Instant::now(), grace, state: Mutex::default(), hold_ups: HoldUps::default() }))
     }
@@ -101,7 +100,7 @@ impl SimulatedClock {
         self.sleep(due.saturating_duration_since(self.now()));
     }
 
-    /// Participation of a thread that will be started: time stands still from now on until that thread waits.
+    /// Participation of a thread before its start: time stands still from now on until that thread waits.
     ///
     /// ```
     /// use std::thread;
@@ -129,7 +128,7 @@ impl SimulatedClock {
         Work::new(self)
     }
 
-    /// Waits in another way than by this clock, such as by a `join`: time may go on meanwhile.
+    /// Waits by other means than this clock, such as a `join`: time may advance meanwhile.
     pub fn outside<T>(&self, act: impl FnOnce() -> T) -> T {
         let Some(moves_time) = presence::membership(self) else { return act() };
         presence::leave(self);

@@ -29,7 +29,7 @@ pub struct FieldLimits<'u> {
 pub struct Advice<'u> {
     /// Greatest magnitude.
     pub max: f64,
-    /// True where the number should not be zero either.
+    /// True if the number should not be zero either.
     pub nonzero: bool,
     /// Unit of the numbers concerned; empty for all numbers of the field.
     pub unit: &'u str,
@@ -54,7 +54,7 @@ impl FieldLimits<'_> {
         firmware: FirmwareRange::ALL,
     };
 
-    /// True for a number within the range, whatever is advised.
+    /// True for a number within the range, also beyond advice.
     pub fn allow(&self, value: f64) -> bool {
         self.min.is_none_or(|min| value >= min) && self.max.is_none_or(|max| value <= max)
     }
@@ -65,7 +65,7 @@ impl FieldLimits<'_> {
         self.allow(value) || self.advisory && ranges == AdvisoryRanges::Ignored
     }
 
-    /// True for a number within what is advised.
+    /// True for a number within the advice.
     pub fn advise(&self, value: f64) -> bool {
         self.advised.allow(value, self.unit)
     }
@@ -76,7 +76,7 @@ impl FieldLimits<'_> {
         min.is_some() || max.is_some()
     }
 
-    /// The ends of the range, as far as what is advised leaves it, and whether zero is left out.
+    /// The ends of the range within the advice, and whether zero is excluded.
     fn ends(&self) -> (Option<f64>, Option<f64>, bool) {
         let Some(advice) = self.advised.of(self.unit) else { return (self.min, self.max, false) };
         let min = self.min.map_or(-advice.max, |min| min.max(-advice.max));
@@ -171,8 +171,8 @@ pub struct InvalidArgument {
     pub value: String,
     /// Allowed values, in words.
     pub allowed: String,
-    /// True where the check can be switched off by [`AdvisoryRanges`]: newer firmware may take the value, or it is only
-    /// advised against.
+    /// True if [`AdvisoryRanges`] can switch the check off: newer firmware may take the value, or the document only
+    /// advises against it.
     pub advisory: bool,
 }
 
@@ -233,7 +233,7 @@ impl<'p> Place<'p> {
         Self { command, name: PlaceName::Request, outer: None, rules, advised: Advised::NONE }
     }
 
-    /// Checks a field of what stands here.
+    /// Checks a field of this item.
     ///
     /// # Errors
     /// The field holds what the spec forbids, or holds something and the controller's firmware does not have it.
@@ -249,7 +249,7 @@ impl<'p> Place<'p> {
         value.validate(&place, limits)
     }
 
-    /// Checks that the controller's firmware has what stands here, where the firmware is known.
+    /// Checks that the controller's firmware has this item, if the firmware is known.
     pub(crate) fn exists(&self, range: &FirmwareRange) -> Result<(), NotSent> {
         let Some(firmware) = self.rules.firmware.filter(|firmware| !range.contains(*firmware)) else {
             return Ok(());
@@ -258,7 +258,7 @@ impl<'p> Place<'p> {
         Err(NotSent::NotInFirmware(Box::new(NotInFirmware::new(self.command, field, firmware, *range))))
     }
 
-    /// Checks that the controller's firmware takes a value of an enum, where the firmware is known.
+    /// Checks that the controller's firmware takes a value of an enum, if the firmware is known.
     ///
     /// # Errors
     /// It does not.
@@ -300,7 +300,7 @@ impl<'p> Place<'p> {
         Err(if limits.advisory || is_permitted { invalid.in_advisory_range() } else { invalid }.into())
     }
 
-    /// Checks that no element of an array is left out before one that is given: that one would stand in its place.
+    /// Checks that no element of an array is omitted before a given one, which would take its place.
     ///
     /// # Errors
     /// There is such an element. Each is given by its name, and whether it is there.

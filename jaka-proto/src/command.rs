@@ -27,8 +27,8 @@ pub trait Command: Fields + Validate {
     /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field holds what the spec forbids, the firmware does not have the command or a field that is given, or it is
-    /// not known and decides the form of the request or the reply.
+    /// A field has a forbidden value, the firmware does not have the command or a given field, or the firmware is not
+    /// known and decides the form of the request or the reply.
     fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
         check_request(Self::INFO, self, rules.into())
     }
@@ -43,7 +43,7 @@ fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Re
     request.validate(&place, &FieldLimits::NONE)
 }
 
-/// Something to do with a request, whatever its type: see [`Request::visit`](crate::Request::visit).
+/// Operation on a request of any type: see [`Request::visit`](crate::Request::visit).
 pub trait Visit {
     /// Result of the operation.
     type Output;
@@ -70,23 +70,23 @@ pub struct CommandInfo {
     pub role: Option<Role>,
     /// Properties of the arm that it changes.
     pub changes: &'static [Change],
-    /// True for a motion whose end can be waited for: its request is a [`Motion`](crate::Motion), unless a pack has
+    /// True for a motion with an end that can be awaited: its request is a [`Motion`](crate::Motion), unless a pack has
     /// changed the type of its target.
     pub is_motion: bool,
     /// States without which the controller refuses.
     pub requires: &'static [Requirement],
-    /// Timeout for a reply, where the client's default does not fit.
+    /// Timeout for a reply, if the client's default does not fit.
     pub deadline: Option<Duration>,
-    /// False where the controller may go away instead of replying.
+    /// False if the controller may go away instead of replying.
     pub reply_certain: bool,
-    /// True where the connection is of no use after the reply.
+    /// True if the connection is useless after the reply.
     pub ends_session: bool,
-    /// The reply's key that a bare Python tuple in place of a JSON reply stands for.
+    /// Key of the reply that a bare Python tuple in place of a JSON reply represents.
     pub bare_reply: Option<&'static str>,
     /// The firmware that has the command.
     pub firmware: FirmwareRange,
-    /// True where the request, or a value of the reply, has another form by firmware that the version alone tells: it
-    /// is sent only once the firmware is known.
+    /// True if the form of the request, or of a value of the reply, depends on the version of the firmware: it is sent
+    /// only once the firmware is known.
     pub needs_firmware: bool,
 }
 
@@ -104,7 +104,7 @@ macro_rules! __command_info {
 }
 
 impl CommandInfo {
-    /// Facts of the built-in command with this `cmdName`; none where the spec does not have it.
+    /// Facts of the built-in command with this `cmdName`; `None` if the spec does not have it.
     pub fn of(name: &str) -> Option<&'static Self> {
         crate::Request::COMMANDS.iter().copied().find(|info| info.name == name)
     }
@@ -146,7 +146,7 @@ pub enum Effect {
     Session,
 }
 
-/// Role of a command to the arm, which decides what may be sent when.
+/// Role of a command for the arm, which decides the times at which it may be sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Role {
@@ -154,7 +154,7 @@ pub enum Role {
     Stop,
     /// Pauses a motion or a program.
     Pause,
-    /// Resumes what is paused.
+    /// Resumes a paused motion.
     Resume,
     /// Set-point of servo mode.
     SetPoint,

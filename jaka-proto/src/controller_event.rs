@@ -1,4 +1,4 @@
-//! The controller's events: what the code in `errcode` says.
+//! The controller's events, by the code in `errcode`.
 
 use std::fmt;
 use std::num::NonZeroU32;
@@ -110,20 +110,20 @@ impl ControllerEvent {
 
     /// Meaning of the event, such as `the robot is disabled`; `None` for a code that the table does not have.
     ///
-    /// Meanings, causes and remedies are those of the vendor's table of February 2024, in our own words. jaka-spec's
+    /// Meanings, causes and remedies are from the vendor's table of February 2024, in our own words. jaka-spec's
     /// `EVENTS.md` has all of them by code.
     pub fn meaning(self) -> Option<&'static str> {
         self.explanation().and_then(|(_, meaning, ..)| *meaning)
     }
 
-    /// Possible causes of the event; `None` for a code that the table does not have, and for reports of what was done.
+    /// Possible causes of the event; `None` for a code that the table does not have, and for reports of actions.
     pub fn cause(self) -> Option<EventNote> {
         self.explanation().and_then(|(_, _, cause, _)| *cause)
     }
 
     /// Remedies for the event; `None` for a code that the table does not have.
     ///
-    /// No remedy acts on the arm before somebody has looked at it. None of them knows who stands beside the arm.
+    /// No remedy acts on the arm before somebody has looked at it. No remedy knows whether a person is beside the arm.
     pub fn remedy(self) -> Option<EventNote> {
         self.explanation().and_then(|(.., remedy)| *remedy)
     }
@@ -196,8 +196,8 @@ impl GetRobotStateReply {
     /// The controller's event, from `error_code`; `None` where the reply says that there is none or does not have the
     /// field.
     ///
-    /// A controller was seen to write the code as a number. A text is read as in status packets, but one of decimal
-    /// digits alone, which could be meant either way, is not read.
+    /// One controller writes the code as a number. A text is read as in status packets, except a text of decimal digits
+    /// alone, which is ambiguous.
     ///
     /// # Errors
     /// `error_code` cannot be read. Whether there is an event is then not known.

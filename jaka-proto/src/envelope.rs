@@ -17,25 +17,25 @@ pub(crate) const QUOTED_COMMAND: &str = "\"cmdName\":";
 pub(crate) const QUOTED_CODE: &str = "\"errorCode\":";
 pub(crate) const QUOTED_MESSAGE: &str = "\"errorMsg\":";
 
-/// The part of a reply that says whose it is and whether the command was accepted.
+/// The part of a reply that identifies its request and shows whether the command was accepted.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Envelope<'a> {
     /// `cmdName`, without the blanks that some replies put around it. Some refusals have none.
     pub command: Option<Cow<'a, str>>,
     /// `errorCode`, or why it cannot be read.
     pub code: Result<ErrorCode, DecodeError>,
-    /// `errorMsg`; empty where it is absent.
+    /// `errorMsg`; empty if absent.
     pub message: Cow<'a, str>,
 }
 
 impl<'a> Envelope<'a> {
-    /// Reads the envelope of a reply, and checks on the way that the reply is JSON throughout.
+    /// Reads the envelope of a reply, and checks that the whole reply is JSON.
     ///
     /// A key that comes twice is believed where both say the same. Otherwise the code is an error, so that nothing is
     /// taken for a success, and the reply names no command.
     ///
     /// # Errors
-    /// The text is not a JSON object. The fields tell all else.
+    /// The text is not a JSON object. The fields show all else.
     pub fn read(reply: &'a str) -> Result<Self, DecodeError> {
         Self::read_by(reply, Reader::next_key, Reader::raw)
     }

@@ -171,10 +171,10 @@ impl Exchange {
         Ok(())
     }
 
-    /// Attributes a reply, and gives it to whom it belongs. `waiter` is the thread that has read it, by
-    /// [`Waiter::read`], which told its envelope.
+    /// Attributes a reply to its request. `waiter` is the thread that has read it by [`Waiter::read`], with its
+    /// envelope.
     ///
-    /// Requests before the one that is answered have lost their replies, and fail with [`Failure::Lost`].
+    /// Requests before the answered one have lost their replies, and fail with [`Failure::Lost`].
     ///
     /// # Errors
     /// The reply belongs to no outstanding request, or it is not certain to which.
@@ -210,14 +210,14 @@ impl Exchange {
         Ok(Received { request: id, command, delivery })
     }
 
-    /// Gives a waiter what is pending for it, if something is.
+    /// Gives a waiter its pending outcome, if there is one.
     pub fn take_pending(&mut self, waiter: &mut Waiter<'_>) {
         if let Some(pending) = waiter.request().and_then(|request| self.pending_for(request)) {
             waiter.take(pending);
         }
     }
 
-    /// Drops what is pending for a request, if something is: the thread that waited for it has ended.
+    /// Drops the pending outcome of a request, if there is one: the thread that waited for it has ended.
     pub fn discard_pending(&mut self, request: RequestId) {
         self.pending_for(request);
     }
@@ -254,7 +254,7 @@ impl Exchange {
         }
     }
 
-    /// Abandons all posted requests that are outstanding, and says how many those were.
+    /// Abandons all outstanding posted requests, and returns their number.
     pub fn abandon_posted(&mut self) -> u64 {
         let mut count = 0;
         while let Some(request) = self.posted.outstanding.pop_front() {

@@ -4,12 +4,11 @@ use crate::messages::status::{JointMonitor, RobotStatus};
 use crate::wire::Typed;
 
 impl RobotStatus {
-    /// External torques of the six joints in Nm: those measured from the currents minus those of the controller's model
-    /// for the pose. A contact shows as a change of them.
+    /// External torques of the six joints in Nm: the torques measured by the currents minus the torques of the
+    /// controller's model for the pose. A contact changes them.
     ///
-    /// `None` where the packet does not have both for all six joints, as the document's rows of ten values do not,
-    /// where a value is not finite, and where the arm has no power or the packet does not say that it has: then nothing
-    /// is measured.
+    /// `None` if the packet does not have both for all six joints (the document's rows have ten values), if a value is
+    /// not finite, and if the packet does not show power: then nothing is measured.
     ///
     /// Source: captures of a newer controller and of firmware 1.5.14; no document names the two values. The model has
     /// an error of its own: compare with the torques at rest without contact, not with zero. **This is no safety

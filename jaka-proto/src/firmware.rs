@@ -53,7 +53,7 @@ impl FirmwareVersion {
         &self.numbers[..usize::from(self.given)]
     }
 
-    /// True if this version begins with `other`'s numbers, as 1.6.5 does with those of 1.6.
+    /// True if this version begins with `other`'s numbers, as 1.6.5 begins with 1.6.
     fn is_below(&self, other: &Self) -> bool {
         self.numbers.starts_with(other.numbers())
     }
@@ -131,8 +131,7 @@ impl FirmwareRange {
         Self { since: self.since, until: Some(FirmwareVersion::new(numbers)) }
     }
 
-    /// True if the version has it. A number that a version does not give counts as zero: 1.7 has what is there since
-    /// 1.7.0.
+    /// True if the version has it. A missing number counts as zero: 1.7 has the items since 1.7.0.
     pub fn contains(&self, version: FirmwareVersion) -> bool {
         let is_begun = self.since.is_none_or(|since| version.numbers >= since.numbers);
         let is_over = self.until.is_some_and(|until| version > until && !version.is_below(&until));
@@ -163,9 +162,9 @@ impl fmt::Display for FirmwareRange {
 pub struct NotInFirmware {
     /// `cmdName` of the request.
     pub command: String,
-    /// The field's Rust name, such as `pose.x`; none where it is the command itself that the firmware does not have.
+    /// The field's Rust name, such as `pose.x`; `None` if the firmware lacks the command itself.
     pub field: Option<String>,
-    /// The value of the field, where it is the value that the firmware does not have.
+    /// The value of the field, if the firmware lacks the value.
     pub value: Option<String>,
     /// The controller's firmware.
     pub firmware: FirmwareVersion,

@@ -94,7 +94,7 @@ impl Framer {
         Self::with_stream(max_frame, Stream::Status)
     }
 
-    /// Room to read a socket into, at least 8 KiB; [`filled`](Self::filled) then says how much was read.
+    /// Buffer to read a socket into, at least 8 KiB; [`filled`](Self::filled) then takes the number of bytes read.
     pub fn spare(&mut self) -> &mut [u8] {
         self.make_room(ROOM);
         &mut self.buffer[self.end..]
@@ -151,7 +151,7 @@ impl Framer {
         self.visited
     }
 
-    /// Leaves the error state for the next `{` after the error, and returns how many bytes it dropped at once.
+    /// Leaves the error state for the next `{` after the error, and returns the number of bytes dropped at once.
     ///
     /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
     /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to
@@ -202,7 +202,7 @@ impl Framer {
         true
     }
 
-    /// Visits what was received, up to the end of the next frame or to an error, which it notes.
+    /// Visits received bytes, up to the end of the next frame or to an error, which it notes.
     fn find_frame(&mut self) -> Option<Range<usize>> {
         if !matches!(self.state, State::Frame(_)) {
             self.begin_frame();
@@ -350,7 +350,7 @@ impl Stream {
 enum State {
     /// Between frames.
     Gap,
-    /// After an error, on the way to the next `{`.
+    /// After an error, in search of the next `{`.
     Lost,
     /// After the first byte of a frame.
     Frame(Nesting),

@@ -1,4 +1,4 @@
-//! Motions whose end can be waited for.
+//! Motions with an end that can be awaited.
 
 use crate::command::Command;
 use crate::messages::types::{JointPosition, Pose};
@@ -33,11 +33,11 @@ pub trait Motion: Command {
 pub enum Target {
     /// At these joint positions, in degrees.
     Joints(JointPosition),
-    /// By this offset of the joints from where it begins, in degrees.
+    /// By this offset of the joints from their start, in degrees.
     JointOffset(JointPosition),
     /// At this pose of the tool centre point, in the frames that are selected when it is sent; mm and degrees.
     Pose(Pose),
-    /// By this offset from where it begins along x, y and z of the selected user frame, in mm, without a rotation.
+    /// By this offset from the start along x, y and z of the selected user frame, in mm, without a rotation.
     Offset([f64; 3]),
     /// The request does not determine it.
     Unknown,
@@ -57,12 +57,12 @@ impl Target {
 pub enum Path {
     /// All joints at once, from beginning to end together.
     ///
-    /// No source says which joint has the speed that is given; taken is the one with the longest way, as controllers of
-    /// such arms do.
+    /// No source states the joint of the given speed; the check assumes the joint with the longest path, as controllers
+    /// of such arms do.
     Joints {
-        /// The speed of the joint with the longest way, in deg/s.
+        /// The speed of the joint with the longest path, in deg/s.
         speed: f64,
-        /// Its acceleration in deg/s²; none where the controller chooses it.
+        /// Its acceleration in deg/s²; `None` if the controller chooses it.
         acceleration: Option<f64>,
     },
     /// The tool centre point on a straight line.

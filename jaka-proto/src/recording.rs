@@ -40,10 +40,10 @@
 //! | `motion` | `step`: `late`, `gap`, `done` or `failed`; `text`: in words, of the program that moves the arm |
 //! | `dropped` | `count`: how many entries of this connection are missing here, since the file could not be written as fast |
 //!
-//! Messages are kept exactly: as the string `text` where they are UTF-8, otherwise as `hex`, two hexadecimal digits for
-//! each byte. White space between messages is not kept, nor what the program never read. The entries of a connection
-//! are in the order in which the program took part in them; a message's time is that of its arrival, which may be
-//! earlier than the entry before.
+//! A recording has the exact messages: as the string `text` if they are UTF-8, otherwise as `hex`, two hexadecimal
+//! digits for each byte. It lacks white space between messages, and bytes that the program never read. The entries of a
+//! connection are in the order in which the program sent or read them; a message's time is the time of its arrival,
+//! which may be earlier than the previous entry's.
 
 mod answers;
 mod line;
@@ -172,7 +172,7 @@ pub enum MotionStep {
 /// Party that ended a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ending {
-    /// The program, or the client because of what it received.
+    /// The program, or the client because of a received message.
     Client,
     /// The controller.
     Controller,
@@ -180,7 +180,7 @@ pub enum Ending {
     Failure,
 }
 
-/// A message as it went over the wire, whatever its bytes.
+/// A message as on the wire, with any bytes.
 ///
 /// Displays text as it is; of bytes that are no UTF-8, printable ASCII as it is and every other byte as `\xNN`.
 #[derive(Clone, PartialEq, Eq, Hash)]

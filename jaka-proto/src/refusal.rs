@@ -19,8 +19,7 @@ pub struct Refusal {
 
 /// A code in a reply's `errorCode`. The set is open: firmware sends codes that no document lists.
 ///
-/// The codes that sources name are associated constants. Success is numeric zero, in whatever form it is written:
-/// `"0"`, `0`, `"0x0"`.
+/// Codes named by sources are associated constants. Success is numeric zero in any form: `"0"`, `0`, `"0x0"`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ErrorCode(pub i64);
 
@@ -31,7 +30,7 @@ impl Refusal {
     }
 }
 
-/// In one line, whatever the controller says: see [`text`](crate::text).
+/// In one line, for any text of the controller: see [`text`](crate::text).
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { command, code, message } = self;

@@ -1,4 +1,4 @@
-//! Replies: what they say besides their payload, and the payload.
+//! Replies: the envelope, and the payload.
 
 use std::borrow::Cow;
 
@@ -8,18 +8,18 @@ use crate::firmware::FirmwareVersion;
 use crate::refusal::ErrorCode;
 use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, read_message};
 
-/// A reply: whose it is, whether the command was accepted, and its payload.
+/// A reply: its command, its acceptance, and its payload.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Reply<'a, R> {
     /// Envelope of the reply; `None` for a bare Python tuple, which has only a payload.
     pub envelope: Option<Envelope<'a>>,
-    /// The payload, or why it does not fit; `None` where the command was refused or the reply does not say whether it
-    /// was, so that a missing field never hides a refusal.
+    /// The payload, or the reason why it does not fit; `None` if the command was refused or its acceptance is unknown,
+    /// so that a missing field never hides a refusal.
     pub payload: Option<Result<R, DecodeError>>,
 }
 
-/// A reply whose keys the spec does not fix: an object, without the keys that every reply has.
+/// A reply with keys that the spec does not fix: an object, without the keys of every reply.
 impl Fields for Value {
     fn write_fields(&self, out: &mut Writer) {
         for (key, value) in self.as_object().into_iter().flatten() {
@@ -162,7 +162,7 @@ pub fn read_payload_of<R: Fields>(
     read_message(&as_object(command, reply), firmware)
 }
 
-/// The reply as a JSON object, also where it is a bare Python tuple.
+/// The reply as a JSON object, also for a bare Python tuple.
 fn as_object<'r>(command: &CommandInfo, reply: &'r str) -> Cow<'r, str> {
     let Some(key) = command.bare_reply.filter(|_| reply.trim_start().starts_with('(')) else {
         return Cow::Borrowed(reply);

@@ -32,8 +32,7 @@ impl fmt::Display for Visible<'_> {
     }
 }
 
-/// Passes on what is written to it, in one line: see [`Visible`]. For texts that have parts of many kinds, such as
-/// errors.
+/// Passes on text in one line: see [`Visible`]. For texts with parts of many kinds, such as errors.
 #[derive(Debug)]
 pub struct VisibleWriter<W>(pub W);
 

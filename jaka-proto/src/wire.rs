@@ -1,8 +1,8 @@
 //! The JSON of the wire: a writer, a lenient reader, and the traits that tie them to types.
 //!
 //! Generated types implement [`Encode`] and [`Decode`], and through them serde's traits: the serde form of a type is
-//! its JSON on the wire. Users meet this module where a value is kept raw ([`Typed`], [`Value`]), and when they decode
-//! replies into types of their own.
+//! its JSON on the wire. Users need this module for raw values ([`Typed`], [`Value`]), and to decode replies into types
+//! of their own.
 
 mod decode;
 mod error;
@@ -27,7 +27,7 @@ pub use serde_impls::{deserialize, serialize};
 pub use value::Typed;
 pub use writer::Writer;
 
-/// Any JSON, where the spec knows no type.
+/// Any JSON, for values without a type in the spec.
 pub use serde_json::Value;
 
 /// A value with a JSON form on the wire.
@@ -44,7 +44,7 @@ pub trait Decode: Sized {
     /// The text is not JSON, or the value does not fit.
     fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
 
-    /// Reads the value over another one, whose memory is used again. After an error, what is there means nothing.
+    /// Reads the value over another one, and reuses its memory. After an error, the content is meaningless.
     ///
     /// # Errors
     /// As [`decode`](Self::decode).
@@ -53,7 +53,7 @@ pub trait Decode: Sized {
         Ok(())
     }
 
-    /// Reads an array over a list, whose memory is used again.
+    /// Reads an array over a list, and reuses its memory.
     #[doc(hidden)]
     fn decode_list(list: &mut Vec<Self>, reader: &mut Reader<'_>) -> Result<(), DecodeError> {
         let mut len = 0;
@@ -78,7 +78,7 @@ pub trait Decode: Sized {
     }
 }
 
-/// A struct or choice whose fields stand directly in a JSON object: a request, a reply, or a type inside one.
+/// A struct or choice with fields directly in a JSON object: a request, a reply, or a type inside one.
 pub trait Fields: Sized {
     /// Writes the fields, without the braces around them.
     fn write_fields(&self, out: &mut Writer);
@@ -94,8 +94,7 @@ pub trait Fields: Sized {
         Self::read_fields(&mut Reader::new("{}")).ok()
     }
 
-    /// Reads the whole object over another one, whose memory is used again. After an error, what is there means
-    /// nothing.
+    /// Reads the whole object over another one, and reuses its memory. After an error, the content is meaningless.
     ///
     /// # Errors
     /// As [`read_fields`](Self::read_fields).
@@ -105,7 +104,7 @@ pub trait Fields: Sized {
     }
 }
 
-/// No fields: the reply of a command that answers nothing but its success.
+/// No fields: the reply of a command that answers its success alone.
 impl Fields for () {
     fn write_fields(&self, _out: &mut Writer) {}
 

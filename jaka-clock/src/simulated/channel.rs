@@ -1,4 +1,4 @@
-//! End of a connection, whose reads and writes wait in the time of a clock.
+//! End of a connection, with reads and writes in the time of a clock.
 //!
 //! Between two ends that take part, the clock counts the bytes on their way: the bytes of a read or a write, and their
 //! time, depend on nothing else. The system carries the bytes, however long that takes it in real time. Of an end
@@ -221,7 +221,7 @@ impl Channel {
         })
     }
 
-    /// Asks the system for bytes or room of which only it knows, at first while time stands still; none if the time is
+    /// Asks the system for bytes or room that only it knows, at first while time stands still; `None` if the time is
     /// over, or the clock knows of them now.
     fn ask_system<T>(
         &self,

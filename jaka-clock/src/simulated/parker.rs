@@ -34,7 +34,7 @@ impl Parker {
         self.is_woken.load(Ordering::SeqCst)
     }
 
-    /// Waits until it is woken. Calls `ask` with the time waited, again and again, if that takes long in real time.
+    /// Waits for a wake-up. In a wait that is long in real time, calls `ask` repeatedly, with the time waited.
     pub(super) fn wait(&self, mut ask: impl FnMut(Duration)) {
         let mut since = Instant::now();
         let mut waited = Duration::ZERO;

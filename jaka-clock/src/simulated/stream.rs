@@ -57,8 +57,8 @@ impl SimulatedClock {
         Stream::new(system, channel)
     }
 
-    /// Listens, as a program that takes part. Time stands still while a connection of another one that takes part waits
-    /// to be accepted.
+    /// Listens, as a participating program. Time stands still while a connection of another participant waits to be
+    /// accepted.
     ///
     /// # Errors
     /// The system's.
@@ -76,7 +76,7 @@ impl Listener {
         self.address
     }
 
-    /// Waits for a connection; time may go on meanwhile. The thread takes part from then on.
+    /// Waits for a connection; time may advance meanwhile. The thread participates from then on.
     ///
     /// # Errors
     /// The system's.

@@ -33,7 +33,7 @@ pub(crate) enum Recipient {
 pub(crate) struct SentRequests {
     /// In the order of their ids.
     outstanding: VecDeque<SentRequest>,
-    /// The names of what is outstanding, each once.
+    /// The names of outstanding requests, each once.
     names: Vec<Name>,
     count: u64,
     bare_reply: Option<&'static str>,
@@ -50,7 +50,7 @@ struct Name {
 }
 
 crate::worded! {
-    /// Error for a connection whose replies can no longer be attributed to its requests.
+    /// Error for a connection with replies that cannot be attributed to its requests.
     #[derive(Debug, Clone, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutOfSync {
@@ -153,7 +153,7 @@ impl SentRequests {
         }
     }
 
-    /// Counts a request off those of its name; what is left of the name.
+    /// Removes a request from the count of its name; returns the rest.
     fn count_off(&mut self, command: &str) -> Option<&mut Name> {
         let place = self.names.iter().position(|name| name.command == command)?;
         self.names[place].outstanding -= 1;

@@ -29,8 +29,7 @@ pub enum Failure {
 
 /// Reads replies as the type that a thread waits for, in the one pass that also attributes each reply.
 pub trait ReadReply {
-    /// Reads a reply as the one that is waited for, whosever it is. `None` for a bare Python tuple, which has no
-    /// envelope.
+    /// Reads a reply as the awaited one, for any request. `None` for a bare Python tuple, which has no envelope.
     ///
     /// # Errors
     /// The text is neither an object by its quotes and brackets nor a Python tuple.
@@ -96,7 +95,7 @@ pub struct Waiter<'r> {
     outcome: Option<Result<(), Failure>>,
 }
 
-/// The request, and where its reply goes: its text, and what is read of it.
+/// The request, and the destination of its reply: its text, and the values read from it.
 #[derive(Debug)]
 struct Own<'r> {
     request: RequestId,
@@ -130,8 +129,8 @@ impl<'r> Waiter<'r> {
         self.outcome.is_some()
     }
 
-    /// Reads a reply, as its own if it waits for one. [`Exchange::receive`](super::Exchange::receive) then tells whose
-    /// it is.
+    /// Reads a reply, as its own if it waits for one. [`Exchange::receive`](super::Exchange::receive) then finds its
+    /// request.
     ///
     /// # Errors
     /// The text is neither an object by its quotes and brackets nor a Python tuple.
@@ -156,7 +155,7 @@ impl<'r> Waiter<'r> {
         }
     }
 
-    /// Takes what was pending.
+    /// Takes the pending outcome.
     pub(super) fn take(&mut self, pending: Pending) {
         let Some(own) = &mut self.own else { return };
         self.outcome = Some(match pending {

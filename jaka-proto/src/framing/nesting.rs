@@ -19,7 +19,7 @@ pub(super) struct Nesting {
 pub(super) enum Form {
     Json,
     Python,
-    /// JSON whose end may be missing.
+    /// JSON with a possibly missing end.
     Status,
 }
 

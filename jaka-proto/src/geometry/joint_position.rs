@@ -73,7 +73,7 @@ impl IndexMut<usize> for JointPosition {
     }
 }
 
-/// The six angles with their unit; a precision is that of each number.
+/// The six angles with their unit; a precision applies to each number.
 ///
 /// ```
 /// use jaka_proto::messages::types::JointPosition;

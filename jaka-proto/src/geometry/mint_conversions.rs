@@ -72,7 +72,7 @@ impl TryFrom<(mint::Point3<f64>, mint::ColumnMatrix3<f64>)> for Pose {
     }
 }
 
-/// A position in millimetres, and a rotation in radians whose angles are kept as they are.
+/// A position in millimetres, and a rotation in radians with unchanged angles.
 impl From<(mint::Point3<f64>, mint::EulerAngles<f64, mint::IntraZYX>)> for Pose {
     fn from((position, angles): (mint::Point3<f64>, mint::EulerAngles<f64, mint::IntraZYX>)) -> Self {
         let rotation = [angles.c, angles.b, angles.a].map(f64::to_degrees);

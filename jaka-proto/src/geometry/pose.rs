@@ -76,7 +76,7 @@ impl Pose {
         rotation::matrix_from_rpy(self.rotation_rad())
     }
 
-    /// The orientation as a unit quaternion, the one of the two that has `w` not below zero.
+    /// The orientation as a unit quaternion, with `w` not below zero.
     pub fn quaternion(&self) -> Quaternion {
         rotation::quaternion_from_rpy(self.rotation_rad())
     }
@@ -84,8 +84,8 @@ impl Pose {
     /// This position with the orientation of a rotation matrix, given row by row.
     ///
     /// # Errors
-    /// The matrix mirrors, or a product of two of its rows differs by more than one in a hundred from that of unit
-    /// vectors at right angles.
+    /// The matrix mirrors, or a product of two of its rows differs by more than 0.01 from the product of orthogonal
+    /// unit vectors.
     pub fn with_rotation_matrix(self, rows: [[f64; 3]; 3]) -> Result<Self, NotARotation> {
         rotation::check_matrix(&rows)?;
         Ok(self.with_rotation_deg(rotation::rpy_deg_from_matrix(&rows)))
@@ -178,7 +178,7 @@ impl std::ops::Mul for Pose {
     }
 }
 
-/// The position x, y, z and the rotation rx, ry, rz with their units; a precision is that of each number.
+/// The position x, y, z and the rotation rx, ry, rz with their units; a precision applies to each number.
 ///
 /// ```
 /// use jaka_proto::messages::types::Pose;

@@ -1,6 +1,6 @@
 //! The three forms of a rotation: roll, pitch and yaw, matrix, quaternion.
 
-/// An orientation as a quaternion, `w + xi + yj + zk`; a unit quaternion where it comes from a pose.
+/// An orientation as a quaternion, `w + xi + yj + zk`; a unit quaternion if it comes from a pose.
 ///
 /// There is no conversion from an array on purpose: some libraries put `w` first, others last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl std::error::Error for NotARotation {}
 /// the vendor's own example is 0.003 too long.
 const TOLERANCE: f64 = 0.01;
 
-/// Bound of the gimbal lock: `rz` is set to zero where the cosine of `ry` is less, as in the simulator.
+/// Bound of the gimbal lock: `rz` is zero for a smaller cosine of `ry`, as in the simulator.
 const LOCKED: f64 = 1e-10;
 
 type Matrix = [[f64; 3]; 3];
@@ -109,11 +109,11 @@ pub(super) fn turned(rows: &Matrix, vector: [f64; 3]) -> [f64; 3] {
     rows.map(|row| dot(&row, &vector))
 }
 
-/// The angle in radians, 0 to pi, between the orientations of two unit quaternions; exact also where it is small.
+/// The angle in radians, 0 to pi, between the orientations of two unit quaternions; exact also for small angles.
 pub(super) fn angle_between(one: Quaternion, other: Quaternion) -> f64 {
     let (one, other) = ([one.w, one.x, one.y, one.z], [other.w, other.x, other.y, other.z]);
     let length = |sign: f64| one.iter().zip(other).map(|(a, b)| (a + sign * b).powi(2)).sum::<f64>().sqrt();
-    // Both quaternions of an orientation count: the nearer one is meant.
+    // Two quaternions represent an orientation: this takes the nearer one.
     let (apart, together) = (length(-1.0), length(1.0));
     4.0 * apart.min(together).atan2(apart.max(together))
 }

@@ -141,13 +141,13 @@ fn scalar_array<T: Scalar, const N: usize>(reader: &mut Reader<'_>) -> Result<[T
     if len == N { Ok(values) } else { Err(not_an_array_of(N, reader, start)) }
 }
 
-/// Error for the array at which `reader` stood, which has another number of values.
+/// Error for the array at `reader`'s place, which has another number of values.
 #[cold]
 pub(super) fn not_an_array_of(len: usize, reader: &mut Reader<'_>, start: Mark) -> DecodeError {
     unfit(reader, start, &format!("an array of {len}"))
 }
 
-/// The error for the value at which `reader` stood.
+/// Error for the value at `reader`'s place.
 #[cold]
 fn unfit(reader: &mut Reader<'_>, start: Mark, expected: &str) -> DecodeError {
     reader.go_back(start);

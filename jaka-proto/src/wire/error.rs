@@ -44,7 +44,7 @@ impl DecodeError {
         Self::new(Kind::Malformed { expected, offset, found: excerpt(text.get(offset..).unwrap_or("")) })
     }
 
-    /// The value is JSON, but not what the type takes.
+    /// The value is JSON, but does not fit the type.
     pub fn unfit(expected: impl Into<String>, found: &str) -> Self {
         Self::new(Kind::Unfit { expected: expected.into(), found: excerpt(found) })
     }
@@ -113,7 +113,7 @@ impl DecodeError {
     }
 }
 
-/// In one line, whatever the message holds: see [`text`](crate::text).
+/// In one line, for any message: see [`text`](crate::text).
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Inner { path, kind } = &*self.0;
